@@ -1,0 +1,2 @@
+#include "base/laws.h"
+int main() {}

@@ -1,0 +1,84 @@
+// The choices of law that a design makes and the solver obeys.
+//
+// Both sides share these enumerations; the names below are the ones that files, the command line
+// and the screen use, in the order of the enumerators. They are never renamed.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace ripstop {
+
+enum class Integrator { ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet };
+
+enum class Solver {
+    AveragedJacobi, // mass-split: conserves momentum (Tonge 2012)
+    PaperJacobi, // each end averages its own corrections (Beaudry, Egli, Patenaude 2005, figure 8)
+    GaussSeidel  // in colours, with compliance (Macklin, Mueller, Chentanez 2016)
+};
+
+enum class LinkKind { Spring, Rod };               // a force; a constraint
+enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
+enum class TearRule { Never, Length, Strain, Force };
+enum class AirLaw { None, Paper, LinearNormal };
+enum class ColliderShape { Plane, Sphere };
+enum class Response { Stop, Slide, Contact };
+enum class ControlKind { Move, WeightShift };
+
+// What a probe reads; its unit stands in measure/probe.h.
+enum class Quantity {
+    PositionX,
+    PositionY,
+    PositionZ,
+    Speed,
+    SinkRate,
+    Tension,
+    Strain,
+    MaxStrain,
+    MaxTension,
+    Distance,
+    Elevation,
+    GlideRatio,
+    MeanGlideRatio,
+    AirForce,
+    KineticEnergy,
+    PotentialEnergy,
+    ElasticEnergy,
+    TotalEnergy,
+    TornLinks
+};
+
+template <typename E>
+inline constexpr std::array<std::string_view, 0> choiceNames{};
+
+template <>
+inline constexpr std::array<std::string_view, 4> choiceNames<Integrator>{
+    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet"};
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<Solver>{
+    "averaged_jacobi", "paper_jacobi", "gauss_seidel"};
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<Resists>{"both", "tension",
+                                                                      "compression"};
+template <>
+inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", "length", "strain",
+                                                                       "force"};
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<AirLaw>{"none", "paper",
+                                                                     "linear_normal"};
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<ColliderShape>{"plane", "sphere"};
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<Response>{"stop", "slide", "contact"};
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<ControlKind>{"move", "weight_shift"};
+template <>
+inline constexpr std::array<std::string_view, 19> choiceNames<Quantity>{
+    "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
+    "tension",          "strain",         "max_strain",       "max_tension", "distance",
+    "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
+    "potential_energy", "elastic_energy", "total_energy",     "torn_links"};
+
+} // namespace ripstop

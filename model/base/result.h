@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cassert>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace ripstop {
+
+// Why something could not be done: one sentence that names the place and says what to do.
+struct Failure
+{
+    std::string message;
+};
+
+// A value, or the reason why there is none. (g++ 12 has no std::expected.)
+template <typename T>
+class [[nodiscard]] Result
+{
+public:
+    Result(T value)
+        : m_value(std::move(value))
+    {}
+    Result(Failure failure)
+        : m_failure(std::move(failure))
+    {}
+
+    explicit operator bool() const { return m_value.has_value(); }
+
+    T& operator*() { return *m_value; }
+    const T& operator*() const { return *m_value; }
+    T* operator->() { return &*m_value; }
+    const T* operator->() const { return &*m_value; }
+
+    // Only when there is no value.
+    const Failure& failure() const
+    {
+        assert(!m_value);
+        return m_failure;
+    }
+    const std::string& message() const { return failure().message; }
+
+private:
+    std::optional<T> m_value;
+    Failure m_failure;
+};
+
+} // namespace ripstop

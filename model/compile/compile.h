@@ -1,0 +1,17 @@
+// Scene to System: the only bridge between what is authored and what is solved.
+#pragma once
+
+#include "base/result.h"
+#include "scene/scene.h"
+#include "sim/system.h"
+
+#include <memory>
+
+namespace ripstop {
+
+// Fails with the first problem that keeps the scene from running (check.h lists them all).
+// `generation` counts compiles and `run` counts resets; see System.
+Result<std::shared_ptr<const System>> compile(const Scene& scene, std::uint64_t generation = 1,
+                                              std::uint64_t run = 1);
+
+} // namespace ripstop

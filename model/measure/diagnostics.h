@@ -1,0 +1,34 @@
+// Figures of a whole system.
+#pragma once
+
+#include "sim/system.h"
+
+#include <span>
+
+namespace ripstop {
+
+struct Energies
+{
+    double kinetic = 0.0;   // J
+    double potential = 0.0; // J, of weight, zero at the origin
+    double elastic = 0.0;   // J, in springs and compliant rods
+    double total() const { return kinetic + potential + elastic; }
+};
+
+Energies energies(const System& system, const State& state);
+
+Vec3 centerOfMass(const System& system, std::span<const Vec3> position); // m, pins included
+Vec3 momentum(const System& system, const State& state);                 // kg m/s, free particles
+
+// Per link in the author's order; 0 where torn.
+std::vector<double> strains(const System& system, const State& state);  // 1
+std::vector<double> tensions(const System& system, const State& state); // N, compression negative
+
+// Air load of each panel, N, 0 where gone.
+std::vector<Vec3> panelLoads(const System& system, const State& state);
+
+// FNV-1a over positions, velocities, inputs and what is torn: equal for equal bits only.
+std::uint64_t stateHash(const State& state);
+std::string hashText(std::uint64_t hash); // 16 hexadecimal digits
+
+} // namespace ripstop

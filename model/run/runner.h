@@ -1,0 +1,52 @@
+#pragma once
+
+#include "run/latest_value.h"
+#include "run/simulation.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <limits>
+#include <thread>
+
+namespace ripstop {
+
+// Runs a simulation on a thread of its own, paced to the clock.
+//
+// Both directions are one-slot mailboxes of immutable values, so neither side ever waits for the
+// other and nothing is shared that can change. A slot may skip values, so what it carries must be
+// a state and never an event: a reset is a system with another run number, not a message.
+class Runner
+{
+public:
+    Runner();
+
+    // Takes effect at the next step boundary. The motion carries over unless `run` differs.
+    void load(std::shared_ptr<const System> system);
+
+    void setPlaying(bool playing);
+    void
+    setSpeed(double ratio); // simulated seconds per second of the clock; 0 is as fast as it can
+    void stepOnce();        // one time step, playing or not
+    void playUntil(double time);     // s; plays unpaced and stops exactly there
+    void command(Commands commands); // all commands so far; the newest value of each control
+
+    // The newest frame, or null when there is none since the last call.
+    [[nodiscard]] std::shared_ptr<const Frame> takeFrame() { return m_frames.take(); }
+
+private:
+    void run(const std::stop_token& stop);
+    void wake();
+
+    LatestValue<System> m_systems;
+    LatestValue<Commands> m_commands;
+    LatestValue<Frame> m_frames;
+    std::atomic<bool> m_playing = false;
+    std::atomic<double> m_speed = 1.0;
+    std::atomic<std::int64_t> m_stepsAsked = 0;
+    std::atomic<double> m_until = -std::numeric_limits<double>::infinity();
+    std::mutex m_mutex;
+    std::condition_variable_any m_wake;
+    std::jthread m_thread; // last: stops and joins before the rest is destroyed
+};
+
+} // namespace ripstop

@@ -1,0 +1,51 @@
+// A system in motion: state, stepper and watchdog together. The runner thread, the command line
+// and the exporters all drive one of these, so that they get the same bits.
+#pragma once
+
+#include "run/frame.h"
+#include "sim/stepper.h"
+#include "sim/watchdog.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace ripstop {
+
+// Where the controls are told to go, m, by the id of the control. Controls that are not named keep
+// what they were told before.
+using Commands = std::map<std::uint32_t, double>;
+
+class Simulation
+{
+public:
+    explicit Simulation(std::shared_ptr<const System> system, int threads = 1);
+
+    // Goes on with an edited system. The motion carries over unless its run number differs.
+    void load(std::shared_ptr<const System> system);
+
+    void command(const Commands& commands);
+
+    // One time step. False, and the last good state stays, when the next one would be broken;
+    // trouble() then says why.
+    bool step();
+
+    // Steps until `time`, s, is reached; the number of whole steps is rounded.
+    bool runUntil(double time);
+
+    const System& system() const { return *m_system; }
+    const State& state() const { return m_state; }
+    const std::optional<Trouble>& trouble() const { return m_trouble; }
+
+    std::shared_ptr<const Frame> frame() const;
+
+private:
+    std::shared_ptr<const System> m_system;
+    std::shared_ptr<const Layout> m_layout;
+    State m_state;
+    State m_lastGood;
+    Stepper m_stepper;
+    std::optional<Trouble> m_trouble;
+};
+
+} // namespace ripstop

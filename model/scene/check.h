@@ -1,0 +1,37 @@
+// Problems of a scene: what keeps it from running, and what will run but hardly as meant.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+enum class Severity { Error, Warning };
+
+struct Problem
+{
+    Severity severity;
+    std::string message; // what is wrong and what to do about it
+    Id culprit{};        // item or element; noId when it is the scene as a whole
+};
+
+// Errors first. At most `most` problems of each sort, so that a broken table of a million rows
+// stays readable.
+std::vector<Problem> problemsOf(const Scene& scene, std::size_t most = 20);
+
+// The longest substep at which the springs of a scene are sure to be stable, and the particle that
+// asks for it: h < sqrt(2 m / sum k), the Gershgorin bound of the largest frequency. Nothing when
+// there are no springs.
+struct StepLimit
+{
+    double timeStep; // s
+    Id particle;
+};
+std::optional<StepLimit> stepLimit(const Scene& scene);
+
+bool hasErrors(const std::vector<Problem>& problems);
+
+} // namespace ripstop

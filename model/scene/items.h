@@ -1,0 +1,179 @@
+// What a scene is made of: many elements that are alike, few items that differ.
+//
+// Every field here is authored, nothing is derived. Units, ranges and explanations of the fields
+// stand in the property table (property.cpp), which files, forms and the manual are made from.
+#pragma once
+
+#include "base/laws.h"
+#include "base/vec3.h"
+#include "scene/id.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ripstop {
+
+// --- elements: rows of the tables of a part, in ascending order of id -----------------------
+
+struct Particle
+{
+    Id id{};
+    Vec3 position = Vec3::Zero(); // m, where the run starts
+    Vec3 velocity = Vec3::Zero(); // m/s, when the run starts
+    double mass = 0.01;           // kg
+    bool pinned = false;
+    double textureU = 0.0;
+    double textureV = 0.0;
+
+    friend bool operator==(const Particle&, const Particle&) = default;
+};
+
+// Two particles tied to each other. A number that is absent comes from the material.
+struct Link
+{
+    Id id{};
+    Id from{};
+    Id to{};
+    Id material{};
+    LinkKind kind = LinkKind::Rod;
+    Resists resists = Resists::Both;
+    double restLength = 1.0;          // m
+    std::optional<double> stiffness;  // N/m, springs
+    std::optional<double> damping;    // N s/m, springs
+    std::optional<double> compliance; // m/N, rods
+    std::optional<double> tearLimit;  // in the unit of the material's tear rule
+
+    friend bool operator==(const Link&, const Link&) = default;
+};
+
+// One triangle of fabric.
+struct Panel
+{
+    Id id{};
+    Id a{};
+    Id b{};
+    Id c{};
+    Id material{};
+
+    friend bool operator==(const Panel&, const Panel&) = default;
+};
+
+// --- items -----------------------------------------------------------------------------------
+
+// A named network. The builder and its parameters are kept so that the part can be built again.
+struct Part
+{
+    std::string name = "part";
+    bool shown = true;
+    std::string builder;                      // empty when drawn by hand
+    std::map<std::string, double> parameters; // of the builder
+    std::vector<Particle> particles;
+    std::vector<Link> links;
+    std::vector<Panel> panels;
+
+    friend bool operator==(const Part&, const Part&) = default;
+};
+
+// What links and panels are made of.
+struct Material
+{
+    std::string name = "material";
+    std::string color = "#c8553d";
+    bool shown = true;
+    double stiffness = 100.0; // N/m, springs
+    double damping = 0.0;     // N s/m, springs
+    double compliance = 0.0;  // m/N, rods
+    TearRule tearRule = TearRule::Never;
+    double tearLimit = 0.5; // m, 1 or N, as the rule says
+    AirLaw airLaw = AirLaw::LinearNormal;
+    double normalCoefficient = 2.0; // 1
+    double skinFriction = 0.0;      // 1
+
+    friend bool operator==(const Material&, const Material&) = default;
+};
+
+struct Group
+{
+    std::string name = "group";
+    std::vector<Id> members;
+
+    friend bool operator==(const Group&, const Group&) = default;
+};
+
+struct Collider
+{
+    std::string name = "collider";
+    ColliderShape shape = ColliderShape::Plane;
+    Vec3 position = Vec3::Zero();      // m
+    Vec3 normal = Vec3(0.0, 1.0, 0.0); // plane only
+    double radius = 1.0;               // m, sphere only
+    Response response = Response::Contact;
+    double restitution = 0.0; // 1
+    double friction = 0.3;    // 1
+    bool shown = true;
+
+    friend bool operator==(const Collider&, const Collider&) = default;
+};
+
+struct Wind
+{
+    std::string name = "wind";
+    Vec3 velocity = Vec3::Zero(); // m/s
+
+    friend bool operator==(const Wind&, const Wind&) = default;
+};
+
+// One input with one value, m: how far its targets are moved along `axis`, or how far the weight
+// is shifted along it inside the rods that hold it.
+struct Control
+{
+    std::string name = "control";
+    ControlKind kind = ControlKind::Move;
+    std::vector<Id> targets; // particles
+    Vec3 axis = Vec3(1.0, 0.0, 0.0);
+    std::string keyLess; // "Left"; "Ctrl+Left" and the like as Qt writes key sequences
+    std::string keyMore;
+    double step = 0.01;         // m, per key press
+    double limit = 1.0;         // m, either way
+    double rate = 0.5;          // m/s, how fast the value follows its command
+    double automaticRate = 0.0; // m/s, how fast the command moves by itself
+
+    friend bool operator==(const Control&, const Control&) = default;
+};
+
+struct Probe
+{
+    std::string name = "probe";
+    Quantity quantity = Quantity::PositionY;
+    Id target{}; // particle, link, part or group; none is the whole scene
+    Id from{};   // the other particle, for distance and elevation
+    bool plotted = true;
+
+    friend bool operator==(const Probe&, const Probe&) = default;
+};
+
+// How the scene is run.
+struct Settings
+{
+    std::string title;
+    std::string notes;
+    double timeStep = 1.0 / 240.0; // s
+    int substeps = 4;
+    int sweeps = 8;
+    Integrator integrator = Integrator::SemiImplicitEuler;
+    Solver solver = Solver::GaussSeidel;
+    Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
+    double airDensity = 1.225;               // kg/m^3
+    double viscosity = 0.0;                  // 1/s
+    double speedLimit = 1000.0;              // m/s
+
+    friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+using Item = std::variant<Part, Material, Group, Collider, Wind, Control, Probe>;
+
+} // namespace ripstop

@@ -1,0 +1,118 @@
+#include "scene/path.h"
+
+#include <charconv>
+
+namespace ripstop {
+namespace {
+
+std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates)
+{
+    const std::string_view near = nearest(word, candidates);
+    if (!near.empty())
+        return "; did you mean " + quoted(near) + "?";
+    std::string list;
+    for (const std::string_view candidate : candidates)
+        list += (list.empty() ? "; there is " : ", ") + std::string(candidate);
+    return list;
+}
+
+struct Target
+{
+    Kind kind;
+    std::vector<Id> ids;
+};
+
+template <typename Row>
+Target rowsOf(Kind kind, const std::vector<Row>& rows)
+{
+    Target target{kind, {}};
+    for (const Row& row : rows)
+        target.ids.push_back(row.id);
+    return target;
+}
+
+// `name` is all of the path before the property's key.
+Result<Target> findTarget(const Scene& scene, std::string_view name)
+{
+    if (name == "settings")
+        return Target{Kind::Settings, {settingsId}};
+
+    if (name.starts_with('#')) {
+        std::uint32_t number = 0;
+        const auto [end, error] =
+            std::from_chars(name.data() + 1, name.data() + name.size(), number);
+        const bool whole = error == std::errc() && end == name.data() + name.size();
+        if (const auto ref = whole ? find(scene, Id{number}) : std::nullopt)
+            return Target{kindOf(*ref), {Id{number}}};
+        return Failure{"nothing in the scene has the id " + quoted(name)};
+    }
+
+    std::vector<std::string_view> names{"settings"};
+    for (const Entry& entry : scene.items) {
+        if (nameOf(entry.item) == name)
+            return Target{
+                std::visit([](const auto& item) { return kindOf(ConstRef(&item)); }, entry.item),
+                {entry.id}};
+        names.push_back(nameOf(entry.item));
+    }
+
+    if (const auto dot = name.rfind('.'); dot != std::string_view::npos) {
+        const std::string_view table = name.substr(dot + 1);
+        for (const Entry& entry : scene.items) {
+            const Part* part = std::get_if<Part>(&entry.item);
+            if (!part || part->name != name.substr(0, dot))
+                continue;
+            if (table == kindPlural(Kind::Particle))
+                return rowsOf(Kind::Particle, part->particles);
+            if (table == kindPlural(Kind::Link))
+                return rowsOf(Kind::Link, part->links);
+            if (table == kindPlural(Kind::Panel))
+                return rowsOf(Kind::Panel, part->panels);
+            return Failure{"part " + quoted(part->name) + " has particles, links and panels, not "
+                           + quoted(table)};
+        }
+    }
+    return Failure{"no item is called " + quoted(name) + suggestion(name, names)};
+}
+
+} // namespace
+
+Result<Place> findPlace(const Scene& scene, std::string_view path)
+{
+    const auto dot = path.rfind('.');
+    if (dot == std::string_view::npos)
+        return Failure{quoted(path) + " is no path; write ITEM.PROPERTY, like settings.timeStep"};
+
+    const Result<Target> target = findTarget(scene, path.substr(0, dot));
+    if (!target)
+        return target.failure();
+
+    const std::string_view key = path.substr(dot + 1);
+    if (const Property* property = findProperty(target->kind, key))
+        return Place{property, target->ids};
+    std::vector<std::string_view> keys;
+    for (const Property& property : propertiesOf(target->kind))
+        keys.push_back(property.key);
+    return Failure{"a " + std::string(kindName(target->kind)) + " has no property " + quoted(key)
+                   + suggestion(key, keys)};
+}
+
+Result<Edit> assignment(const Scene& scene, std::string_view text)
+{
+    const auto equals = text.find('=');
+    if (equals == std::string_view::npos)
+        return Failure{quoted(text)
+                       + " sets nothing; write PATH=VALUE, like settings.timeStep=0.002"};
+    const Result<Place> place = findPlace(scene, text.substr(0, equals));
+    if (!place)
+        return place.failure();
+    const Result<Value> value = valueFromText(*place->property, text.substr(equals + 1));
+    if (!value)
+        return value.failure();
+    return Edit{"Set " + std::string(place->property->label),
+                {SetValues{place->property, place->targets, {*value}}}};
+}
+
+} // namespace ripstop

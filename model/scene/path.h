@@ -1,0 +1,25 @@
+// Paths: how a person names a property of a scene on one line.
+//
+//     settings.timeStep             a setting
+//     wind.velocity                 an item by its name
+//     #17.mass                      an item or an element by its id
+//     kite.particles.mass           all elements of a part at once
+#pragma once
+
+#include "scene/edit.h"
+
+namespace ripstop {
+
+struct Place
+{
+    const Property* property;
+    std::vector<Id> targets;
+};
+
+// A message names the nearest thing that exists.
+Result<Place> findPlace(const Scene& scene, std::string_view path);
+
+// "PATH=VALUE" as an edit.
+Result<Edit> assignment(const Scene& scene, std::string_view text);
+
+} // namespace ripstop

@@ -1,0 +1,205 @@
+#include "scene/property.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+template <typename T>
+struct MemberOf;
+template <typename Owner_, typename Field_>
+struct MemberOf<Field_ Owner_::*>
+{
+    using Owner = Owner_;
+    using Field = Field_;
+};
+
+template <typename Field>
+struct Codec // bool, int, double, text, Vec3, id, ids: held as they are
+{
+    static constexpr bool optional = false;
+    static std::span<const std::string_view> choices() { return {}; }
+    static Value value(const Field& field) { return field; }
+    static Field field(const Value& value) { return std::get<Field>(value); }
+};
+
+template <typename Field>
+requires std::is_enum_v<Field> &&(!std::is_same_v<Field, Id>)struct Codec<Field>
+{
+    static constexpr bool optional = false;
+    static std::span<const std::string_view> choices() { return choiceNames<Field>; }
+    static Value value(Field field) { return std::string(choices()[std::size_t(field)]); }
+    static Field field(const Value& value)
+    {
+        const auto& name = std::get<std::string>(value);
+        return Field(std::find(choices().begin(), choices().end(), name) - choices().begin());
+    }
+};
+
+template <typename T>
+struct Codec<std::optional<T>>
+{
+    static constexpr bool optional = true;
+    static std::span<const std::string_view> choices() { return {}; }
+    static Value value(const std::optional<T>& field)
+    {
+        return field ? Value(*field) : Value(std::monostate());
+    }
+    static std::optional<T> field(const Value& value)
+    {
+        const T* held = std::get_if<T>(&value);
+        return held ? std::optional<T>(*held) : std::nullopt;
+    }
+};
+
+// Builds a row from a pointer to member, so that a row cannot name one field and read another.
+template <auto member>
+Property property(std::string_view key, std::string_view label, std::string_view unit,
+                  Effect effect, std::string_view help, Range range = {}, Kinds pointsAt = {})
+{
+    using Owner = typename MemberOf<decltype(member)>::Owner;
+    using Field = typename MemberOf<decltype(member)>::Field;
+    using Coded = Codec<Field>;
+    const auto get = [](const ConstRef& ref) -> Value {
+        return Coded::value(std::get<const Owner*>(ref)->*member);
+    };
+    const auto set = [](const Ref& ref, const Value& value) {
+        std::get<Owner*>(ref)->*member = Coded::field(value);
+    };
+    Owner example;
+    const Kind kind = kindOf(ConstRef(&std::as_const(example)));
+    return {kind,
+            key,
+            label,
+            unit,
+            effect,
+            help,
+            range,
+            pointsAt,
+            Coded::choices(),
+            Coded::value(example.*member),
+            Coded::optional,
+            get,
+            set};
+}
+
+constexpr Range notNegative{0.0};
+constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
+constexpr Range fraction{0.0, 1.0};
+constexpr Kinds particles{Kind::Particle};
+constexpr Kinds materials{Kind::Material};
+constexpr Kinds elements{Kind::Particle, Kind::Link, Kind::Panel};
+constexpr Kinds measurable{Kind::Particle, Kind::Link, Kind::Part, Kind::Group};
+
+} // namespace
+
+std::span<const Property> allProperties()
+{
+    using enum Effect;
+    // clang-format off
+    static const std::array table{
+        property<&Settings::title>       ("title",       "Title",        "",        DisplayOnly, "What this scene is, in one line."),
+        property<&Settings::notes>       ("notes",       "Notes",        "",        DisplayOnly, "What a reader of this scene should know."),
+        property<&Settings::timeStep>    ("timeStep",    "Time step",    "s",       Recompile,   "Simulated time of one step; shorter is more exact and slower.", {1e-6, 0.1}),
+        property<&Settings::substeps>    ("substeps",    "Substeps",     "",        Recompile,   "Parts that each time step is cut into; the cheapest way to stiffer rods.", {1, 10000}),
+        property<&Settings::sweeps>      ("sweeps",      "Sweeps",       "",        Recompile,   "Passes over all rods in each substep; more is stiffer and slower.", {1, 100000}),
+        property<&Settings::integrator>  ("integrator",  "Integrator",   "",        Recompile,   "Rule that turns forces into motion."),
+        property<&Settings::solver>      ("solver",      "Rod solver",   "",        Recompile,   "Rule that restores the lengths of rods; averaged Jacobi conserves momentum, the paper's does not, Gauss-Seidel converges fastest."),
+        property<&Settings::gravity>     ("gravity",     "Gravity",      "m/s\u00b2", Recompile, "Acceleration of everything that falls; y is up."),
+        property<&Settings::airDensity>  ("airDensity",  "Air density",  "kg/m\u00b3", Recompile, "Mass of the air per volume; 1.225 at sea level, 0 is a vacuum.", notNegative),
+        property<&Settings::viscosity>   ("viscosity",   "Viscosity",    "1/s",     Recompile,   "Rate at which every velocity decays, over and above the drag of the panels.", notNegative),
+        property<&Settings::speedLimit>  ("speedLimit",  "Speed limit",  "m/s",     Recompile,   "A particle faster than this counts as diverged, and the run stops.", positive),
+
+        property<&Particle::position>    ("position",    "Position",     "m",       OnReset,     "Where the particle starts."),
+        property<&Particle::velocity>    ("velocity",    "Velocity",     "m/s",     OnReset,     "How fast the particle starts."),
+        property<&Particle::mass>        ("mass",        "Mass",         "kg",      Recompile,   "Inertia and weight.", notNegative),
+        property<&Particle::pinned>      ("pinned",      "Pinned",       "",        Recompile,   "Held in place, whatever pulls on it."),
+        property<&Particle::textureU>    ("u",           "Texture u",    "",        DisplayOnly, "Where the particle lies across the picture printed on the fabric, 0 to 1."),
+        property<&Particle::textureV>    ("v",           "Texture v",    "",        DisplayOnly, "Where the particle lies up the picture printed on the fabric, 0 to 1."),
+
+        property<&Link::from>            ("from",        "From",         "",        Recompile,   "Particle at one end.", {}, particles),
+        property<&Link::to>              ("to",          "To",           "",        Recompile,   "Particle at the other end.", {}, particles),
+        property<&Link::material>        ("material",    "Material",     "",        Recompile,   "Gives every number that the link does not set itself.", {}, materials),
+        property<&Link::kind>            ("kind",        "Kind",         "",        Recompile,   "A spring pulls with a force, a rod keeps its length as a constraint."),
+        property<&Link::resists>         ("resists",     "Resists",      "",        Recompile,   "A line resists tension only, a strut compression only, a batten both."),
+        property<&Link::restLength>      ("restLength",  "Rest length",  "m",       Recompile,   "Length without load.", notNegative),
+        property<&Link::stiffness>       ("stiffness",   "Stiffness",    "N/m",     Recompile,   "Force of a spring per metre of stretch; empty takes the material's.", notNegative),
+        property<&Link::damping>         ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching; empty takes the material's.", notNegative),
+        property<&Link::compliance>      ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton, 0 never stretches; empty takes the material's.", notNegative),
+        property<&Link::tearLimit>       ("tearLimit",   "Tear limit",   "",        Recompile,   "The link breaks above this, in metres, as a strain or in newtons as its material's tear rule says; empty takes the material's.", notNegative),
+
+        property<&Panel::a>              ("a",           "Corner a",     "",        Recompile,   "First corner.", {}, particles),
+        property<&Panel::b>              ("b",           "Corner b",     "",        Recompile,   "Second corner.", {}, particles),
+        property<&Panel::c>              ("c",           "Corner c",     "",        Recompile,   "Third corner.", {}, particles),
+        property<&Panel::material>       ("material",    "Material",     "",        Recompile,   "Gives the colour and the law of its air load.", {}, materials),
+
+        property<&Part::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
+        property<&Part::shown>           ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
+        property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand."),
+
+        property<&Material::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
+        property<&Material::color>       ("color",       "Colour",       "",        DisplayOnly, "Colour in the view, as #rrggbb."),
+        property<&Material::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Links and panels of this material are drawn."),
+        property<&Material::stiffness>   ("stiffness",   "Stiffness",    "N/m",     Recompile,   "Force of a spring per metre of stretch.", notNegative),
+        property<&Material::damping>     ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching.", notNegative),
+        property<&Material::compliance>  ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton; 0 never stretches.", notNegative),
+        property<&Material::tearRule>    ("tearRule",    "Tears by",     "",        Recompile,   "What breaks a link: its length (m), its strain, the force in it (N), or nothing."),
+        property<&Material::tearLimit>   ("tearLimit",   "Tear limit",   "",        Recompile,   "A link breaks above this, in metres, as a strain or in newtons as the rule says.", notNegative),
+        property<&Material::airLaw>      ("airLaw",      "Air law",      "",        Recompile,   "How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too."),
+        property<&Material::normalCoefficient>("normalCoefficient", "Normal force", "", Recompile, "Coefficient of the force across the panel; 4 is the paper's, 2 a flat plate's, 1.17 a disc's head on.", notNegative),
+        property<&Material::skinFriction>("skinFriction", "Skin friction", "",      Recompile,   "Coefficient of the force along the panel, both sides together; about 0.02 for cloth.", notNegative),
+
+        property<&Group::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
+        property<&Group::members>        ("members",     "Members",      "",        Recompile,   "Particles, links and panels that belong to the group.", {}, elements),
+
+        property<&Collider::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
+        property<&Collider::shape>       ("shape",       "Shape",        "",        Recompile,   "A plane without end, or a sphere."),
+        property<&Collider::position>    ("position",    "Position",     "m",       Recompile,   "A point of the plane, or the centre of the sphere."),
+        property<&Collider::normal>      ("normal",      "Normal",       "",        Recompile,   "Direction that the plane faces; only planes use it."),
+        property<&Collider::radius>      ("radius",      "Radius",       "m",       Recompile,   "Radius of the sphere; only spheres use it.", positive),
+        property<&Collider::response>    ("response",    "Response",     "",        Recompile,   "What is left of the motion of a particle that touches: nothing, the part along the surface, or a bounce with friction."),
+        property<&Collider::restitution> ("restitution", "Restitution",  "",        Recompile,   "Share of the impact speed that a bounce gives back; only the response contact uses it.", fraction),
+        property<&Collider::friction>    ("friction",    "Friction",     "",        Recompile,   "Coulomb coefficient; only the response contact uses it.", notNegative),
+        property<&Collider::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
+
+        property<&Wind::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
+        property<&Wind::velocity>        ("velocity",    "Velocity",     "m/s",     Recompile,   "Velocity of the air, the same everywhere; the winds of a scene add up."),
+
+        property<&Control::name>         ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
+        property<&Control::kind>         ("kind",        "Kind",         "",        Recompile,   "Moves its targets, or shifts their weight inside the rods that hold them."),
+        property<&Control::targets>      ("targets",     "Targets",      "",        Recompile,   "Particles that the control acts on.", {}, particles),
+        property<&Control::axis>         ("axis",        "Axis",         "",        Recompile,   "Direction of a positive value."),
+        property<&Control::keyLess>      ("keyLess",     "Key less",     "",        DisplayOnly, "Key that lowers the value by one step, for example Left."),
+        property<&Control::keyMore>      ("keyMore",     "Key more",     "",        DisplayOnly, "Key that raises the value by one step, for example Right."),
+        property<&Control::step>         ("step",        "Step",         "m",       DisplayOnly, "Change of the commanded value per key press.", positive),
+        property<&Control::limit>        ("limit",       "Limit",        "m",       Recompile,   "Largest value either way.", notNegative),
+        property<&Control::rate>         ("rate",        "Rate",         "m/s",     Recompile,   "How fast the value follows its command in simulated time.", positive),
+        property<&Control::automaticRate>("automaticRate", "Automatic rate", "m/s", Recompile,   "How fast the value moves by itself until it reaches the limit; 0 waits for keys."),
+
+        property<&Probe::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in plots and tables."),
+        property<&Probe::quantity>       ("quantity",    "Quantity",     "",        Recompile,   "What is measured."),
+        property<&Probe::target>         ("target",      "Target",       "",        Recompile,   "Particle, link, part or group that is measured; empty is the whole scene.", {}, measurable),
+        property<&Probe::from>           ("from",        "From",         "",        Recompile,   "Particle that a distance or an elevation is measured from.", {}, particles),
+        property<&Probe::plotted>        ("plotted",     "Plotted",      "",        DisplayOnly, "Shown in the live plot."),
+    };
+    // clang-format on
+    return table;
+}
+
+std::span<const Property> propertiesOf(Kind kind)
+{
+    const auto all = allProperties();
+    const auto isOther = [&](const Property& p) { return p.kind != kind; };
+    const auto first = std::find_if_not(all.begin(), all.end(), isOther);
+    return {first, std::find_if(first, all.end(), isOther)};
+}
+
+const Property* findProperty(Kind kind, std::string_view key)
+{
+    for (const Property& property : propertiesOf(kind))
+        if (property.key == key)
+            return &property;
+    return nullptr;
+}
+
+} // namespace ripstop

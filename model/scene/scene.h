@@ -1,0 +1,66 @@
+#pragma once
+
+#include "scene/items.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+struct Entry
+{
+    Id id{};
+    Item item;
+
+    friend bool operator==(const Entry&, const Entry&) = default;
+};
+
+// What the author made. A plain value: copy it, compare it, save it. Only apply() (edit.h), the
+// file reader and the builders write to one.
+struct Scene
+{
+    Settings settings;
+    std::vector<Entry> items;          // in the author's order
+    Id nextId{1};                      // above every id ever used
+    std::map<Id, std::string> unknown; // JSON objects with the keys that this version does not
+                                       // know, kept for the next save; noId for the file itself
+
+    friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+// A fresh id; the only way to make one.
+Id takeId(Scene& scene);
+
+// Null when there is no such item, or it is of another type.
+const Item* findItem(const Scene& scene, Id id);
+Item* findItem(Scene& scene, Id id);
+template <typename T>
+const T* findItem(const Scene& scene, Id id)
+{
+    const Item* item = findItem(scene, id);
+    return item ? std::get_if<T>(item) : nullptr;
+}
+
+// The row with this id, or null. `rows` are in ascending order of id.
+template <typename Row>
+Row* findRow(std::vector<Row>& rows, Id id);
+template <typename Row>
+const Row* findRow(const std::vector<Row>& rows, Id id)
+{
+    return findRow(const_cast<std::vector<Row>&>(rows), id);
+}
+
+// The name of an item, by any kind.
+const std::string& nameOf(const Item& item);
+
+// Calls visit(id, part) for each part in the author's order.
+template <typename Visit>
+void forEachPart(const Scene& scene, Visit visit)
+{
+    for (const Entry& entry : scene.items)
+        if (const Part* part = std::get_if<Part>(&entry.item))
+            visit(entry.id, *part);
+}
+
+} // namespace ripstop

@@ -1,0 +1,228 @@
+// Values: what a property accepts, and what people type.
+#include "scene/property.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+std::string number(double value)
+{
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::optional<double> toNumber(std::string_view text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string_view> splitAtCommas(std::string_view text)
+{
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const auto comma = text.find(',');
+        parts.push_back(trimmed(text.substr(0, comma)));
+        if (comma == std::string_view::npos)
+            return parts;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::optional<Id> toId(std::string_view text)
+{
+    const std::optional<double> value = toNumber(text);
+    if (!value || *value < 0.0 || *value > 4294967295.0 || *value != std::floor(*value))
+        return std::nullopt;
+    return Id{std::uint32_t(*value)};
+}
+
+std::string joined(std::span<const std::string_view> words)
+{
+    std::string text;
+    for (const std::string_view word : words)
+        text += (text.empty() ? "" : ", ") + std::string(word);
+    return text;
+}
+
+std::optional<std::string> outside(const Range& range, double value)
+{
+    if (!std::isfinite(value))
+        return "must be a finite number";
+    if (value < range.low || (range.openLow && value == range.low))
+        return (range.openLow ? "must be above " : "must be at least ") + number(range.low);
+    if (value > range.high)
+        return "must be at most " + number(range.high);
+    return std::nullopt;
+}
+
+std::string_view typeName(const Value& value)
+{
+    constexpr std::array<std::string_view, 8> typeNames{
+        "nothing", "true or false", "a whole number", "a number",
+        "a text",  "three numbers", "an id",          "a list of ids"};
+    return typeNames[value.index()];
+}
+
+bool isColor(std::string_view text)
+{
+    return text.size() == 7 && text[0] == '#'
+           && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
+}
+
+} // namespace
+
+std::optional<std::string> refusal(const Property& property, const Value& value)
+{
+    if (std::holds_alternative<std::monostate>(value))
+        return property.optional ? std::nullopt : std::optional<std::string>("needs a value");
+    const bool sameType = property.optional ? std::holds_alternative<double>(value)
+                                            : value.index() == property.initial.index();
+    if (!sameType)
+        return "must be "
+               + std::string(property.optional ? "a number" : typeName(property.initial));
+
+    if (const auto* real = std::get_if<double>(&value))
+        return outside(property.range, *real);
+    if (const auto* whole = std::get_if<int>(&value))
+        return outside(property.range, *whole);
+    if (const auto* vector = std::get_if<Vec3>(&value); vector && !vector->allFinite())
+        return "must be three finite numbers";
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        const auto choices = property.choices;
+        if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
+            return "must be one of " + joined(choices);
+        if (property.key == "color" && !isColor(*text))
+            return "must be a colour as #rrggbb";
+    }
+    return std::nullopt;
+}
+
+Result<Value> valueFromText(const Property& property, std::string_view text)
+{
+    text = trimmed(text);
+    if (property.optional && text.empty())
+        return Value(std::monostate());
+
+    std::optional<Value> value;
+    const Value shape = property.optional ? Value(0.0) : property.initial;
+    if (std::holds_alternative<bool>(shape)) {
+        if (text == "true" || text == "yes" || text == "1")
+            value = true;
+        else if (text == "false" || text == "no" || text == "0")
+            value = false;
+    } else if (std::holds_alternative<int>(shape)) {
+        if (const auto read = toNumber(text);
+            read && *read == std::floor(*read) && std::abs(*read) < 2e9)
+            value = int(*read);
+    } else if (std::holds_alternative<double>(shape)) {
+        if (const auto read = toNumber(text))
+            value = *read;
+    } else if (std::holds_alternative<std::string>(shape)) {
+        value = std::string(text);
+    } else if (std::holds_alternative<Vec3>(shape)) {
+        const auto parts = splitAtCommas(text);
+        Vec3 vector = Vec3::Zero();
+        bool whole = parts.size() == 3;
+        for (std::size_t i = 0; whole && i < 3; ++i) {
+            const auto read = toNumber(parts[i]);
+            whole = read.has_value();
+            vector[Eigen::Index(i)] = read.value_or(0.0);
+        }
+        if (whole)
+            value = vector;
+    } else if (std::holds_alternative<Id>(shape)) {
+        if (text.empty())
+            value = noId;
+        else if (const auto id = toId(text))
+            value = *id;
+    } else {
+        std::vector<Id> ids;
+        bool whole = true;
+        if (!text.empty())
+            for (const std::string_view part : splitAtCommas(text)) {
+                const auto id = toId(part);
+                whole = whole && id.has_value();
+                ids.push_back(id.value_or(noId));
+            }
+        if (whole)
+            value = std::move(ids);
+    }
+
+    const std::string label =
+        std::string(kindName(property.kind)) + "." + std::string(property.key);
+    if (!value)
+        return Failure{label + " must be " + std::string(typeName(shape)) + ", not \""
+                       + std::string(text) + "\""};
+    if (const auto reason = refusal(property, *value))
+        return Failure{label + " " + *reason + ", not \"" + std::string(text) + "\""};
+    return *value;
+}
+
+std::string textFromValue(const Value& value)
+{
+    struct Writer
+    {
+        std::string operator()(std::monostate) const { return {}; }
+        std::string operator()(bool b) const { return b ? "true" : "false"; }
+        std::string operator()(int i) const { return std::to_string(i); }
+        std::string operator()(double d) const { return number(d); }
+        std::string operator()(const std::string& s) const { return s; }
+        std::string operator()(const Vec3& v) const
+        {
+            return number(v.x()) + ", " + number(v.y()) + ", " + number(v.z());
+        }
+        std::string operator()(Id id) const { return std::to_string(std::uint32_t(id)); }
+        std::string operator()(const std::vector<Id>& ids) const
+        {
+            std::string text;
+            for (const Id id : ids)
+                text += (text.empty() ? "" : ", ") + (*this)(id);
+            return text;
+        }
+    };
+    return std::visit(Writer{}, value);
+}
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates)
+{
+    // Levenshtein distance; a third of the letters may be wrong.
+    std::string_view best;
+    std::size_t bestDistance = word.size() / 3 + 2;
+    std::vector<std::size_t> row;
+    for (const std::string_view candidate : candidates) {
+        row.resize(candidate.size() + 1);
+        for (std::size_t j = 0; j <= candidate.size(); ++j)
+            row[j] = j;
+        for (std::size_t i = 1; i <= word.size(); ++i) {
+            std::size_t diagonal = row[0];
+            row[0] = i;
+            for (std::size_t j = 1; j <= candidate.size(); ++j) {
+                const std::size_t change = diagonal + (word[i - 1] != candidate[j - 1]);
+                diagonal = row[j];
+                row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+            }
+        }
+        if (row.back() < bestDistance) {
+            bestDistance = row.back();
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+} // namespace ripstop

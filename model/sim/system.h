@@ -1,0 +1,199 @@
+// The two values of a simulation: the System that stays and the State that moves.
+//
+// A System is a scene made ready to run: dense arrays, indices instead of ids, every number
+// resolved. compile() builds it; then it is constant and shared freely between threads. It knows
+// no scene. Keys are the ids of the scene's elements, opaque here: they tell which particle of an
+// edited system is which.
+#pragma once
+
+#include "base/laws.h"
+#include "base/vec3.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+using Key = std::uint32_t;
+
+struct TearLimit
+{
+    TearRule rule = TearRule::Never;
+    double limit = 0.0; // m, 1 or N
+};
+
+// A link that is a force: F = k (|d| - l) + nu (vb - va).u along u = d/|d|, on `a` towards `b`.
+struct Spring
+{
+    int a; // particle index
+    int b;
+    double restLength; // m
+    double stiffness;  // N/m
+    double damping;    // N s/m
+    Resists resists;
+    TearLimit tear;
+};
+
+// A link that is a constraint.
+struct Rod
+{
+    int a; // particle index
+    int b;
+    double restLength; // m
+    double compliance; // m/N, 0 never stretches
+    Resists resists;
+    TearLimit tear;
+};
+
+struct FabricPanel // one triangle of fabric
+{
+    std::array<int, 3> corner;
+    AirLaw law;
+    double normalCoefficient; // 1
+    double skinFriction;      // 1
+};
+
+struct Obstacle
+{
+    ColliderShape shape;
+    Vec3 position; // m
+    Vec3 normal;   // unit
+    double radius; // m
+    Response response;
+    double restitution;
+    double friction;
+};
+
+// A link as the author sees it: which spring or rod it became, and whom it joins.
+struct LinkPlace
+{
+    Key key;
+    LinkKind kind;
+    int index; // in springs or rods
+    int a;     // particle indices
+    int b;
+};
+
+// One scalar input.
+struct Input
+{
+    Key key;
+    ControlKind kind;
+    Vec3 axis;                // unit
+    double limit;             // m
+    double rate;              // m/s
+    double automaticRate;     // m/s
+    std::vector<int> targets; // particle indices
+};
+
+// A rod whose rest length follows the weight shift of one of its ends:
+// L = |anchor - sum of (value x axis) over the inputs that shift `weight`|.
+struct ShiftedRod
+{
+    int rod;
+    int weight;  // the particle that is shifted
+    Vec3 anchor; // m, from the weight to the other end, in the design
+};
+
+struct ProbeSpec
+{
+    Key key;
+    std::string name;
+    Quantity quantity;
+    std::vector<int> particles; // what is averaged or summed over; a single one for a particle
+    std::vector<int> links;     // indices into System::links
+    std::vector<int> panels;
+    int from = -1; // particle index
+    bool plotted = true;
+};
+
+// Lists of lists in two arrays: row i is items[start[i]] .. items[start[i + 1]].
+struct Rows
+{
+    std::vector<int> start; // [rows + 1]
+    std::vector<int> items;
+};
+
+// What changes while a system runs. Copying a State is a checkpoint.
+struct State
+{
+    double time = 0.0;     // s
+    std::int64_t step = 0; // time steps since the start
+    bool started = false;  // the integrator's own start has been made
+
+    std::vector<Vec3> position; // [particles] m
+    std::vector<Vec3> velocity; // [particles] m/s
+    std::vector<Vec3> drift;    // [particles] m/s, (x - previous x) / h: the memory of Verlet
+
+    std::vector<double> inputCommand; // [inputs] m, where the input is told to go
+    std::vector<double> inputValue;   // [inputs] m, where it is
+
+    std::vector<std::uint8_t> springTorn; // [springs]
+    std::vector<std::uint8_t> rodTorn;    // [rods]
+    std::vector<std::uint8_t> panelGone;  // [panels]
+    std::vector<double> rodTension;       // [rods] N, from the last substep's multipliers
+    std::vector<double> rodStretch;       // [rods] m, length before projection less rest length
+
+    struct Tear
+    {
+        double time;   // s
+        Key link;      // key of the link
+        double length; // m, at the break
+        double strain; // 1
+        double force;  // N
+        Vec3 place;    // m, middle of the link
+    };
+    std::vector<Tear> tears; // in order of time
+};
+
+struct System
+{
+    std::uint64_t generation = 0; // counts compiles; copied into every Frame
+    std::uint64_t run = 0;        // counts resets; motion carries over within a run
+
+    double timeStep = 1.0 / 240.0; // s
+    int substeps = 4;
+    int sweeps = 8; // passes over the rods per substep
+    Integrator integrator = Integrator::SemiImplicitEuler;
+    Solver solver = Solver::GaussSeidel;
+    Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
+    double airDensity = 1.225;               // kg/m^3
+    Vec3 wind = Vec3::Zero();                // m/s, everywhere
+    double viscosity = 0.0;                  // 1/s
+    double speedLimit = 1000.0;              // m/s
+
+    std::vector<Key> key;            // [particles]
+    std::vector<double> mass;        // [particles] kg, the true mass even when pinned
+    std::vector<double> inverseMass; // [particles] 1/kg, 0 when pinned
+
+    std::vector<Spring> springs;
+    std::vector<Rod> rods;       // grouped by colour
+    std::vector<int> colorStart; // [colours + 1] no two rods of a colour share a particle
+    std::vector<FabricPanel> panels;
+    std::vector<Key> panelKey;    // [panels]
+    std::vector<LinkPlace> links; // in the author's order
+    std::vector<int> springLink;  // [springs] index into links
+    std::vector<int> rodLink;     // [rods] index into links
+    std::vector<int> tearable;    // indices into links that may tear
+
+    Rows springsAt;    // [particles] springs that end there
+    Rows rodsAt;       // [particles]
+    Rows panelsAt;     // [particles]
+    Rows panelsBeside; // [links] panels that have both ends as corners
+
+    std::vector<Obstacle> obstacles;
+    std::vector<Input> inputs;
+    std::vector<ShiftedRod> shiftedRods;
+    std::vector<ProbeSpec> probes;
+
+    State start;
+};
+
+// Fills what follows from the rest: colours (and with them the order of `rods` and the indices
+// that point into it), incidence lists, the sizes of `start`. Call it once, last. Needs key, mass,
+// inverseMass, springs, rods, panels, links and start.position.
+void finish(System& system);
+
+} // namespace ripstop
