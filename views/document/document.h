@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/result.h"
+#include "scene/edit.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <optional>
+
+namespace ripstop {
+
+// The open scene, its history and its file. Views read scene() and react to changed() and
+// replaced(); they write only through push() and drag().
+class Document final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    const Scene& scene() const { return m_scene; }
+    QUndoStack& history() { return m_history; }
+
+    void push(Edit edit);              // one step in the history
+    void drag(Edit edit, int gesture); // steps of one gesture merge into one
+    int beginGesture();                // a fresh number for drag()
+
+    // A new design without a file. The history starts over.
+    void replace(Scene scene, const QString& suggestedName = {});
+
+    // On failure the open scene stays as it was.
+    [[nodiscard]] std::optional<Failure> open(const QString& file);
+    [[nodiscard]] std::optional<Failure> save(const QString& file);
+
+    const QString& file() const { return m_file; } // empty until saved
+    QString displayName() const;                   // file name, or the suggested one
+    bool isModified() const { return !m_history.isClean(); }
+
+signals:
+    void changed(const ripstop::Edit& applied);
+    void replaced();
+    void fileChanged(); // name or modified mark
+
+private:
+    friend class EditCommand;
+    Edit applyNow(const Edit& edit);
+
+    Scene m_scene;
+    QUndoStack m_history;
+    QString m_file;
+    QString m_suggestedName;
+    int m_gesture = 0;
+};
+
+} // namespace ripstop
