@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace {
 
-std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+std::string quoted(std::string_view text) { return std::string(1, '"').append(text) + '"'; }
 
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates)
 {
