@@ -4,6 +4,7 @@
 #include "sim/system.h"
 
 #include <span>
+#include <string>
 
 namespace ripstop {
 
@@ -19,6 +20,9 @@ Energies energies(const System& system, const State& state);
 
 Vec3 centerOfMass(const System& system, std::span<const Vec3> position); // m, pins included
 Vec3 momentum(const System& system, const State& state);                 // kg m/s, free particles
+
+double totalMass(const System& system);                      // kg, pins included
+double fabricArea(const System& system, const State& state); // m^2, without what is gone
 
 // Per link in the author's order; 0 where torn.
 std::vector<double> strains(const System& system, const State& state);  // 1

@@ -45,6 +45,7 @@ private:
     std::atomic<std::int64_t> m_stepsAsked = 0;
     std::atomic<double> m_until = -std::numeric_limits<double>::infinity();
     std::mutex m_mutex;
+    bool m_woken = false; // guarded by m_mutex
     std::condition_variable_any m_wake;
     std::jthread m_thread; // last: stops and joins before the rest is destroyed
 };

@@ -1,37 +1,40 @@
 #pragma once
 
+#include "sim/crew.h"
+#include "sim/rod_solver.h"
 #include "sim/system.h"
 
 namespace ripstop {
 
-// Advances a State by one time step of its System. Holds scratch arrays only: two steppers given
-// the same system and state do exactly the same, whatever `threads` is.
+// Advances a State by one time step of its System. It holds scratch arrays only: two steppers
+// given the same system and state do exactly the same, whatever their number of threads.
 class Stepper
 {
 public:
     explicit Stepper(int threads = 1)
-        : m_threads(threads)
+        : m_crew(threads)
     {}
 
     void step(const System& system, State& state);
 
 private:
-    void moveInputs(const System& system, State& state, double h);
-    void addForces(const System& system, const State& state);
-    void move(const System& system, State& state, double h);
-    void project(const System& system, State& state, double h);
-    void finishMotion(const System& system, State& state, double h);
+    void prepare(const System& system, State& state);
+    void substep(const System& system, State& state, double h, std::uint64_t number);
+    void fillAccelerations(const System& system, const State& state);
+    void predict(const System& system, State& state, double h);
+    void noteRodLengths(const System& system, const State& state);
+    void project(const System& system, State& state, double h, std::uint64_t number);
+    void updateVelocities(const System& system, State& state, double h);
 
-    int m_threads;
-    int m_substep = 0;
-    std::vector<Vec3> m_force;        // [particles] N
-    std::vector<Vec3> m_springForce;  // [springs] N, on `a`
-    std::vector<Vec3> m_panelForce;   // [panels] N
+    Crew m_crew;
+    RodSolver m_rods;
+    std::vector<Vec3> m_springForce;  // [springs] N, on end `a`
+    std::vector<Vec3> m_panelLoad;    // [panels] N
+    std::vector<Vec3> m_acceleration; // [particles] m/s^2, of the forces, not of rods or contact
+    std::vector<Vec3> m_before;       // [particles] m, at the start of the substep
     std::vector<Vec3> m_predicted;    // [particles] m, before projection
-    std::vector<Vec3> m_acceleration; // [particles] m/s^2, of the forces alone
-    std::vector<Vec3> m_correction;   // [particles] m
-    std::vector<double> m_lambda;     // [rods] kg m, multipliers of this substep
     std::vector<double> m_restLength; // [rods] m, with the weight shifts of now
+    std::vector<double> m_rodLength;  // [rods] m, before projection
 };
 
 } // namespace ripstop

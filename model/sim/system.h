@@ -134,7 +134,6 @@ struct State
     std::vector<std::uint8_t> rodTorn;    // [rods]
     std::vector<std::uint8_t> panelGone;  // [panels]
     std::vector<double> rodTension;       // [rods] N, from the last substep's multipliers
-    std::vector<double> rodStretch;       // [rods] m, length before projection less rest length
 
     struct Tear
     {
@@ -192,8 +191,9 @@ struct System
 };
 
 // Fills what follows from the rest: colours (and with them the order of `rods` and the indices
-// that point into it), incidence lists, the sizes of `start`. Call it once, last. Needs key, mass,
-// inverseMass, springs, rods, panels, links and start.position.
+// that point into it), incidence lists, the sizes of `start`. Call it once, last. Needs
+// inverseMass, springs, rods, panels and start.position. Keys and links that are left empty are
+// numbered; masses that are left empty follow from inverseMass; velocities are zero.
 void finish(System& system);
 
 } // namespace ripstop

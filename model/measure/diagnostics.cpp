@@ -1,0 +1,189 @@
+#include "measure/diagnostics.h"
+
+#include "sim/inputs.h"
+#include "sim/panel_load.h"
+#include "sim/spring_force.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdio>
+#include <cstring>
+
+namespace ripstop {
+namespace {
+
+Vec3 separation(const LinkPlace& link, const State& state)
+{
+    return state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)];
+}
+
+bool isTorn(const LinkPlace& link, const State& state)
+{
+    return link.kind == LinkKind::Rod ? state.rodTorn[std::size_t(link.index)]
+                                      : state.springTorn[std::size_t(link.index)];
+}
+
+// A spring or a compliant rod stores energy only where it resists.
+double elasticEnergy(double stiffness, Resists resists, double stretch)
+{
+    const bool slack = (resists == Resists::Tension && stretch < 0.0)
+                       || (resists == Resists::Compression && stretch > 0.0);
+    return slack ? 0.0 : 0.5 * stiffness * stretch * stretch;
+}
+
+class Hash // FNV-1a, 64 bits
+{
+public:
+    template <typename T>
+    void add(const std::vector<T>& values)
+    {
+        add(values.data(), values.size() * sizeof(T));
+    }
+    void add(const void* data, std::size_t size)
+    {
+        const auto* bytes = static_cast<const unsigned char*>(data);
+        for (std::size_t i = 0; i < size; ++i)
+            m_value = (m_value ^ bytes[i]) * 0x100000001b3u;
+    }
+    std::uint64_t value() const { return m_value; }
+
+private:
+    std::uint64_t m_value = 0xcbf29ce484222325u;
+};
+
+} // namespace
+
+Energies energies(const System& system, const State& state)
+{
+    Energies sum;
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+        if (system.inverseMass[i] == 0.0)
+            continue;
+        sum.kinetic += 0.5 * system.mass[i] * state.velocity[i].squaredNorm();
+        sum.potential -= system.mass[i] * system.gravity.dot(state.position[i]);
+    }
+    std::vector<double> restLength(system.rods.size());
+    fillRestLengths(system, state, restLength);
+    for (const LinkPlace& link : system.links) {
+        if (isTorn(link, state))
+            continue;
+        const auto index = std::size_t(link.index);
+        const double length = separation(link, state).norm();
+        if (link.kind == LinkKind::Spring) {
+            const Spring& spring = system.springs[index];
+            sum.elastic +=
+                elasticEnergy(spring.stiffness, spring.resists, length - spring.restLength);
+        } else if (const Rod& rod = system.rods[index]; rod.compliance > 0.0) {
+            sum.elastic +=
+                elasticEnergy(1.0 / rod.compliance, rod.resists, length - restLength[index]);
+        }
+    }
+    return sum;
+}
+
+Vec3 centerOfMass(const System& system, std::span<const Vec3> position)
+{
+    Vec3 moment = Vec3::Zero();
+    double mass = 0.0;
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        moment += system.mass[i] * position[i];
+        mass += system.mass[i];
+    }
+    return mass > 0.0 ? Vec3(moment / mass) : Vec3(Vec3::Zero());
+}
+
+Vec3 momentum(const System& system, const State& state)
+{
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < state.velocity.size(); ++i)
+        if (system.inverseMass[i] > 0.0)
+            sum += system.mass[i] * state.velocity[i];
+    return sum;
+}
+
+double totalMass(const System& system)
+{
+    double sum = 0.0;
+    for (const double mass : system.mass)
+        sum += mass;
+    return sum;
+}
+
+double fabricArea(const System& system, const State& state)
+{
+    double area = 0.0;
+    for (std::size_t i = 0; i < system.panels.size(); ++i) {
+        if (state.panelGone[i])
+            continue;
+        const auto& corner = system.panels[i].corner;
+        const Vec3& a = state.position[std::size_t(corner[0])];
+        const Vec3 ab = state.position[std::size_t(corner[1])] - a;
+        const Vec3 ac = state.position[std::size_t(corner[2])] - a;
+        area += 0.5 * ab.cross(ac).norm();
+    }
+    return area;
+}
+
+std::vector<double> strains(const System& system, const State& state)
+{
+    std::vector<double> restLength(system.rods.size());
+    fillRestLengths(system, state, restLength);
+    std::vector<double> strain;
+    strain.reserve(system.links.size());
+    for (const LinkPlace& link : system.links) {
+        const auto index = std::size_t(link.index);
+        const double rest =
+            link.kind == LinkKind::Rod ? restLength[index] : system.springs[index].restLength;
+        const bool measurable = rest > 0.0 && !isTorn(link, state);
+        strain.push_back(measurable ? separation(link, state).norm() / rest - 1.0 : 0.0);
+    }
+    return strain;
+}
+
+std::vector<double> tensions(const System& system, const State& state)
+{
+    std::vector<double> tension;
+    tension.reserve(system.links.size());
+    for (const LinkPlace& link : system.links) {
+        const auto index = std::size_t(link.index);
+        if (link.kind == LinkKind::Rod)
+            tension.push_back(state.rodTorn[index] ? 0.0 : state.rodTension[index]);
+        else
+            tension.push_back(state.springTorn[index]
+                                  ? 0.0
+                                  : springTension(system.springs[index], separation(link, state),
+                                                  state.velocity[std::size_t(link.b)]
+                                                      - state.velocity[std::size_t(link.a)]));
+    }
+    return tension;
+}
+
+std::vector<Vec3> panelLoads(const System& system, const State& state)
+{
+    std::vector<Vec3> load(system.panels.size());
+    Crew alone(1);
+    fillPanelLoads(system, state, alone, load);
+    return load;
+}
+
+std::uint64_t stateHash(const State& state)
+{
+    Hash hash;
+    hash.add(&state.step, sizeof state.step);
+    hash.add(state.position);
+    hash.add(state.velocity);
+    hash.add(state.inputValue);
+    hash.add(state.springTorn);
+    hash.add(state.rodTorn);
+    hash.add(state.panelGone);
+    return hash.value();
+}
+
+std::string hashText(std::uint64_t hash)
+{
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return text;
+}
+
+} // namespace ripstop

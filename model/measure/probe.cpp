@@ -1,0 +1,150 @@
+#include "measure/probe.h"
+
+#include "measure/diagnostics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// Mean over the particles of the probe, weighted by mass; the plain mean when nothing has mass.
+Vec3 mean(const ProbeSpec& probe, const System& system, const std::vector<Vec3>& values)
+{
+    if (probe.particles.empty())
+        return Vec3::Constant(nothing);
+    Vec3 weighted = Vec3::Zero();
+    Vec3 plain = Vec3::Zero();
+    double mass = 0.0;
+    for (const int particle : probe.particles) {
+        const auto i = std::size_t(particle);
+        weighted += system.mass[i] * values[i];
+        plain += values[i];
+        mass += system.mass[i];
+    }
+    return mass > 0.0 ? Vec3(weighted / mass) : Vec3(plain / double(probe.particles.size()));
+}
+
+double ofLinks(const ProbeSpec& probe, const std::vector<double>& values)
+{
+    double largest = nothing;
+    for (const int link : probe.links) {
+        const double value = values[std::size_t(link)];
+        if (std::isnan(largest) || value > largest)
+            largest = value;
+    }
+    return largest;
+}
+
+double horizontal(const Vec3& v) { return std::hypot(v.x(), v.z()); }
+
+double glideRatio(const Vec3& motion)
+{
+    return motion.y() < 0.0 ? horizontal(motion) / -motion.y() : nothing;
+}
+
+double tornCount(const ProbeSpec& probe, const System& system, const State& state)
+{
+    return double(std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
+        const LinkPlace& link = system.links[std::size_t(l)];
+        return link.kind == LinkKind::Rod ? state.rodTorn[std::size_t(link.index)]
+                                          : state.springTorn[std::size_t(link.index)];
+    }));
+}
+
+} // namespace
+
+std::string_view unitOf(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::PositionX:
+    case Quantity::PositionY:
+    case Quantity::PositionZ:
+    case Quantity::Distance:
+        return "m";
+    case Quantity::Speed:
+    case Quantity::SinkRate:
+        return "m/s";
+    case Quantity::Tension:
+    case Quantity::MaxTension:
+    case Quantity::AirForce:
+        return "N";
+    case Quantity::Elevation:
+        return "deg";
+    case Quantity::KineticEnergy:
+    case Quantity::PotentialEnergy:
+    case Quantity::ElasticEnergy:
+    case Quantity::TotalEnergy:
+        return "J";
+    case Quantity::Strain:
+    case Quantity::MaxStrain:
+    case Quantity::GlideRatio:
+    case Quantity::MeanGlideRatio:
+    case Quantity::TornLinks:
+        break;
+    }
+    return "";
+}
+
+double valueOf(const ProbeSpec& probe, const System& system, const State& state)
+{
+    const auto position = [&] { return mean(probe, system, state.position); };
+    const auto velocity = [&] { return mean(probe, system, state.velocity); };
+    const auto line = [&]() -> Vec3 {
+        return probe.from < 0 ? Vec3(Vec3::Constant(nothing))
+                              : Vec3(position() - state.position[std::size_t(probe.from)]);
+    };
+
+    switch (probe.quantity) {
+    case Quantity::PositionX:
+        return position().x();
+    case Quantity::PositionY:
+        return position().y();
+    case Quantity::PositionZ:
+        return position().z();
+    case Quantity::Speed:
+        return velocity().norm();
+    case Quantity::SinkRate:
+        return -velocity().y();
+    case Quantity::Tension:
+    case Quantity::MaxTension:
+        return ofLinks(probe, tensions(system, state));
+    case Quantity::Strain:
+    case Quantity::MaxStrain:
+        return ofLinks(probe, strains(system, state));
+    case Quantity::Distance:
+        return line().norm();
+    case Quantity::Elevation: {
+        const Vec3 l = line();
+        return std::atan2(l.y(), horizontal(l)) * 180.0 / std::numbers::pi;
+    }
+    case Quantity::GlideRatio:
+        return glideRatio(velocity());
+    case Quantity::MeanGlideRatio:
+        return glideRatio(position() - mean(probe, system, system.start.position));
+    case Quantity::AirForce: {
+        Vec3 sum = Vec3::Zero();
+        const std::vector<Vec3> loads = panelLoads(system, state);
+        for (const int panel : probe.panels)
+            sum += loads[std::size_t(panel)];
+        return sum.norm();
+    }
+    case Quantity::KineticEnergy:
+        return energies(system, state).kinetic;
+    case Quantity::PotentialEnergy:
+        return energies(system, state).potential;
+    case Quantity::ElasticEnergy:
+        return energies(system, state).elastic;
+    case Quantity::TotalEnergy:
+        return energies(system, state).total();
+    case Quantity::TornLinks:
+        return tornCount(probe, system, state);
+    }
+    return nothing;
+}
+
+} // namespace ripstop

@@ -1,0 +1,157 @@
+#include "run/runner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+Clock::duration seconds(double s)
+{
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+}
+
+// Simulated seconds per second of the clock, over about the last half second.
+class Pace
+{
+public:
+    void restart(double simulated)
+    {
+        m_clock = Clock::now();
+        m_simulated = simulated;
+    }
+    double update(double simulated)
+    {
+        const double passed = std::chrono::duration<double>(Clock::now() - m_clock).count();
+        if (passed > 0.5) {
+            m_ratio = (simulated - m_simulated) / passed;
+            restart(simulated);
+        }
+        return m_ratio;
+    }
+
+private:
+    Clock::time_point m_clock = Clock::now();
+    double m_simulated = 0.0;
+    double m_ratio = 0.0;
+};
+
+} // namespace
+
+Runner::Runner()
+    : m_thread([this](const std::stop_token& stop) { run(stop); })
+{}
+
+void Runner::load(std::shared_ptr<const System> system)
+{
+    m_systems.put(std::move(system));
+    wake();
+}
+
+void Runner::setPlaying(bool playing)
+{
+    m_playing = playing;
+    wake();
+}
+
+void Runner::setSpeed(double ratio)
+{
+    m_speed = ratio;
+    wake();
+}
+
+void Runner::stepOnce()
+{
+    ++m_stepsAsked;
+    wake();
+}
+
+void Runner::playUntil(double time)
+{
+    m_until = time;
+    wake();
+}
+
+void Runner::command(Commands commands)
+{
+    m_commands.put(std::make_shared<const Commands>(std::move(commands)));
+    wake();
+}
+
+void Runner::wake()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_woken = true;
+    }
+    m_wake.notify_one();
+}
+
+void Runner::run(const std::stop_token& stop)
+{
+    std::optional<Simulation> simulation;
+    std::int64_t stepsDone = 0;
+    auto due = Clock::now();
+    auto framed = Clock::time_point();
+    bool fresh = false; // there is something that no frame has shown
+    Pace pace;
+
+    const auto show = [&] {
+        auto frame = std::make_shared<Frame>(*simulation->frame());
+        frame->realTimeRatio = pace.update(frame->time);
+        m_frames.put(std::move(frame));
+        framed = Clock::now();
+        fresh = false;
+    };
+
+    while (!stop.stop_requested()) {
+        if (auto next = m_systems.take()) {
+            if (simulation)
+                simulation->load(std::move(next));
+            else
+                simulation.emplace(std::move(next));
+            due = Clock::now();
+            show();
+        }
+        if (simulation)
+            if (const auto commands = m_commands.take())
+                simulation->command(*commands);
+
+        const double timeStep = simulation ? simulation->system().timeStep : 0.0;
+        const bool catchingUp =
+            simulation && simulation->state().time < m_until.load() - 0.5 * timeStep;
+        const bool asked = simulation && stepsDone < m_stepsAsked.load();
+        const bool onTime = m_playing && Clock::now() >= due;
+        if (simulation && !simulation->trouble() && (catchingUp || asked || onTime)) {
+            fresh = simulation->step();
+            if (catchingUp && simulation->state().time >= m_until.load() - 0.5 * timeStep)
+                m_until = -std::numeric_limits<double>::infinity();
+            if (asked)
+                ++stepsDone;
+            if (onTime) {
+                const double speed = m_speed;
+                due = speed > 0.0 ? due + seconds(timeStep / speed) : Clock::now();
+                due =
+                    std::max(due, Clock::now() - 100ms); // too slow for real time: do not chase it
+            }
+            // Views take a frame every 16 ms; making more would only cost time.
+            if (asked || simulation->trouble() || Clock::now() - framed > 8ms)
+                show();
+            continue;
+        }
+        if (fresh && (!m_playing || due - Clock::now() > 2ms))
+            show();
+
+        std::unique_lock lock(m_mutex);
+        const bool running = m_playing && simulation && !simulation->trouble();
+        const auto patience = running ? due - Clock::now() : Clock::duration(1s);
+        m_wake.wait_for(lock, stop, patience, [&] { return m_woken; });
+        m_woken = false;
+    }
+}
+
+} // namespace ripstop

@@ -1,0 +1,113 @@
+#include "run/simulation.h"
+
+#include "measure/diagnostics.h"
+#include "measure/probe.h"
+#include "sim/carry_over.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+std::shared_ptr<const Layout> layoutOf(const System& system)
+{
+    auto layout = std::make_shared<Layout>();
+    layout->particleId = system.key;
+    for (const double w : system.inverseMass)
+        layout->pinned.push_back(w == 0.0);
+    for (const LinkPlace& link : system.links)
+        layout->links.push_back({link.key, link.kind, link.a, link.b,
+                                 link.kind == LinkKind::Rod
+                                     ? system.rods[std::size_t(link.index)].restLength
+                                     : system.springs[std::size_t(link.index)].restLength});
+    layout->panelId = system.panelKey;
+    for (const FabricPanel& panel : system.panels)
+        layout->panelCorners.push_back(panel.corner);
+    for (const Input& input : system.inputs)
+        layout->inputId.push_back(input.key);
+    for (const ProbeSpec& probe : system.probes)
+        layout->probes.push_back(
+            {probe.key, probe.name, std::string(unitOf(probe.quantity)), probe.plotted});
+    return layout;
+}
+
+} // namespace
+
+Simulation::Simulation(std::shared_ptr<const System> system, int threads)
+    : m_system(std::move(system))
+    , m_layout(layoutOf(*m_system))
+    , m_state(m_system->start)
+    , m_stepper(threads)
+{}
+
+void Simulation::load(std::shared_ptr<const System> system)
+{
+    m_state = system->run == m_system->run ? carryOver(*m_system, m_state, *system) : system->start;
+    m_system = std::move(system);
+    m_layout = layoutOf(*m_system);
+    m_trouble.reset(); // the edit may have cured it
+}
+
+void Simulation::command(const Commands& commands)
+{
+    for (std::size_t i = 0; i < m_system->inputs.size(); ++i)
+        if (const auto found = commands.find(m_system->inputs[i].key); found != commands.end())
+            m_state.inputCommand[i] =
+                std::clamp(found->second, -m_system->inputs[i].limit, m_system->inputs[i].limit);
+}
+
+bool Simulation::step()
+{
+    if (m_trouble)
+        return false;
+    m_lastGood = m_state;
+    m_stepper.step(*m_system, m_state);
+    m_trouble = findTrouble(*m_system, m_lastGood, m_state);
+    if (m_trouble)
+        std::swap(m_state, m_lastGood);
+    return !m_trouble;
+}
+
+bool Simulation::runUntil(double time)
+{
+    const auto steps = std::llround((time - m_state.time) / m_system->timeStep);
+    for (long long i = 0; i < steps; ++i)
+        if (!step())
+            return false;
+    return true;
+}
+
+std::shared_ptr<const Frame> Simulation::frame() const
+{
+    auto frame = std::make_shared<Frame>();
+    frame->generation = m_system->generation;
+    frame->run = m_system->run;
+    frame->layout = m_layout;
+    frame->time = m_state.time;
+    frame->step = m_state.step;
+    frame->position = m_state.position;
+    frame->velocity = m_state.velocity;
+    frame->strain = strains(*m_system, m_state);
+    frame->tension = tensions(*m_system, m_state);
+    for (const LinkPlace& link : m_system->links)
+        frame->torn.push_back(link.kind == LinkKind::Rod
+                                  ? m_state.rodTorn[std::size_t(link.index)]
+                                  : m_state.springTorn[std::size_t(link.index)]);
+    frame->panelLoad = panelLoads(*m_system, m_state);
+    frame->gone = m_state.panelGone;
+    frame->inputCommand = m_state.inputCommand;
+    frame->inputValue = m_state.inputValue;
+    for (const ProbeSpec& probe : m_system->probes)
+        frame->probe.push_back(valueOf(probe, *m_system, m_state));
+    for (const State::Tear& tear : m_state.tears)
+        frame->tears.push_back(
+            {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place});
+    if (m_trouble) {
+        frame->stopped = m_trouble->message;
+        frame->culprit = m_trouble->particle;
+    }
+    return frame;
+}
+
+} // namespace ripstop

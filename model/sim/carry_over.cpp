@@ -1,0 +1,106 @@
+#include "sim/carry_over.h"
+
+#include <unordered_map>
+
+namespace ripstop {
+namespace {
+
+class Matches // index in `from` of a key, or -1
+{
+public:
+    template <typename Items, typename KeyOf>
+    Matches(const Items& items, KeyOf keyOf)
+    {
+        m_index.reserve(items.size());
+        for (std::size_t i = 0; i < items.size(); ++i)
+            m_index.emplace(keyOf(items[i]), int(i));
+    }
+    int operator()(Key key) const
+    {
+        const auto found = m_index.find(key);
+        return found == m_index.end() ? -1 : found->second;
+    }
+
+private:
+    std::unordered_map<Key, int> m_index;
+};
+
+// Spreads the motion of known particles along links until every tied particle has one.
+void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t>& placed)
+{
+    const auto follow = [&](std::size_t known, std::size_t unknown) {
+        carried.position[unknown] =
+            to.start.position[unknown] + carried.position[known] - to.start.position[known];
+        carried.velocity[unknown] = carried.velocity[known];
+        carried.drift[unknown] = carried.drift[known];
+        placed[unknown] = 1;
+    };
+    for (bool spreading = true; spreading;) {
+        spreading = false;
+        for (const LinkPlace& link : to.links) {
+            const auto a = std::size_t(link.a);
+            const auto b = std::size_t(link.b);
+            if (placed[a] == placed[b])
+                continue;
+            placed[a] ? follow(a, b) : follow(b, a);
+            spreading = true;
+        }
+    }
+}
+
+void carryLinks(const System& from, const State& state, const System& to, State& carried)
+{
+    const Matches linkOf(from.links, [](const LinkPlace& link) { return link.key; });
+    for (const LinkPlace& link : to.links) {
+        const int match = linkOf(link.key);
+        if (match < 0)
+            continue;
+        const LinkPlace& old = from.links[std::size_t(match)];
+        const bool torn = old.kind == LinkKind::Rod ? state.rodTorn[std::size_t(old.index)]
+                                                    : state.springTorn[std::size_t(old.index)];
+        (link.kind == LinkKind::Rod ? carried.rodTorn
+                                    : carried.springTorn)[std::size_t(link.index)] = torn;
+        if (link.kind == LinkKind::Rod && old.kind == LinkKind::Rod)
+            carried.rodTension[std::size_t(link.index)] = state.rodTension[std::size_t(old.index)];
+    }
+}
+
+} // namespace
+
+State carryOver(const System& from, const State& state, const System& to)
+{
+    State carried = to.start;
+    carried.time = state.time;
+    carried.step = state.step;
+    carried.tears = state.tears;
+    // The drift of Verlet lags half a substep behind; another substep has to start again.
+    carried.started = state.started && from.integrator == to.integrator
+                      && from.timeStep / from.substeps == to.timeStep / to.substeps;
+
+    const Matches particleOf(from.key, [](Key key) { return key; });
+    std::vector<std::uint8_t> placed(to.key.size(), 0);
+    for (std::size_t j = 0; j < to.key.size(); ++j)
+        if (const int match = particleOf(to.key[j]); match >= 0) {
+            carried.position[j] = state.position[std::size_t(match)];
+            carried.velocity[j] = state.velocity[std::size_t(match)];
+            carried.drift[j] = state.drift[std::size_t(match)];
+            placed[j] = 1;
+        }
+    followNeighbours(to, carried, placed);
+    carryLinks(from, state, to, carried);
+
+    const Matches panelOf(from.panelKey, [](Key key) { return key; });
+    for (std::size_t j = 0; j < to.panelKey.size(); ++j)
+        if (const int match = panelOf(to.panelKey[j]); match >= 0)
+            carried.panelGone[j] = state.panelGone[std::size_t(match)];
+
+    const Matches inputOf(from.inputs, [](const Input& input) { return input.key; });
+    for (std::size_t j = 0; j < to.inputs.size(); ++j)
+        if (const int match = inputOf(to.inputs[j].key); match >= 0) {
+            carried.inputCommand[j] = state.inputCommand[std::size_t(match)];
+            carried.inputValue[j] = state.inputValue[std::size_t(match)];
+        }
+    return carried;
+}
+
+} // namespace ripstop

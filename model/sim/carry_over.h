@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sim/system.h"
+
+namespace ripstop {
+
+// The motion of `state` under `from`, continued under `to`. Particles, links, panels and inputs
+// are matched by key; what is torn stays torn. A new particle moves along with one that it is tied
+// to, so that an edit does not jerk a running scene.
+State carryOver(const System& from, const State& state, const System& to);
+
+} // namespace ripstop

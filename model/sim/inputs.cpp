@@ -1,0 +1,42 @@
+#include "sim/inputs.h"
+
+#include <algorithm>
+
+namespace ripstop {
+
+void moveInputs(const System& system, State& state, double h)
+{
+    for (std::size_t i = 0; i < system.inputs.size(); ++i) {
+        const Input& input = system.inputs[i];
+        double& command = state.inputCommand[i];
+        command = std::clamp(command + input.automaticRate * h, -input.limit, input.limit);
+
+        const double most = input.rate * h;
+        const double change = std::clamp(command - state.inputValue[i], -most, most);
+        state.inputValue[i] += change;
+        if (input.kind == ControlKind::Move && change != 0.0)
+            for (const int target : input.targets)
+                state.position[std::size_t(target)] += change * input.axis;
+    }
+}
+
+void fillRestLengths(const System& system, const State& state, std::span<double> restLength)
+{
+    for (std::size_t i = 0; i < system.rods.size(); ++i)
+        restLength[i] = system.rods[i].restLength;
+    for (const ShiftedRod& shifted : system.shiftedRods) {
+        Vec3 shift = Vec3::Zero();
+        for (std::size_t i = 0; i < system.inputs.size(); ++i) {
+            const Input& input = system.inputs[i];
+            const auto& targets = input.targets;
+            if (input.kind == ControlKind::WeightShift
+                && std::find(targets.begin(), targets.end(), shifted.weight) != targets.end())
+                shift += state.inputValue[i] * input.axis;
+        }
+        const double designed = shifted.anchor.norm();
+        if (designed > 0.0)
+            restLength[std::size_t(shifted.rod)] *= (shifted.anchor - shift).norm() / designed;
+    }
+}
+
+} // namespace ripstop

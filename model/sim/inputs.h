@@ -1,0 +1,19 @@
+// Inputs: the pilot's hands. A value follows its command at a limited rate in simulated time, so a
+// design answers the same way whatever the speed of the machine or of the key repeat.
+#pragma once
+
+#include "sim/system.h"
+
+#include <span>
+
+namespace ripstop {
+
+// Moves commands and values on by h seconds. Targets of an input that moves are carried along
+// without gaining speed: position and previous position move together.
+void moveInputs(const System& system, State& state, double h);
+
+// Rest length of every rod with the weight shifts of `state`.
+//   restLength  [rods]  m
+void fillRestLengths(const System& system, const State& state, std::span<double> restLength);
+
+} // namespace ripstop

@@ -1,0 +1,32 @@
+// Wind load on fabric panels.
+//
+// A panel is one triangle of fabric with area A and unit normal n; w is its apparent wind, the
+// wind at the panel less the mean velocity of its corners.
+//
+//     paper          F = 1/2 rho C A |n.w| (n.w) n    Beaudry, Egli and Patenaude 2005,
+//     section 5.2,
+//                                                     with the sign and the factor it lacks; its
+//                                                     own strength is C = 4
+//     linear normal  F = 1/2 rho C A |w| (n.w) n      flat plate, C_N = C sin(alpha); C = 2: Moore,
+//                                                     Cory and Tedrake 2014
+//
+// Both laws add skin friction, 1/2 rho Cs A |t| t along t = w - (n.w) n. Neither minds which side
+// the normal points to. The three corners carry a third of F each.
+#pragma once
+
+#include "sim/crew.h"
+#include "sim/system.h"
+
+#include <span>
+
+namespace ripstop {
+
+// Load on one panel, N. The viewport draws this same value as an arrow.
+Vec3 panelLoad(const FabricPanel& panel, const Vec3& a, const Vec3& b, const Vec3& c,
+               const Vec3& apparentWind, double airDensity);
+
+// Load of every panel, N, zero where the panel is gone.
+//   load  [panels]  N
+void fillPanelLoads(const System& system, const State& state, Crew& crew, std::span<Vec3> load);
+
+} // namespace ripstop

@@ -1,0 +1,43 @@
+// Rod solvers: they move particles until rods have their lengths.
+//
+// Every solver works on one substep. `multiplier` collects, per rod, what it took to hold it
+// (kg m); multiplier / h^2 is the tension in newtons, positive when the rod pulls.
+#pragma once
+
+#include "sim/crew.h"
+#include "sim/system.h"
+
+#include <span>
+
+namespace ripstop {
+
+// What a solver reads and writes in one substep.
+struct RodTask
+{
+    const System& system;
+    std::span<const std::uint8_t> torn; // [rods]
+    std::span<const double> restLength; // [rods] m, weight shifts included
+    double h;                           // s
+    std::uint64_t seed;                 // of the order of the colours; the number of the substep
+    std::span<Vec3> position;           // [particles] m, corrected in place
+    std::span<double> multiplier;       // [rods] kg m, zero at the start
+};
+
+class RodSolver
+{
+public:
+    // All sweeps of one substep, with the solver that the system asks for.
+    void project(const RodTask& task, Crew& crew);
+
+private:
+    void averagedSweep(const RodTask& task, Crew& crew);
+    void colouredSweep(const RodTask& task, Crew& crew);
+    void countRods(const RodTask& task);
+    void shuffleColors(std::uint64_t seed);
+
+    std::vector<Vec3> m_pull;      // [rods] kg m, or m for the paper's averaging
+    std::vector<double> m_valence; // [particles] rods that are not torn
+    std::vector<int> m_colorOrder; // [colours]
+};
+
+} // namespace ripstop

@@ -1,0 +1,19 @@
+// Forces of springs: F = k (|d| - l) + nu (vb - va).u along u = d/|d|, d = xb - xa, on `a` towards
+// `b` and the opposite on `b`. A spring that resists tension only is slack when short and never
+// pushes; one that resists compression only never pulls.
+#pragma once
+
+#include "sim/crew.h"
+#include "sim/system.h"
+
+#include <span>
+
+namespace ripstop {
+
+// Force along the spring, N, positive when it pulls its ends together; 0 when torn or coincident.
+double springTension(const Spring& spring, const Vec3& separation, const Vec3& velocityDifference);
+
+//   force  [springs]  N, on end `a`
+void fillSpringForces(const System& system, const State& state, Crew& crew, std::span<Vec3> force);
+
+} // namespace ripstop

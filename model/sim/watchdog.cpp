@@ -1,0 +1,84 @@
+#include "sim/watchdog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ripstop {
+namespace {
+
+std::string format(const char* pattern, auto... values)
+{
+    char text[240];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+double stiffnessAt(const System& system, const State& state, std::size_t particle)
+{
+    double sum = 0.0;
+    for (int k = system.springsAt.start[particle]; k < system.springsAt.start[particle + 1]; ++k) {
+        const auto spring = std::size_t(system.springsAt.items[std::size_t(k)]);
+        if (!state.springTorn[spring])
+            sum += system.springs[spring].stiffness;
+    }
+    return sum;
+}
+
+double largestMassRatio(const System& system, std::size_t particle)
+{
+    double ratio = 1.0;
+    for (int k = system.rodsAt.start[particle]; k < system.rodsAt.start[particle + 1]; ++k) {
+        const Rod& rod = system.rods[std::size_t(system.rodsAt.items[std::size_t(k)])];
+        const double wa = system.inverseMass[std::size_t(rod.a)];
+        const double wb = system.inverseMass[std::size_t(rod.b)];
+        if (wa > 0.0 && wb > 0.0)
+            ratio = std::max({ratio, wa / wb, wb / wa});
+    }
+    return ratio;
+}
+
+// The most likely cause first: what the element itself says about the step.
+std::string causeAt(const System& system, const State& before, std::size_t particle)
+{
+    const double h = system.timeStep / system.substeps;
+    const double stiffness = stiffnessAt(system, before, particle);
+    if (stiffness > 0.0) {
+        const double limit = std::sqrt(2.0 / (system.inverseMass[particle] * stiffness));
+        if (h > limit)
+            return format("the substep of %.3g s is above the %.3g s that its springs allow; "
+                          "shorten the time step, add substeps or lower the stiffness",
+                          h, limit);
+    }
+    if (system.integrator == Integrator::ExplicitEuler && stiffness > 0.0)
+        return "explicit Euler gains energy from springs at any time step; choose another "
+               "integrator or add damping";
+    if (const double ratio = largestMassRatio(system, particle); ratio > 1000.0)
+        return format("a rod joins it to a particle of %.0f times another mass; add substeps or "
+                      "bring the masses closer",
+                      ratio);
+    return "something pushes it harder than the time step resolves; shorten the time step or "
+           "look at the forces there";
+}
+
+} // namespace
+
+std::optional<Trouble> findTrouble(const System& system, const State& before, const State& after)
+{
+    for (std::size_t i = 0; i < after.position.size(); ++i) {
+        const double speed = after.velocity[i].norm();
+        const bool finite = std::isfinite(speed) && after.position[i].allFinite();
+        if (finite && speed <= system.speedLimit)
+            continue;
+        Trouble trouble{after.time, system.key[i], {}};
+        trouble.message = "particle " + std::to_string(system.key[i])
+                          + (finite ? format(" reached %.3g m/s, above the limit of %.3g m/s,",
+                                             speed, system.speedLimit)
+                                    : " left the range of numbers")
+                          + format(" at %.4f s: ", after.time) + causeAt(system, before, i);
+        return trouble;
+    }
+    return std::nullopt;
+}
+
+} // namespace ripstop
