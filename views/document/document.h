@@ -46,6 +46,7 @@ signals:
 private:
     friend class EditCommand;
     Edit applyNow(const Edit& edit);
+    void show(Scene scene, const QString& file, const QString& suggestedName);
 
     Scene m_scene;
     QUndoStack m_history;

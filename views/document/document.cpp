@@ -1,0 +1,87 @@
+#include "document/document.h"
+
+#include "document/edit_command.h"
+#include "io/scene_file.h"
+
+#include <QFileInfo>
+
+namespace ripstop {
+namespace {
+
+std::filesystem::path pathOf(const QString& file)
+{
+    return std::filesystem::path(file.toStdU16String());
+}
+
+} // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent)
+{
+    connect(&m_history, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+}
+
+void Document::push(Edit edit)
+{
+    if (!edit.changes.empty())
+        m_history.push(new EditCommand(*this, std::move(edit))); // the stack owns the command
+}
+
+void Document::drag(Edit edit, int gesture)
+{
+    if (!edit.changes.empty())
+        m_history.push(new EditCommand(*this, std::move(edit), gesture));
+}
+
+int Document::beginGesture() { return ++m_gesture; }
+
+void Document::replace(Scene scene, const QString& suggestedName)
+{
+    show(std::move(scene), {}, suggestedName);
+}
+
+std::optional<Failure> Document::open(const QString& file)
+{
+    Result<Scene> scene = readScene(pathOf(file));
+    if (!scene)
+        return scene.failure();
+    show(std::move(*scene), QFileInfo(file).absoluteFilePath(), {});
+    return std::nullopt;
+}
+
+std::optional<Failure> Document::save(const QString& file)
+{
+    if (auto failure = saveScene(m_scene, pathOf(file)))
+        return failure;
+    m_file = QFileInfo(file).absoluteFilePath();
+    m_suggestedName.clear();
+    m_history.setClean();
+    emit fileChanged();
+    return std::nullopt;
+}
+
+QString Document::displayName() const
+{
+    if (!m_file.isEmpty())
+        return QFileInfo(m_file).fileName();
+    return m_suggestedName.isEmpty() ? tr("untitled") : m_suggestedName;
+}
+
+void Document::show(Scene scene, const QString& file, const QString& suggestedName)
+{
+    m_scene = std::move(scene);
+    m_file = file;
+    m_suggestedName = suggestedName;
+    m_history.clear(); // its commands belong to the scene that is gone
+    emit replaced();
+    emit fileChanged();
+}
+
+Edit Document::applyNow(const Edit& edit)
+{
+    Edit inverse = apply(m_scene, edit);
+    emit changed(edit);
+    return inverse;
+}
+
+} // namespace ripstop

@@ -1,0 +1,118 @@
+#include "document/words.h"
+
+#include "document/census.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <array>
+
+namespace ripstop {
+namespace {
+
+struct KindWords
+{
+    const char* one;
+    const char* many;
+    const char* counted;
+};
+
+// clang-format off
+constexpr std::array<KindWords, kindCount> kindWords{{
+    {QT_TRANSLATE_NOOP("Kind", "Settings"),  QT_TRANSLATE_NOOP("Kind", "Settings"),  QT_TRANSLATE_N_NOOP("Kind", "%Ln setting(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Particle"),  QT_TRANSLATE_NOOP("Kind", "Particles"), QT_TRANSLATE_N_NOOP("Kind", "%Ln particle(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Link"),      QT_TRANSLATE_NOOP("Kind", "Links"),     QT_TRANSLATE_N_NOOP("Kind", "%Ln link(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Panel"),     QT_TRANSLATE_NOOP("Kind", "Panels"),    QT_TRANSLATE_N_NOOP("Kind", "%Ln panel(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Part"),      QT_TRANSLATE_NOOP("Kind", "Parts"),     QT_TRANSLATE_N_NOOP("Kind", "%Ln part(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Material"),  QT_TRANSLATE_NOOP("Kind", "Materials"), QT_TRANSLATE_N_NOOP("Kind", "%Ln material(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Group"),     QT_TRANSLATE_NOOP("Kind", "Groups"),    QT_TRANSLATE_N_NOOP("Kind", "%Ln group(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Collider"),  QT_TRANSLATE_NOOP("Kind", "Colliders"), QT_TRANSLATE_N_NOOP("Kind", "%Ln collider(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Wind"),      QT_TRANSLATE_NOOP("Kind", "Winds"),     QT_TRANSLATE_N_NOOP("Kind", "%Ln wind(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Control"),   QT_TRANSLATE_NOOP("Kind", "Controls"),  QT_TRANSLATE_N_NOOP("Kind", "%Ln control(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Probe"),     QT_TRANSLATE_NOOP("Kind", "Probes"),    QT_TRANSLATE_N_NOOP("Kind", "%Ln probe(s)")},
+}};
+// clang-format on
+
+const KindWords& wordsOf(Kind kind) { return kindWords[std::size_t(kind)]; }
+
+// Words of the table are literals, and so end with a zero as translate() wants.
+QString translated(const char* context, std::string_view text)
+{
+    return text.empty() ? QString() : QCoreApplication::translate(context, text.data());
+}
+
+} // namespace
+
+QString kindLabel(Kind kind) { return translated("Kind", wordsOf(kind).one); }
+
+QString kindPluralLabel(Kind kind) { return translated("Kind", wordsOf(kind).many); }
+
+QString counted(Kind kind, qsizetype n)
+{
+    // Without a translation file the plural is made here: English adds an s.
+    QString text = QCoreApplication::translate("Kind", wordsOf(kind).counted, nullptr, int(n));
+    return text.replace(QStringLiteral("(s)"), n == 1 ? QString() : QStringLiteral("s"));
+}
+
+QString labelOf(const Property& property) { return translated("Property", property.label); }
+
+QString helpOf(const Property& property) { return translated("Property", property.help); }
+
+QString choiceLabel(std::string_view choice)
+{
+    QString text = QString::fromUtf8(choice.data(), qsizetype(choice.size())).replace('_', ' ');
+    for (const char* name : {"euler", "verlet", "gauss", "seidel", "jacobi"}) {
+        const QString proper = QString(QLatin1String(name));
+        text.replace(proper, proper.at(0).toUpper() + proper.mid(1));
+    }
+    if (!text.isEmpty())
+        text[0] = text.at(0).toUpper();
+    return text;
+}
+
+QString nameOf(const Scene& scene, Id id)
+{
+    if (id == settingsId)
+        return kindLabel(Kind::Settings);
+    if (const Item* item = findItem(scene, id))
+        return QString::fromStdString(nameOf(*item));
+    const QString number = QString::number(std::uint32_t(id));
+    if (const auto ref = find(scene, id))
+        return kindLabel(kindOf(*ref)).toLower() + QChar(' ') + number;
+    return QChar('#') + number;
+}
+
+QString compactNumber(double value)
+{
+    const QString exact = QString::number(value, 'g', QLocale::FloatingPointShortest);
+    const QString rounded = QString::number(value, 'g', 7);
+    return exact.size() <= rounded.size() ? exact : rounded;
+}
+
+QString describe(const Scene& scene, const std::vector<Id>& ids)
+{
+    if (ids.size() == 1)
+        return nameOf(scene, ids.front());
+    const Census all = census(scene, ids);
+    QStringList kinds;
+    Id part = noId;
+    bool elementsOfOnePart = true;
+    for (int k = 0; k < kindCount; ++k) {
+        const auto& found = all[Kind(k)];
+        if (found.empty())
+            continue;
+        kinds << counted(Kind(k), qsizetype(found.size()));
+        for (const Census::Found& one : found) {
+            elementsOfOnePart =
+                elementsOfOnePart && one.part != noId && (part == noId || part == one.part);
+            part = one.part;
+        }
+    }
+    const QString text = kinds.join(QStringLiteral(", "));
+    if (kinds.isEmpty() || !elementsOfOnePart)
+        return text;
+    //: "3 particles of kite"
+    return QCoreApplication::translate("Kind", "%1 of %2").arg(text, nameOf(scene, part));
+}
+
+} // namespace ripstop

@@ -1,0 +1,32 @@
+// Words and pictures for the things of a scene, the same in every view.
+#pragma once
+
+#include "scene/property.h"
+
+#include <QIcon>
+#include <QString>
+
+namespace ripstop {
+
+QString kindLabel(Kind kind);            // "Particle"
+QString kindPluralLabel(Kind kind);      // "Particles"
+QString counted(Kind kind, qsizetype n); // "1 particle", "20,000 particles"
+
+QString labelOf(const Property& property);
+QString helpOf(const Property& property);
+QString choiceLabel(std::string_view choice); // "Semi implicit Euler"
+
+// "kite", "particle 17", "Settings"; "#17" when there is no such thing.
+QString nameOf(const Scene& scene, Id id);
+
+// A number as short as it can be shown: seven digits, or exact when that is shorter.
+QString compactNumber(double value);
+
+// "kite", "3 particles of kite", "5 particles, 4 links". `ids` are in ascending order.
+QString describe(const Scene& scene, const std::vector<Id>& ids);
+
+// ":/icons/<kind>.svg", or a painted glyph where that is missing.
+QIcon iconOf(Kind kind);
+QIcon colorIcon(const QString& color); // a swatch of "#rrggbb"
+
+} // namespace ripstop

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "inspector/subject.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QLabel;
+class QStackedWidget;
+class QTabBar;
+
+namespace ripstop {
+
+class Document;
+class PropertyForm;
+class Selection;
+
+// The form of what is selected, one or thousands of the same kind, made from the property table;
+// with nothing selected, the settings. Every commit is one undoable edit of all selected things.
+class Inspector final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    Inspector(Document& document, Selection& selection, QWidget* parent = nullptr);
+
+    // The field of a property in the form that is open, to focus it; null when there is none.
+    // `axis` is that of a vector.
+    QWidget* field(std::string_view key, int axis = 0) const;
+
+private:
+    void showSelection();
+    void showKind(Kind kind);
+    void refresh();
+    void refreshHeader();
+    bool takePick(); // the selection answers a field that asked for one
+
+    Document& m_document;
+    Selection& m_selection;
+    Subject m_subject;
+    QLabel* m_icon;
+    QLabel* m_title;
+    QLabel* m_totals;
+    QTabBar* m_kinds; // when several kinds are selected
+    QStackedWidget* m_pages;
+    std::array<PropertyForm*, kindCount> m_forms{}; // made when first needed
+    Kind m_kind = Kind::Settings;
+};
+
+} // namespace ripstop

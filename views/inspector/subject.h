@@ -1,0 +1,67 @@
+#pragma once
+
+#include "document/census.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+
+namespace ripstop {
+
+class Document;
+
+// What to make of the value that a thing has now.
+using Transform = std::function<Value(const Value&)>;
+
+// The value of a property of several things.
+struct Common
+{
+    Value value;                 // of the first
+    std::array<bool, 3> mixed{}; // by axis of a vector; all others use the first
+    bool isDefault = true;       // of all
+};
+
+// The things whose properties a form shows, and the way in which its fields write to them.
+class Subject final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Subject(Document& document);
+
+    void set(Kind kind, std::vector<Id> ids);
+
+    Document& document() const { return m_document; }
+    Kind kind() const { return m_kind; }
+    const std::vector<Id>& ids() const { return m_ids; }
+
+    std::vector<ConstRef> refs() const;
+    std::vector<Value> values(const Property& property) const; // [ids]
+    Common common(const Property& property) const;
+
+    // Why the property of some thing cannot become this, as half a sentence, or nothing.
+    std::optional<QString> refusal(const Property& property, const Transform& transform) const;
+
+    // One undoable edit of all things; nothing when it would change nothing.
+    void edit(const Property& property, const Transform& transform);
+
+    // One step of a gesture; `values` has one for each thing.
+    void drag(const Property& property, std::vector<Value> values, int gesture);
+
+    // The next selection becomes the value of `property`, instead of being shown.
+    void pick(const Property& property);
+    void cancelPick();
+    const Property* picking() const { return m_picking; }
+
+signals:
+    void pickingChanged();
+
+private:
+    Document& m_document;
+    Kind m_kind = Kind::Settings;
+    std::vector<Id> m_ids;
+    const Property* m_picking = nullptr;
+};
+
+} // namespace ripstop

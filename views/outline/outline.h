@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QWidget>
+
+class QLineEdit;
+class QMenu;
+class QTreeView;
+
+namespace ripstop {
+
+class Document;
+class OutlineFilter;
+class OutlineModel;
+class Selection;
+
+// The tree of everything in the scene: settings, parts with their tables, materials, groups,
+// colliders, winds, controls and probes. What is selected here is selected everywhere.
+class Outline final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    Outline(Document& document, Selection& selection, QWidget* parent = nullptr);
+
+    QMenu* addMenu() const { return m_addMenu; } // one action per kind of item that can be added
+    void renameCurrent();
+    void removeSelected();
+    void focusSearch();
+
+private:
+    void buildAddMenu();
+    void showContextMenu(const QPoint& place);
+    void takeFromTree();  // tree -> Selection
+    void showSelection(); // Selection -> tree
+    void search(const QString& text);
+
+    Document& m_document;
+    Selection& m_selection;
+    OutlineModel* m_model;
+    OutlineFilter* m_filter;
+    QLineEdit* m_search;
+    QTreeView* m_tree;
+    QMenu* m_addMenu;
+    bool m_syncing = false; // the tree follows the selection, not the other way round
+};
+
+} // namespace ripstop

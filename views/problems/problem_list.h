@@ -1,0 +1,55 @@
+#pragma once
+
+#include "document/worker.h"
+#include "scene/check.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QListWidget;
+class QStackedLayout;
+
+namespace ripstop {
+
+class Document;
+class Player;
+class Selection;
+
+// What keeps the scene from running, and what will run but hardly as meant; and why the
+// simulation stopped. A click selects the culprit. The check runs on a thread of its own, shortly
+// after the last edit.
+class ProblemList final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ProblemList(Document& document, Selection& selection, Player& player,
+                QWidget* parent = nullptr);
+
+    int errorCount() const { return m_errors; }
+    int warningCount() const { return m_warnings; }
+
+signals:
+    void countChanged(int errors, int warnings);
+
+private:
+    void check();
+    void collect();
+    void rebuild();
+
+    Document& m_document;
+    Selection& m_selection;
+    Player& m_player;
+    Worker<Scene, std::vector<Problem>> m_worker;
+    std::vector<Problem> m_problems;
+    std::vector<Problem> m_stops; // of the run, at most one
+    QTimer m_delay;
+    QStackedLayout* m_pages;
+    QLabel* m_empty;
+    QListWidget* m_list;
+    int m_errors = 0;
+    int m_warnings = 0;
+};
+
+} // namespace ripstop
