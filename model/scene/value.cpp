@@ -45,6 +45,8 @@ std::vector<std::string_view> splitAtCommas(std::string_view text)
 
 std::optional<Id> toId(std::string_view text)
 {
+    if (text.starts_with('#')) // as in paths
+        text.remove_prefix(1);
     const std::optional<double> value = toNumber(text);
     if (!value || *value < 0.0 || *value > 4294967295.0 || *value != std::floor(*value))
         return std::nullopt;
