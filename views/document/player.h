@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 
 namespace ripstop {
 
@@ -30,12 +31,14 @@ public:
     // Why there is nothing to play ("particle 3 is free and has no mass ..."), or empty.
     const QString& problem() const { return m_problem; }
 
+    // What these ask for happens in the scene as it is now: they wait for a compile under way.
     void play();
     void pause();
     void toggle();
     void step();  // one time step; pauses
     void reset(); // back to the design; controls return to zero
-    void setSpeed(double ratio);
+    void
+    setSpeed(double ratio); // simulated seconds per second of the clock; 0 is as fast as it can
     void playUntil(double time); // s; as fast as it can, then pauses exactly there
 
     // Moves the command of a control by whole steps, within its limit.
@@ -47,20 +50,48 @@ signals:
     void stopped(const QString& why, quint32 culprit); // the simulation cannot go on
 
 private:
-    void scheduleCompile();
-    void poll();
-
     class Compiler;
+
+    // What the runner is told as soon as it has the system of `generation`.
+    struct Orders
+    {
+        std::uint64_t generation = 0;
+        bool play = false;
+        int steps = 0;
+        std::optional<double> until = std::nullopt; // s
+    };
+
+    void changed(const Edit& applied);
+    void startOver(); // a new run, paused, from the design as it is now
+    void compileSoon();
+    void post();
+    void poll();
+    void takeCompiled();
+    void takeFrame();
+    void order(Orders orders);
+    void giveOrders();
+    bool refuse(); // says why nothing can be played, if so
+    void halt();
+    bool hasArrived() const; // where playUntil() wanted
+    double commandOf(Id control) const;
 
     Document& m_document;
     Runner m_runner;
     std::unique_ptr<Compiler> m_compiler; // its thread and mailboxes
     std::shared_ptr<const Frame> m_frame;
     Commands m_commands;
+    std::optional<Orders> m_orders; // not yet given
+    std::optional<double> m_until;  // s, where playUntil() will pause
     QTimer m_poll;
     QString m_problem;
+    quint32 m_culprit = 0; // of m_problem
     double m_speed = 1.0;
+    std::uint64_t m_generation = 0; // of the newest compile asked for
+    std::uint64_t m_compiled = 0;   // of the newest compile that came back
     std::uint64_t m_run = 1;
+    bool m_dirty = false;   // the document has changed since m_generation
+    bool m_started = false; // the run has left the design, or is about to
+    bool m_stuck = false;   // the newest frame says that the simulation cannot go on
     bool m_playing = false;
 };
 

@@ -1,9 +1,8 @@
-// Words and pictures for the things of a scene, the same in every view.
+// Words for the things of a scene, the same in every view.
 #pragma once
 
 #include "scene/property.h"
 
-#include <QIcon>
 #include <QString>
 
 namespace ripstop {
@@ -24,9 +23,5 @@ QString compactNumber(double value);
 
 // "kite", "3 particles of kite", "5 particles, 4 links". `ids` are in ascending order.
 QString describe(const Scene& scene, const std::vector<Id>& ids);
-
-// ":/icons/<kind>.svg", or a painted glyph where that is missing.
-QIcon iconOf(Kind kind);
-QIcon colorIcon(const QString& color); // a swatch of "#rrggbb"
 
 } // namespace ripstop

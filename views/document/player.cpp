@@ -1,0 +1,293 @@
+#include "document/player.h"
+
+#include "compile/compile.h"
+#include "document/document.h"
+#include "document/worker.h"
+#include "scene/check.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+constexpr int frameInterval = 16; // ms, about 60 frames a second
+constexpr double never = -std::numeric_limits<double>::infinity();
+
+struct Job
+{
+    Scene scene;
+    std::uint64_t generation;
+    std::uint64_t run;
+};
+
+struct Compiled
+{
+    std::uint64_t generation;
+    std::uint64_t run;
+    std::shared_ptr<const System> system; // null when there is a problem
+    std::string problem;
+    Id culprit{};
+};
+
+Compiled compiled(const Job& job)
+{
+    const auto system = compile(job.scene, job.generation, job.run);
+    if (system)
+        return {job.generation, job.run, *system, {}, {}};
+    const std::vector<Problem> problems = problemsOf(job.scene, 1);
+    const Id culprit = hasErrors(problems) ? problems.front().culprit : noId;
+    return {job.generation, job.run, nullptr, system.message(), culprit};
+}
+
+} // namespace
+
+class Player::Compiler final : public Worker<Job, Compiled>
+{
+    using Worker::Worker;
+};
+
+Player::Player(Document& document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+{
+    const auto wake = [this] {
+        QMetaObject::invokeMethod(this, &Player::poll, Qt::QueuedConnection);
+    };
+    m_compiler = std::make_unique<Compiler>(compiled, wake);
+
+    connect(&document, &Document::changed, this, &Player::changed);
+    connect(&document, &Document::replaced, this, [this] {
+        m_frame.reset();
+        startOver();
+    });
+    connect(&m_poll, &QTimer::timeout, this, &Player::poll);
+    m_poll.setTimerType(Qt::PreciseTimer);
+    m_poll.start(frameInterval);
+    compileSoon();
+}
+
+Player::~Player() = default;
+
+void Player::play()
+{
+    if (m_playing || refuse())
+        return;
+    m_playing = true;
+    order({.play = true});
+    emit stateChanged();
+}
+
+void Player::pause()
+{
+    if (!m_playing)
+        return;
+    halt();
+    emit stateChanged();
+}
+
+void Player::toggle() { m_playing ? pause() : play(); }
+
+void Player::step()
+{
+    pause();
+    if (!refuse())
+        order({.steps = 1 + (m_orders ? m_orders->steps : 0)});
+}
+
+void Player::playUntil(double time)
+{
+    halt();
+    if (refuse())
+        return;
+    m_playing = true;
+    order({.until = time});
+    emit stateChanged();
+}
+
+void Player::reset() { startOver(); }
+
+void Player::setSpeed(double ratio)
+{
+    if (ratio == m_speed)
+        return;
+    m_speed = ratio;
+    m_runner.setSpeed(ratio);
+    emit stateChanged();
+}
+
+void Player::nudge(Id id, int steps)
+{
+    const Control* control = findItem<Control>(m_document.scene(), id);
+    if (!control)
+        return;
+    const double asked = commandOf(id) + steps * control->step;
+    const double command = std::clamp(asked, -control->limit, control->limit);
+
+    // The simulation moves the commands of automatic controls; an old one must not set them back.
+    std::erase_if(m_commands, [this](const auto& held) {
+        const Control* other = findItem<Control>(m_document.scene(), Id{held.first});
+        return !other || other->automaticRate != 0.0;
+    });
+    m_commands[std::uint32_t(id)] = command;
+    m_runner.command(m_commands);
+}
+
+// Where the control is told to go now, m.
+double Player::commandOf(Id id) const
+{
+    if (const auto held = m_commands.find(std::uint32_t(id)); held != m_commands.end())
+        if (findItem<Control>(m_document.scene(), id)->automaticRate == 0.0)
+            return held->second;
+    if (m_frame && m_frame->run == m_run) {
+        const auto& inputs = m_frame->layout->inputId;
+        const auto found = std::find(inputs.begin(), inputs.end(), std::uint32_t(id));
+        if (found != inputs.end())
+            return m_frame->inputCommand[std::size_t(found - inputs.begin())];
+    }
+    return 0.0;
+}
+
+void Player::changed(const Edit& applied)
+{
+    const Effect effect = worstEffect(applied);
+    if (effect == Effect::Recompile || (effect == Effect::OnReset && !m_started))
+        compileSoon();
+}
+
+void Player::startOver()
+{
+    halt();
+    m_started = false;
+    m_stuck = false;
+    m_commands.clear();
+    m_runner.command(m_commands);
+    compileSoon();
+    emit stateChanged();
+}
+
+void Player::compileSoon()
+{
+    if (!m_started)
+        ++m_run; // nothing moves yet: the run begins anew from the edited design
+    if (m_dirty)
+        return;
+    m_dirty = true;
+    QMetaObject::invokeMethod(this, &Player::post, Qt::QueuedConnection);
+}
+
+void Player::post()
+{
+    if (!m_dirty)
+        return;
+    m_dirty = false;
+    m_compiler->post({m_document.scene(), ++m_generation, m_run});
+    if (m_orders && !m_started)
+        m_orders->generation = m_generation;
+}
+
+void Player::order(Orders orders)
+{
+    post();
+    orders.generation = m_generation;
+    m_orders = orders;
+    giveOrders();
+}
+
+void Player::giveOrders()
+{
+    if (!m_orders || m_compiled < m_orders->generation)
+        return;
+    const Orders orders = *std::exchange(m_orders, std::nullopt);
+    m_started = true;
+    for (int i = 0; i < orders.steps; ++i)
+        m_runner.stepOnce();
+    m_until = orders.until;
+    m_runner.playUntil(m_until.value_or(never));
+    m_runner.setPlaying(orders.play);
+    if (hasArrived()) { // there is nothing to run, so no frame will say so
+        halt();
+        emit stateChanged();
+    }
+}
+
+bool Player::hasArrived() const
+{
+    const double halfStep = 0.5 * m_document.scene().settings.timeStep;
+    return m_until && m_frame && m_frame->run == m_run && m_frame->time >= *m_until - halfStep;
+}
+
+void Player::halt()
+{
+    m_playing = false;
+    m_orders.reset();
+    m_until.reset();
+    m_runner.playUntil(never);
+    m_runner.setPlaying(false);
+}
+
+bool Player::refuse()
+{
+    const bool stands = m_frame && m_frame->run == m_run && m_frame->generation == m_generation;
+    if (!m_problem.isEmpty() && !m_dirty)
+        emit stopped(m_problem, m_culprit);
+    else if (stands && !m_dirty && !m_frame->stopped.empty())
+        emit stopped(QString::fromStdString(m_frame->stopped), m_frame->culprit);
+    else
+        return false;
+    return true;
+}
+
+void Player::poll()
+{
+    takeCompiled();
+    takeFrame();
+}
+
+void Player::takeCompiled()
+{
+    const auto outcome = m_compiler->take();
+    if (!outcome)
+        return;
+    m_compiled = outcome->generation;
+    if (outcome->system && outcome->run == m_run) {
+        m_runner.load(outcome->system);
+        if (!m_started)
+            m_runner.command(m_commands); // a new run starts with its controls at zero
+    }
+
+    const QString problem = QString::fromStdString(outcome->problem);
+    const bool disappoints = !problem.isEmpty() && (m_playing || m_orders);
+    const bool isNews = problem != m_problem || disappoints;
+    m_problem = problem;
+    m_culprit = quint32(outcome->culprit);
+    if (disappoints)
+        halt();
+    if (isNews)
+        emit stateChanged();
+    if (disappoints)
+        emit stopped(m_problem, m_culprit);
+    giveOrders();
+}
+
+void Player::takeFrame()
+{
+    auto frame = m_runner.takeFrame();
+    if (!frame || frame->run != m_run)
+        return; // of a run that is over
+    const bool wasStuck = std::exchange(m_stuck, !frame->stopped.empty());
+    m_frame = std::move(frame);
+
+    const bool gotStuck = m_stuck && !wasStuck;
+    const bool halts = gotStuck || hasArrived();
+    if (halts)
+        halt();
+    emit frameReady(m_frame);
+    if (halts)
+        emit stateChanged();
+    if (gotStuck)
+        emit stopped(QString::fromStdString(m_frame->stopped), m_frame->culprit);
+}
+
+} // namespace ripstop
