@@ -3,6 +3,7 @@
 #include "scene/property.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <unordered_map>
@@ -11,9 +12,12 @@
 namespace ripstop {
 namespace {
 
+// As the subject of a sentence.
 std::string named(Kind kind, Id id)
 {
-    return std::string(kindName(kind)) + " " + std::to_string(std::uint32_t(id));
+    std::string name(kindName(kind));
+    name[0] = char(std::toupper(name[0]));
+    return id == settingsId ? name : name + " " + std::to_string(std::uint32_t(id));
 }
 
 class Checker
