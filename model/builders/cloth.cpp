@@ -1,0 +1,220 @@
+// The cloth paper's sheet (Millet): masses and springs, hung by two corners, over ground and
+// sphere.
+//
+// Structural springs run along rows and columns, shear springs across both diagonals of each cell,
+// bend springs to second neighbours in rows and columns. Stiffness is that of the fabric: a spring
+// stands for the strip of cloth around it, so its stiffness does not depend on the resolution of a
+// square mesh. A torn spring takes the panels beside it out of the air.
+#include "builders/designs.h"
+#include "builders/network.h"
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+// clang-format off
+constexpr Parameter parameters[]{
+    {"columns",   "",       20,   1, 400,  true,  "Cells across."},
+    {"rows",      "",       20,   1, 400,  true,  "Cells down."},
+    {"width",     "m",      1.0,  0.01, 50, false, "From corner to corner across."},
+    {"height",    "m",      1.0,  0.01, 50, false, "From the top edge to the bottom edge."},
+    {"density",   "kg/m^2", 0.25, 0.005, 10, false, "Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric."},
+    {"stiffness", "N/m",    100,  0, 1e6,  false, "Of structural springs: the tension of the fabric per strain; light knits have 25 to 130."},
+    {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones."},
+    {"bend",      "",       0.02, 0, 2,    false, "Stiffness of bend springs over that of structural ones."},
+    {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only."},
+    {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never."},
+    {"hang",      "",       0,    0, 2,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing."},
+    {"level",     "m",      1.6,  0.01, 1000, false, "Height of the top edge over the ground."},
+    {"flat",      "",       0,    0, 1,    true,  "1 starts with the sheet lying level instead of hanging."},
+    {"sphere",    "m",      0,    0, 20,   false, "Radius of a sphere below the sheet; 0 leaves it out."},
+    {"wind",      "m/s",    0,    -50, 50, false, "Speed of the wind, across the sheet when it is hung by corners and along it when by an edge."},
+    {"lift_slope", "1/rad", 2,    0, 8,    false, "Normal force coefficient of the fabric in the wind."},
+    {"friction",  "",       0.02, 0, 0.5,  false, "Coefficient of the air's force along the fabric."},
+};
+// clang-format on
+
+constexpr int byCorners = 0;
+constexpr int byEdge = 1;
+
+struct Materials
+{
+    Id cloth;
+    Id structural;
+    Id shear;
+    Id bend;
+};
+
+Materials addMaterials(Scene& scene, const Parameters& p)
+{
+    Material material;
+    material.normalCoefficient = p.at("lift_slope");
+    material.skinFriction = p.at("friction");
+    material.damping = p.at("damping");
+    material.tearRule = p.at("tear") > 0.0 ? TearRule::Strain : TearRule::Never;
+    material.tearLimit = p.at("tear") > 0.0 ? p.at("tear") : material.tearLimit;
+    const auto add = [&](const char* name, const char* color, double share) {
+        material.name = name;
+        material.color = color;
+        material.stiffness = share * p.at("stiffness");
+        material.shown = share == 1.0;
+        return addItem(scene, material);
+    };
+    Materials materials{};
+    materials.cloth = add("cloth", "#3d7ea6", 1.0);
+    materials.structural = add("structural", "#2c5d7c", 1.0);
+    materials.shear = add("shear", "#5c96b8", p.at("shear"));
+    materials.bend = add("bend", "#a8c5d6", p.at("bend"));
+    return materials;
+}
+
+class Sheet
+{
+public:
+    Sheet(Network& network, const Parameters& p)
+        : m_columns(int(p.at("columns")))
+        , m_rows(int(p.at("rows")))
+    {
+        const bool flat = p.at("flat") > 0.0;
+        for (int row = 0; row <= m_rows; ++row)
+            for (int column = 0; column <= m_columns; ++column) {
+                const double u = double(column) / m_columns;
+                const double v = double(row) / m_rows;
+                const double down = v * p.at("height");
+                const Id node =
+                    network.particle({(u - 0.5) * p.at("width"),
+                                      p.at("level") - (flat ? 0.0 : down), flat ? down : 0.0});
+                network.texture(node, u, 1.0 - v);
+                m_nodes.push_back(node);
+            }
+    }
+
+    bool has(int row, int column) const
+    {
+        return row >= 0 && row <= m_rows && column >= 0 && column <= m_columns;
+    }
+    Id at(int row, int column) const { return m_nodes[row * (m_columns + 1) + column]; }
+    int rows() const { return m_rows; }
+    int columns() const { return m_columns; }
+
+    void weave(Network& network, const Materials& materials) const
+    {
+        struct Reach
+        {
+            int rows;
+            int columns;
+            Id material;
+        };
+        const Reach reaches[]{{0, 1, materials.structural}, {1, 0, materials.structural},
+                              {1, 1, materials.shear},      {1, -1, materials.shear},
+                              {0, 2, materials.bend},       {2, 0, materials.bend}};
+        for (const Reach& reach : reaches)
+            for (int row = 0; row <= m_rows; ++row)
+                for (int column = 0; column <= m_columns; ++column)
+                    if (has(row + reach.rows, column + reach.columns))
+                        network.spring(at(row, column),
+                                       at(row + reach.rows, column + reach.columns),
+                                       reach.material);
+        for (int row = 0; row < m_rows; ++row)
+            for (int column = 0; column < m_columns; ++column)
+                cover(network, row, column, materials.cloth);
+    }
+
+private:
+    // diagonals alternate, so that the sheet has no grain
+    void cover(Network& network, int row, int column, Id cloth) const
+    {
+        const Id a = at(row, column);
+        const Id b = at(row, column + 1);
+        const Id c = at(row + 1, column);
+        const Id d = at(row + 1, column + 1);
+        if ((row + column) % 2 == 0) {
+            network.panel(a, c, d, cloth);
+            network.panel(a, d, b, cloth);
+        } else {
+            network.panel(a, c, b, cloth);
+            network.panel(b, c, d, cloth);
+        }
+    }
+
+    int m_columns;
+    int m_rows;
+    std::vector<Id> m_nodes;
+};
+
+void addSphere(Scene& scene, const Parameters& p)
+{
+    Collider sphere;
+    sphere.name = "sphere";
+    sphere.shape = ColliderShape::Sphere;
+    sphere.radius = p.at("sphere");
+    const bool flat = p.at("flat") > 0.0;
+    const double gap = 1.15 * sphere.radius;
+    sphere.position = flat ? Vec3(0.0, p.at("level") - gap, 0.5 * p.at("height"))
+                           : Vec3(0.0, p.at("level") - 0.8 * p.at("height"), gap);
+    addItem(scene, sphere);
+}
+
+// The first corner is moved by keys as in the cloth paper; up is away from the viewer.
+void addControls(Scene& scene, Id corner)
+{
+    Control control;
+    control.targets = {corner};
+    control.name = "corner x";
+    control.axis = Vec3::UnitX();
+    control.keyLess = "Left";
+    control.keyMore = "Right";
+    addItem(scene, control);
+    control.name = "corner z";
+    control.axis = Vec3::UnitZ();
+    control.keyLess = "Up";
+    control.keyMore = "Down";
+    addItem(scene, control);
+}
+
+Scene buildCloth(const Parameters& p)
+{
+    Scene scene;
+    scene.settings.title = "Cloth";
+    const int hang = int(p.at("hang"));
+    addGround(scene);
+    if (p.at("sphere") > 0.0)
+        addSphere(scene, p);
+    addWind(scene, p.at("wind") * (hang == byEdge ? Vec3::UnitX() : Vec3::UnitZ()));
+    const Materials materials = addMaterials(scene, p);
+
+    Network network(scene, "sheet");
+    const Sheet sheet(network, p);
+    sheet.weave(network, materials);
+    network.addFabricMass(p.at("density"));
+
+    std::vector<Id> held;
+    if (hang == byCorners)
+        held = {sheet.at(0, 0), sheet.at(0, sheet.columns())};
+    else if (hang == byEdge)
+        for (int row = 0; row <= sheet.rows(); ++row)
+            held.push_back(sheet.at(row, 0));
+    for (const Id node : held)
+        network.row(node).pinned = true;
+
+    const Id middle = sheet.at(sheet.rows(), sheet.columns() / 2);
+    const Id part = network.finish("cloth", p);
+    addGroup(scene, "held", held);
+    if (hang == byCorners)
+        addControls(scene, sheet.at(0, 0));
+    addProbe(scene, "lower edge", Quantity::PositionY, middle);
+    addProbe(scene, "speed", Quantity::Speed, part);
+    addProbe(scene, "max strain", Quantity::MaxStrain, part);
+    addProbe(scene, "torn", Quantity::TornLinks, part);
+    addProbe(scene, "energy", Quantity::TotalEnergy);
+    return scene;
+}
+
+} // namespace
+
+const Builder clothBuilder{"cloth", "Cloth",
+                           "A sheet of masses and springs, hung by corners or an edge.", parameters,
+                           buildCloth};
+
+} // namespace ripstop

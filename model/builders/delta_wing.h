@@ -1,0 +1,43 @@
+// The sail of a delta: one surface for the hang glider and the kite.
+//
+// Nose at the origin, flight towards +x, y up, z to the right.
+#pragma once
+
+#include "builders/network.h"
+
+namespace ripstop {
+
+struct DeltaShape
+{
+    double span;     // m, tip to tip
+    double chord;    // m, length of the keel
+    double dihedral; // rad, rise of the leading edges
+    double billow;   // 1, arch between keel and leading edge over the local half width
+    double washout;  // rad, by how much less the tips meet the wind than the root
+    double reflex;   // 1, rise of the rear end of the keel over its length
+};
+
+// s runs along the keel from 0 at the nose to 1, u across from -1 at the left edge to 1.
+Vec3 sailPoint(const DeltaShape& shape, double s, double u);
+
+struct SailMaterials
+{
+    Id sail;
+    Id border; // panels along the leading edges
+    Id seams;
+    Id edges; // rods along the leading edges
+};
+
+// Nodes, rods and panels, with texture coordinates; the particles have no mass yet.
+Lattice addSail(Network& network, const DeltaShape& shape, int segments,
+                const SailMaterials& materials);
+
+// Two particles above and below the sail, tied to leading edges and keel. They stand at a steep
+// angle to the sail, so that no node can give way.
+std::vector<Id> addStiffeners(Network& network, const DeltaShape& shape, const Lattice& lattice,
+                              Id material);
+
+// The wind, m/s, that a wing of this frame meets at `speed` and an angle of attack, rad.
+Vec3 headwind(double speed, double angle);
+
+} // namespace ripstop

@@ -1,0 +1,15 @@
+// The rows of the table of builders; each stands in a file of its own.
+#pragma once
+
+#include "builders/builder.h"
+
+namespace ripstop {
+
+extern const Builder clothBuilder;
+extern const Builder ropeBuilder;
+extern const Builder hangGliderBuilder;
+extern const Builder deltaKiteBuilder;
+extern const Builder parachuteBuilder;
+extern const Builder stiffenedRodBuilder;
+
+} // namespace ripstop

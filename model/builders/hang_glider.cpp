@@ -1,0 +1,222 @@
+// The paper's hang glider (Beaudry, Egli, Patenaude 2005, section 6) in real proportions.
+//
+// A triangular lattice of n segments per side, two rigidity particles tied to the leading edges and
+// the keel, the pilot and the foot of the control frame tied to the whole rim. With 8 segments:
+// 45 + 2 + 1 + 1 = 49 particles, 108 + 2 x 21 + 24 + 24 = 198 rods, 64 panels.
+//
+// Built with the nose at the origin, flying towards +x, y up, z to the right. Twisted tips and a
+// raised rear keel turn the nose up at zero lift; the weight ahead of the centroid of the sail
+// balances that at one angle of attack only, which is what makes the flight steady. The pilot is
+// hung where the wing trims at the wanted speed, and the run starts in that trim.
+#include "builders/delta_wing.h"
+#include "builders/designs.h"
+#include "builders/network.h"
+#include "builders/statics.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr Parameter parameters[]{
+    {"segments", "", 8, 2, 40, true,
+     "Lattice segments per side; the sail has their square of panels."},
+    {"span", "m", 9.6, 2, 20, false, "From tip to tip."},
+    {"chord", "m", 4.0, 1, 10, false, "Length of the keel from the nose to the trailing edge."},
+    {"wing_mass", "kg", 25, 1, 100, false,
+     "Sail and frame together, shared equally by all particles but the pilot."},
+    {"pilot_mass", "kg", 65, 1, 200, false, "Pilot and harness."},
+    {"pilot_depth", "m", 1.3, 0.3, 4, false, "How far the pilot hangs below the keel."},
+    {"speed", "m/s", 11, 5, 30, false,
+     "Airspeed in trim; it says where along the keel the pilot hangs."},
+    {"dihedral", "deg", 3, -10, 20, false,
+     "Rise of the leading edges to the tips; rolls the wing level when it slips."},
+    {"billow", "", 0.04, 0, 0.3, false,
+     "Arch of the sail between keel and leading edge, over its local half width."},
+    {"washout", "deg", 12, -10, 40, false,
+     "How much less the tips meet the wind than the root; gives pitch stability to a swept wing."},
+    {"reflex", "", 0.03, -0.1, 0.2, false,
+     "Rise of the rear end of the keel over its length; gives pitch stability."},
+    {"lift_slope", "1/rad", 3.1, 0.1, 8, false,
+     "Normal force coefficient per sine of the angle of attack; 3.1 fits the first Rogallo wings."},
+    {"drag", "", 0.06, 0, 0.5, false,
+     "Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin "
+     "friction."},
+    {"altitude", "m", 100, 5, 3000, false, "Height of the nose at the start."},
+    {"shift", "m", 0.4, 0.01, 1, false, "How far the pilot can shift either way."},
+};
+
+struct Materials
+{
+    SailMaterials sail;
+    Id wires;
+    Id frame;
+};
+
+Materials addMaterials(Scene& scene, const Parameters& p)
+{
+    Material material;
+    material.normalCoefficient = p.at("lift_slope");
+    material.skinFriction = p.at("drag");
+    const auto add = [&](const char* name, const char* color, bool shown) {
+        material.name = name;
+        material.color = color;
+        material.shown = shown;
+        return addItem(scene, material);
+    };
+    Materials materials{};
+    materials.sail.sail = add("sail", "#e76f51", true);
+    materials.sail.border = add("sail edge", "#264653", true);
+    materials.sail.seams = add("seams", "#c8583c", true);
+    materials.sail.edges = add("tube", "#20262e", true);
+    materials.wires = add("wire", "#8d99ae", true);
+    materials.frame = add("frame", "#8d99ae", false);
+    return materials;
+}
+
+std::vector<Id> keelOf(const Lattice& lattice)
+{
+    std::vector<Id> nodes = lattice.median();
+    nodes.insert(nodes.begin(), lattice.at(0, 0));
+    return nodes;
+}
+
+struct Wing
+{
+    Lattice lattice;
+    std::vector<Id> stiffeners;
+    Id pilot;
+    Id foot; // of the control frame
+};
+
+Wing addWing(Network& network, const Parameters& p, const Materials& materials)
+{
+    const DeltaShape shape{p.at("span"),
+                           p.at("chord"),
+                           p.at("dihedral") * degrees,
+                           p.at("billow"),
+                           p.at("washout") * degrees,
+                           p.at("reflex")};
+    const Lattice lattice = addSail(network, shape, int(p.at("segments")), materials.sail);
+    Wing wing{lattice, addStiffeners(network, shape, lattice, materials.frame), Id{}, Id{}};
+    const double depth = p.at("pilot_depth");
+    wing.foot = network.particle({-0.6 * shape.chord, -1.25 * depth, 0.0});
+    const double each = p.at("wing_mass") / double(network.part().particles.size());
+    for (const Particle& particle : network.part().particles)
+        network.row(particle.id).mass = each;
+    wing.pilot = network.particle({-0.6 * shape.chord, -depth, 0.0}, p.at("pilot_mass"));
+    return wing;
+}
+
+// The angle of attack at which the air carries the whole weight at this speed, rad.
+double trimAngle(const Scene& scene, const Part& part, double speed)
+{
+    const double weight = weightOf(part).mass * scene.settings.gravity.norm();
+    return root(
+        [&](double angle) {
+            return airLoad(scene, part, headwind(speed, angle)).force.norm() - weight;
+        },
+        0.0, 60.0 * degrees);
+}
+
+// Pilot and control frame hang where the line of the air's force passes through the centre of
+// mass: x Fy - y Fx = M.
+void hangPilot(Network& network, const Wing& wing, const Load& air)
+{
+    const Weight weight = weightOf(network.part());
+    const double wanted = (air.moment.z() + weight.center.y() * air.force.x()) / air.force.y();
+    const double hung = network.row(wing.pilot).mass + network.row(wing.foot).mass;
+    const Vec3 shift((wanted - weight.center.x()) * weight.mass / hung, 0.0, 0.0);
+    network.row(wing.pilot).position += shift;
+    network.row(wing.foot).position += shift;
+}
+
+void addControlRods(Network& network, const Materials& materials, const Wing& wing)
+{
+    const std::vector<Id> rim = wing.lattice.perimeter();
+    network.spokes(wing.pilot, rim, materials.frame);
+
+    // the few that a real glider has are drawn: to the nose, the tips and the tail
+    const int n = wing.lattice.segments();
+    for (const Id node : rim) {
+        const bool drawn = node == wing.lattice.at(0, 0) || node == wing.lattice.at(n, 0)
+                           || node == wing.lattice.at(n, n) || node == wing.lattice.at(n, n / 2);
+        network.rod(wing.foot, node, drawn ? materials.wires : materials.frame);
+    }
+}
+
+void addControls(Scene& scene, const Parameters& p, Id pilot, const Vec3& forward)
+{
+    Control control;
+    control.kind = ControlKind::WeightShift;
+    control.targets = {pilot};
+    control.step = 0.05;
+    control.limit = p.at("shift");
+    control.rate = 0.5;
+
+    control.name = "pitch";
+    control.axis = forward;
+    control.keyLess = "Down";
+    control.keyMore = "Up";
+    addItem(scene, control);
+
+    control.name = "roll";
+    control.axis = Vec3(0.0, 0.0, 1.0);
+    control.keyLess = "Left";
+    control.keyMore = "Right";
+    addItem(scene, control);
+}
+
+void addProbes(Scene& scene, Id part)
+{
+    addProbe(scene, "height", Quantity::PositionY, part);
+    addProbe(scene, "distance flown", Quantity::PositionX, part);
+    addProbe(scene, "speed", Quantity::Speed, part);
+    addProbe(scene, "sink rate", Quantity::SinkRate, part);
+    addProbe(scene, "glide ratio", Quantity::GlideRatio, part);
+    addProbe(scene, "mean glide ratio", Quantity::MeanGlideRatio, part);
+    addProbe(scene, "max strain", Quantity::MaxStrain, part);
+}
+
+Scene buildHangGlider(const Parameters& p)
+{
+    Scene scene;
+    scene.settings.title = "Hang glider";
+    scene.settings.notes =
+        "Up dives, Down slows, Left and Right roll: the keys shift the pilot's weight inside the "
+        "control rods. The pilot hangs where the wing trims at the wanted speed, and the flight "
+        "starts in that trim.";
+    addGround(scene);
+    const Materials materials = addMaterials(scene, p);
+
+    Network network(scene, "glider");
+    const Wing wing = addWing(network, p, materials);
+    const double speed = p.at("speed");
+    const double angle = trimAngle(scene, network.part(), speed);
+    const Load air = airLoad(scene, network.part(), headwind(speed, angle));
+    hangPilot(network, wing, air);
+    addControlRods(network, materials, wing);
+
+    // in a steady glide the force of the air points straight up
+    const double tilt = 0.5 * pi - std::atan2(air.force.y(), air.force.x());
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(tilt, Vec3::UnitZ()).toRotationMatrix();
+    network.place(turn, {0.0, p.at("altitude"), 0.0}, turn * -headwind(speed, angle));
+
+    addGroup(scene, "leading edge", wing.lattice.sides());
+    addGroup(scene, "keel", keelOf(wing.lattice));
+    addGroup(scene, "rigidity", wing.stiffeners);
+    addGroup(scene, "pilot", {wing.pilot});
+    addControls(scene, p, wing.pilot, turn.col(0));
+    addProbes(scene, network.finish("hang_glider", p));
+    return scene;
+}
+
+} // namespace
+
+const Builder hangGliderBuilder{"hang_glider", "Hang glider",
+                                "A flexible wing with a pilot who steers by shifting weight.",
+                                parameters, buildHangGlider};
+
+} // namespace ripstop

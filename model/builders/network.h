@@ -1,0 +1,102 @@
+// Networks: the bricks that builders lay.
+//
+// A Network grows one part of a scene. Rest lengths follow from where the particles are, so a
+// network is free of load as it is built; ids come from the scene in the order of the calls, which
+// keeps every table in ascending order.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <functional>
+#include <vector>
+
+namespace ripstop {
+
+// Appends an item under a fresh id.
+Id addItem(Scene& scene, Item item);
+Id addGround(Scene& scene); // the plane y = 0
+Id addGroup(Scene& scene, std::string name, std::vector<Id> members);
+Id addWind(Scene& scene, const Vec3& velocity); // m/s
+Id addProbe(Scene& scene, std::string name, Quantity quantity, Id target = noId, Id from = noId);
+
+class Network
+{
+public:
+    Network(Scene& scene, std::string name);
+
+    Id particle(const Vec3& position, double mass = 0.0); // m, kg
+    Id rod(Id from, Id to, Id material, Resists resists = Resists::Both);
+    Id spring(Id from, Id to, Id material);
+    Id panel(Id a, Id b, Id c, Id material);
+
+    Particle& row(Id particle) { return *findRow(m_part.particles, particle); }
+    void texture(Id particle, double u, double v);
+
+    // Gives each corner of the panel its third of the fabric's mass; density in kg/m^2.
+    void addFabricMass(double density);
+
+    // `count` - 1 new particles at equal steps from `from` to `to`, tied in a row; the ends are in
+    // the answer. `mass` is that of the whole line, kg, shared out by length, ends included.
+    std::vector<Id> line(Id from, Id to, int count, double mass, Id material, Resists resists);
+
+    // A rod from `hub` to each of `nodes`.
+    std::vector<Id> spokes(Id hub, const std::vector<Id>& nodes, Id material);
+
+    // Turns and then moves everything, and sets everything going with one velocity, m/s.
+    void place(const Eigen::Matrix3d& turn, const Vec3& shift, const Vec3& velocity);
+
+    const Vec3& position(Id particle) const
+    {
+        return findRow(m_part.particles, particle)->position;
+    }
+    const Part& part() const { return m_part; }
+
+    // Puts the part into the scene; the network is empty afterwards. Answers the part's id.
+    Id finish(std::string builder, std::map<std::string, double> parameters);
+
+private:
+    Scene& m_scene;
+    Part m_part;
+};
+
+// A triangular lattice of n segments per side: row i has i + 1 nodes, row 0 is the tip.
+// (n+1)(n+2)/2 nodes, 3n(n+1)/2 edges, n^2 panels.
+class Lattice
+{
+public:
+    // `node` answers the particle of a place; it may make one or reuse one.
+    Lattice(int segments, const std::function<Id(int row, int column)>& node);
+
+    struct Edge
+    {
+        Id from;
+        Id to;
+        int row;                                   // of the end nearer to the tip, or of both
+        enum class Sort { Left, Right, Row } sort; // along the left or right side, or across
+        bool onSide;                               // one of the two sides that meet in the tip
+    };
+    struct Cell
+    {
+        Id a;
+        Id b;
+        Id c;
+        int row;    // of its corner nearest to the tip
+        int column; // in half steps from the left side: even ones have a corner towards the tip
+    };
+
+    int segments() const { return m_segments; }
+    Id at(int row, int column) const;
+
+    std::vector<Edge> edges() const;
+    std::vector<Cell> cells() const; // all wound the same way
+
+    std::vector<Id> sides() const;     // both sides that meet in the tip: 2n + 1 nodes
+    std::vector<Id> perimeter() const; // 3n nodes
+    std::vector<Id> median() const;    // nodes on the axis, without the tip: n/2
+
+private:
+    int m_segments;
+    std::vector<Id> m_nodes;
+};
+
+} // namespace ripstop

@@ -1,0 +1,225 @@
+// A round parachute (Beaudry, Egli, Patenaude 2005, section 8).
+//
+// A flat circular canopy of nominal diameter D0, in the shape that it takes when it is full: a
+// spherical cap whose arc is D0 long and whose mouth is `fullness` D0 wide. With 6 rings and 24
+// sectors: 1 + 6 S = 145 particles, 17 S = 408 rods, 11 S = 264 panels, then S lines and the
+// payload. The paper holds the mouth open with a hoop: two virtual particles tied to the whole
+// skirt, which makes a rigid double pyramid of 3 S rods.
+//
+// The air law's coefficient is chosen such that the drag is that of the wanted coefficient CD0 on
+// the nominal area: Cn sum(A ny^2) = CD0 pi D0^2 / 4. The payload then sinks at
+// v = sqrt(2 m g / (rho CD0 S0)) (Knacke 1991, page 5-128).
+#include "builders/designs.h"
+#include "builders/network.h"
+#include "builders/statics.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+// clang-format off
+constexpr Parameter parameters[]{
+    {"rings",         "",       6,      2, 40,    true,  "Rings of fabric from the apex to the skirt."},
+    {"sectors",       "",       24,     6, 120,   true,  "Gores, and suspension lines."},
+    {"hoop",          "",       1,      0, 1,     true,  "1 holds the skirt open with a rigid hoop, 0 leaves it to the air."},
+    {"diameter",      "m",      5,      0.3, 60,  false, "Nominal diameter D0: that of the canopy laid out flat."},
+    {"fullness",      "",       0.67,   0.5, 0.95, false, "Width of the open mouth over the nominal diameter; 0.67 to 0.70 for flat circular canopies."},
+    {"drag",          "",       0.775,  0.05, 2,  false, "Drag coefficient CD0 on the nominal area; 0.75 to 0.80 for flat circular canopies."},
+    {"payload",       "kg",     25,     0.01, 2000, false, "Mass that hangs below."},
+    {"line_length",   "m",      4.5,    0.3, 60,  false, "From the skirt to the payload; 0.8 to 1 nominal diameter is usual."},
+    {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
+    {"line_density",  "kg/m",   0.004,  1e-5, 0.2, false, "Mass of a line per length."},
+    {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I."},
+    {"hoop_mass",     "kg",     0.4,    0.01, 50, false, "Mass of the hoop."},
+    {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
+    {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start."},
+    {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
+};
+// clang-format on
+
+struct Materials
+{
+    std::array<Id, 2> cloth;
+    Id seams;
+    Id lines;
+    Id frame;
+};
+
+Materials addMaterials(Scene& scene, const Parameters& p)
+{
+    Material material;
+    material.skinFriction = p.at("friction");
+    const auto add = [&](const char* name, const char* color, bool shown) {
+        material.name = name;
+        material.color = color;
+        material.shown = shown;
+        return addItem(scene, material);
+    };
+    Materials materials{};
+    materials.cloth = {add("odd gores", "#d1495b", true), add("even gores", "#f2f0e6", true)};
+    materials.seams = add("seams", "#b5b2a6", true);
+    materials.lines = add("suspension line", "#4f5d75", true);
+    materials.frame = add("frame", "#8d99ae", false);
+    return materials;
+}
+
+// Half the angle that the cap spans at its centre: sin(a) / a = fullness.
+double capAngle(double fullness)
+{
+    return root([&](double a) { return std::sin(a) / a - fullness; }, 0.01, 3.0);
+}
+
+// Nodes of a polar mesh: node(0, ...) is the apex.
+class Canopy
+{
+public:
+    Canopy(Network& network, const Parameters& p)
+        : m_rings(int(p.at("rings")))
+        , m_sectors(int(p.at("sectors")))
+    {
+        const double angle = capAngle(p.at("fullness"));
+        const double radius = 0.5 * p.at("diameter") / angle;
+        for (int ring = 0; ring <= m_rings; ++ring)
+            for (int sector = 0; sector < (ring ? m_sectors : 1); ++sector) {
+                const double polar = angle * ring / m_rings;
+                const double turn = 2.0 * pi * sector / m_sectors;
+                const Vec3 out(std::cos(turn), 0.0, std::sin(turn));
+                const Id node = network.particle(
+                    radius * (std::sin(polar) * out + std::cos(polar) * Vec3::UnitY()));
+                const double reach = 0.5 * ring / m_rings;
+                network.texture(node, 0.5 + reach * out.x(), 0.5 + reach * out.z());
+                m_nodes.push_back(node);
+            }
+    }
+
+    Id at(int ring, int sector) const
+    {
+        return ring == 0 ? m_nodes[0]
+                         : m_nodes[1 + (ring - 1) * m_sectors + (sector + m_sectors) % m_sectors];
+    }
+    const std::vector<Id>& nodes() const { return m_nodes; }
+    std::vector<Id> skirt() const { return {m_nodes.end() - m_sectors, m_nodes.end()}; }
+
+    void weave(Network& network, const Materials& materials) const
+    {
+        for (int ring = 1; ring <= m_rings; ++ring)
+            for (int sector = 0; sector < m_sectors; ++sector) {
+                const Id cloth = materials.cloth[sector % 2];
+                const Id a = at(ring, sector);
+                const Id b = at(ring, sector + 1);
+                const Id c = at(ring - 1, sector);
+                const Id d = at(ring - 1, sector + 1);
+                network.rod(a, c, materials.seams);
+                network.rod(a, b, materials.seams);
+                if (ring == 1) {
+                    network.panel(c, b, a, cloth);
+                    continue;
+                }
+                // diagonals lean to and fro, or the canopy would turn like a screw
+                const bool leanRight = (ring + sector) % 2 == 0;
+                network.rod(leanRight ? a : b, leanRight ? d : c, materials.seams);
+                network.panel(c, leanRight ? d : b, a, cloth);
+                network.panel(leanRight ? a : c, d, b, cloth);
+            }
+    }
+
+private:
+    int m_rings;
+    int m_sectors;
+    std::vector<Id> m_nodes;
+};
+
+// The normal force coefficient that gives the wanted drag when the canopy sinks upright. Skin
+// friction takes its share: the force upwards is Cn sum(A ny^2) + Cf sum(A |wt| wt_y).
+double normalCoefficient(Scene& scene, const Network& network, const Materials& materials,
+                         const Parameters& p)
+{
+    const double nominalArea = 0.25 * pi * p.at("diameter") * p.at("diameter");
+    const double wanted = 0.5 * scene.settings.airDensity * p.at("drag") * nominalArea; // at 1 m/s
+    const auto force = [&](double coefficient) {
+        for (const Id id : materials.cloth)
+            std::get<Material>(*findItem(scene, id)).normalCoefficient = coefficient;
+        return airLoad(scene, network.part(), Vec3::UnitY()).force.y();
+    };
+    const double alone = force(0.0);
+    return (wanted - alone) / (force(1.0) - alone);
+}
+
+std::vector<Id> addHoop(Network& network, const std::vector<Id>& skirt, const Parameters& p,
+                        const Materials& materials)
+{
+    const double height = network.position(skirt.front()).y();
+    const double reach = 0.25 * p.at("diameter");
+    std::vector<Id> hubs;
+    for (const double side : {1.0, -1.0}) {
+        hubs.push_back(
+            network.particle({0.0, height + side * reach, 0.0}, 0.5 * p.at("hoop_mass")));
+        network.spokes(hubs.back(), skirt, materials.frame);
+    }
+    return hubs;
+}
+
+Id addPayload(Network& network, const std::vector<Id>& skirt, const Parameters& p,
+              const Materials& materials)
+{
+    const Vec3 edge = network.position(skirt.front());
+    const double length = std::max(p.at("line_length"), 1.05 * edge.x());
+    const double depth = std::sqrt(length * length - edge.x() * edge.x());
+    const Id payload = network.particle({0.0, edge.y() - depth, 0.0}, p.at("payload"));
+    for (const Id node : skirt)
+        network.line(node, payload, int(p.at("line_segments")), length * p.at("line_density"),
+                     materials.lines, Resists::Tension);
+    return payload;
+}
+
+Scene buildParachute(const Parameters& p)
+{
+    Scene scene;
+    addGround(scene);
+    addWind(scene, Vec3(p.at("wind"), 0.0, 0.0));
+    const Materials materials = addMaterials(scene, p);
+
+    Network network(scene, "parachute");
+    const Canopy canopy(network, p);
+    canopy.weave(network, materials);
+    network.addFabricMass(p.at("fabric"));
+    const double coefficient = normalCoefficient(scene, network, materials, p);
+    for (const Id id : materials.cloth)
+        std::get<Material>(*findItem(scene, id)).normalCoefficient = coefficient;
+
+    const std::size_t firstLineRod = network.part().links.size();
+    const Id payload = addPayload(network, canopy.skirt(), p, materials);
+    const Id lineRod = network.part().links[firstLineRod].id;
+    std::vector<Id> hubs;
+    if (p.at("hoop") > 0.0)
+        hubs = addHoop(network, canopy.skirt(), p, materials);
+    network.place(Eigen::Matrix3d::Identity(),
+                  {0.0, p.at("altitude") - network.position(payload).y(), 0.0}, Vec3::Zero());
+
+    addGroup(scene, "canopy", canopy.nodes());
+    addGroup(scene, "skirt", canopy.skirt());
+    addGroup(scene, "rigidity", hubs);
+    addGroup(scene, "payload", {payload});
+    const Id part = network.finish("parachute", p);
+    addProbe(scene, "height", Quantity::PositionY, payload);
+    addProbe(scene, "sink rate", Quantity::SinkRate, part);
+    addProbe(scene, "air force", Quantity::AirForce, part);
+    addProbe(scene, "line tension", Quantity::Tension, lineRod);
+    addProbe(scene, "max strain", Quantity::MaxStrain, part);
+
+    scene.settings.title = "Round parachute";
+    scene.settings.notes = "The payload sinks at sqrt(2 m g / (rho CD0 S0)).";
+    return scene;
+}
+
+} // namespace
+
+const Builder parachuteBuilder{"parachute", "Parachute",
+                               "A round canopy with suspension lines and a payload.", parameters,
+                               buildParachute};
+
+} // namespace ripstop

@@ -1,0 +1,76 @@
+// A rope or chain: a row of particles, hung by one end or by both.
+//
+// Rods between second neighbours cut the stretch that the solver leaves to about a third and make
+// the rope resist folding; doubling rods side by side, as the paper has it, changes nothing.
+#include "builders/designs.h"
+#include "builders/network.h"
+#include "builders/statics.h"
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+// clang-format off
+constexpr Parameter parameters[]{
+    {"segments",  "",     20,   1, 5000, true,  "Rods from end to end."},
+    {"length",    "m",    2,    0.01, 1000, false, "Of the whole rope."},
+    {"density",   "kg/m", 0.05, 0, 50,   false, "Mass of the rope per length."},
+    {"end_mass",  "kg",   0,    0, 1000, false, "A bob at the free end, over and above the rope's own mass."},
+    {"angle",     "deg",  60,   0, 180,  false, "Of the rope at the start, from straight down."},
+    {"ends",      "",     1,    0, 2,    true,  "How many ends are pinned."},
+    {"stiffened", "",     0,    0, 1,    true,  "1 adds rods between second neighbours."},
+    {"one_sided", "",     1,    0, 1,    true,  "1 resists tension only like a rope, 0 compression too like a chain of sticks."},
+};
+// clang-format on
+
+Scene buildRope(const Parameters& p)
+{
+    Scene scene;
+    scene.settings.title = "Rope";
+    addGround(scene);
+    Material material;
+    material.name = "cord";
+    material.color = "#b08968";
+    const Id cord = addItem(scene, material);
+    material.name = "stiffening";
+    material.shown = false;
+    const Id stiffening = addItem(scene, material);
+
+    Network network(scene, "rope");
+    const int count = int(p.at("segments"));
+    const double length = p.at("length");
+    const double angle = p.at("angle") * degrees;
+    const Vec3 top(0.0, 1.25 * length, 0.0);
+    const Id first = network.particle(top);
+    const Id last = network.particle(top + length * Vec3(std::sin(angle), -std::cos(angle), 0.0));
+    const Resists resists = p.at("one_sided") > 0.0 ? Resists::Tension : Resists::Both;
+    const std::vector<Id> nodes =
+        network.line(first, last, count, length * p.at("density"), cord, resists);
+    if (p.at("stiffened") > 0.0)
+        for (int i = 0; i + 2 <= count; ++i)
+            network.rod(nodes[i], nodes[i + 2], stiffening, resists);
+    network.row(last).mass += p.at("end_mass");
+    for (const Id node : nodes) // a rope without mass is a bob on a string
+        network.row(node).mass = std::max(network.row(node).mass, 1e-6);
+    network.row(first).pinned = p.at("ends") >= 1.0;
+    network.row(last).pinned = p.at("ends") >= 2.0;
+
+    addGroup(scene, "rope nodes", nodes);
+    const Id firstRod = network.part().links.front().id;
+    const Id part = network.finish("rope", p);
+    addProbe(scene, "end height", Quantity::PositionY, last);
+    addProbe(scene, "end speed", Quantity::Speed, last);
+    addProbe(scene, "distance", Quantity::Distance, last, first);
+    addProbe(scene, "tension", Quantity::Tension, firstRod);
+    addProbe(scene, "max strain", Quantity::MaxStrain, part);
+    addProbe(scene, "energy", Quantity::TotalEnergy);
+    return scene;
+}
+
+} // namespace
+
+const Builder ropeBuilder{"rope", "Rope", "A row of rods, hung by one end or by both.", parameters,
+                          buildRope};
+
+} // namespace ripstop
