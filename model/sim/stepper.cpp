@@ -31,6 +31,8 @@ void Stepper::prepare(const System& system, State& state)
     m_acceleration.resize(state.position.size());
     m_before.resize(state.position.size());
     m_predicted.resize(state.position.size());
+    if (system.integrator == Integrator::VelocityVerlet)
+        m_halfway.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
 }
@@ -113,7 +115,8 @@ void Stepper::predict(const System& system, State& state, double h)
                 break;
             case Integrator::VelocityVerlet:
                 x += h * v + (0.5 * h * h) * a;
-                v += (0.5 * h) * a;
+                m_halfway[i] = v + (0.5 * h) * a;
+                v += h * a; // what drag and dampers see at the end of the step
                 break;
             }
             m_predicted[i] = x;
@@ -146,8 +149,16 @@ void Stepper::updateVelocities(const System& system, State& state, double h)
     const double keep = std::exp(-system.viscosity * h);
     const bool second = system.integrator == Integrator::VelocityVerlet;
     const bool verlet = system.integrator == Integrator::Verlet;
-    if (second)
+    if (second) {
+        // Forces that depend on velocity keep the scheme of second order only if they see the
+        // velocity of the end of the step, which for a particle held by rods is the way it went.
+        m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                if (state.position[i] != m_predicted[i])
+                    state.velocity[i] = (state.position[i] - m_before[i]) / h;
+        });
         fillAccelerations(system, state);
+    }
 
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -162,8 +173,8 @@ void Stepper::updateVelocities(const System& system, State& state, double h)
                 // right for free motion only: at rest in a rod it would read as a fall.
                 v = free ? Vec3(state.drift[i] + (0.5 * h) * m_acceleration[i]) : state.drift[i];
             } else if (second) {
-                v = free ? Vec3(v + (0.5 * h) * m_acceleration[i])
-                         : Vec3((state.position[i] - m_before[i]) / h);
+                if (free)
+                    v = m_halfway[i] + (0.5 * h) * m_acceleration[i];
             } else {
                 v += correction / h;
             }
