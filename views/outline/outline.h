@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/property.h"
+
 #include <QWidget>
 
 class QLineEdit;
@@ -28,11 +30,15 @@ public:
     void focusSearch();
 
 private:
+    void buildTree();
     void buildAddMenu();
     void showContextMenu(const QPoint& place);
     void takeFromTree();  // tree -> Selection
     void showSelection(); // Selection -> tree
     void search(const QString& text);
+    void takeSearch(); // Enter in the search box
+    void add(Kind kind);
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
     Document& m_document;
     Selection& m_selection;

@@ -36,6 +36,7 @@ signals:
 private:
     void check();
     void collect();
+    void noteStop(const QString& why, quint32 culprit);
     void rebuild();
 
     Document& m_document;

@@ -1,0 +1,98 @@
+#include "outline/detail.h"
+
+#include "document/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("Outline", text); }
+
+template <typename Visit>
+auto withTable(const Part& part, Kind table, Visit visit)
+{
+    if (table == Kind::Particle)
+        return visit(part.particles);
+    if (table == Kind::Link)
+        return visit(part.links);
+    return visit(part.panels);
+}
+
+struct Writer
+{
+    const Scene& scene;
+
+    QString operator()(const Part& part) const
+    {
+        return QString::fromStdString(part.builder).replace('_', ' ');
+    }
+    QString operator()(const Material& material) const
+    {
+        return material.tearRule == TearRule::Never ? QString() : words("tears");
+    }
+    QString operator()(const Group& group) const
+    {
+        return QLocale().toString(qulonglong(group.members.size()));
+    }
+    QString operator()(const Collider& collider) const
+    {
+        return choiceLabel(choiceNames<ColliderShape>[std::size_t(collider.shape)]).toLower();
+    }
+    QString operator()(const Wind& wind) const
+    {
+        const double speed = wind.velocity.norm();
+        return QString::number(speed, 'g', 3) + QStringLiteral(" m/s");
+    }
+    QString operator()(const Control& control) const
+    {
+        QStringList keys;
+        for (const std::string& key : {control.keyLess, control.keyMore})
+            if (!key.empty())
+                keys << QString::fromStdString(key);
+        return keys.join(QStringLiteral(" / "));
+    }
+    QString operator()(const Probe& probe) const
+    {
+        const QString quantity =
+            choiceLabel(choiceNames<Quantity>[std::size_t(probe.quantity)]).toLower();
+        return probe.target == noId
+                   ? quantity
+                   : quantity + QStringLiteral(" \u00b7 ") + nameOf(scene, probe.target);
+    }
+};
+
+} // namespace
+
+std::vector<Id> rowIds(const Part& part, Kind table)
+{
+    return withTable(part, table, [](const auto& rows) {
+        std::vector<Id> ids;
+        ids.reserve(rows.size());
+        for (const auto& row : rows)
+            ids.push_back(row.id);
+        return ids;
+    });
+}
+
+QString tableDetail(const Part& part, Kind table, const std::vector<Id>& selected)
+{
+    return withTable(part, table, [&](const auto& rows) {
+        const QString all = QLocale().toString(qulonglong(rows.size()));
+        if (rows.empty() || selected.empty())
+            return all;
+        const auto first = std::lower_bound(selected.begin(), selected.end(), rows.front().id);
+        const auto last = std::upper_bound(first, selected.end(), rows.back().id);
+        const auto count = std::count_if(first, last, [&](Id id) { return findRow(rows, id); });
+        if (count == 0 || std::size_t(count) == rows.size())
+            return all;
+        return words("%1 of %2").arg(QLocale().toString(qlonglong(count)), all);
+    });
+}
+
+QString itemDetail(const Scene& scene, const Item& item) { return std::visit(Writer{scene}, item); }
+
+} // namespace ripstop

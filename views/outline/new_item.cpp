@@ -1,0 +1,89 @@
+#include "outline/new_item.h"
+
+#include "document/census.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+std::string freeName(const Scene& scene, Kind kind)
+{
+    const std::string base(kindName(kind));
+    std::string name = base;
+    const auto isTaken = [&] {
+        return std::any_of(scene.items.begin(), scene.items.end(),
+                           [&](const Entry& entry) { return nameOf(entry.item) == name; });
+    };
+    for (int number = 2; isTaken(); ++number)
+        name = base + " " + std::to_string(number);
+    return name;
+}
+
+std::vector<Id> idsOf(const Census& all, std::initializer_list<Kind> kinds)
+{
+    std::vector<Id> ids;
+    for (const Kind kind : kinds)
+        for (const Census::Found& found : all[kind])
+            ids.push_back(found.id);
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+Probe newProbe(const Census& all)
+{
+    Probe probe;
+    const auto particles = idsOf(all, {Kind::Particle});
+    const auto links = idsOf(all, {Kind::Link});
+    const auto wholes = idsOf(all, {Kind::Part, Kind::Group});
+    if (particles.size() == 2) {
+        probe.quantity = Quantity::Distance;
+        probe.from = particles.front();
+        probe.target = particles.back();
+    } else if (!particles.empty()) {
+        probe.target = particles.front();
+    } else if (!links.empty()) {
+        probe.quantity = Quantity::Tension;
+        probe.target = links.front();
+    } else if (!wholes.empty()) {
+        probe.target = wholes.front();
+    } else {
+        probe.quantity = Quantity::TotalEnergy;
+    }
+    return probe;
+}
+
+Item itemOf(Kind kind, const Census& all)
+{
+    switch (kind) {
+    case Kind::Group:
+        return Group{"", idsOf(all, {Kind::Particle, Kind::Link, Kind::Panel})};
+    case Kind::Collider:
+        return Collider{};
+    case Kind::Wind: {
+        Wind wind;
+        wind.velocity = Vec3(6.0, 0.0, 0.0); // m/s, a moderate breeze
+        return wind;
+    }
+    case Kind::Control: {
+        Control control;
+        control.targets = idsOf(all, {Kind::Particle});
+        return control;
+    }
+    case Kind::Probe:
+        return newProbe(all);
+    default:
+        return Material{};
+    }
+}
+
+} // namespace
+
+Entry newItem(const Scene& scene, Kind kind, const std::vector<Id>& selected)
+{
+    Entry entry{scene.nextId, itemOf(kind, census(scene, selected))};
+    std::visit([&](auto& item) { item.name = freeName(scene, kind); }, entry.item);
+    return entry;
+}
+
+} // namespace ripstop

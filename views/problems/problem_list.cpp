@@ -1,0 +1,112 @@
+#include "problems/problem_list.h"
+
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "icons/icon.h"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QStackedLayout>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int patience = 250; // ms after the last edit
+
+std::vector<Problem> problemsIn(const Scene& scene) { return problemsOf(scene); }
+
+} // namespace
+
+ProblemList::ProblemList(Document& document, Selection& selection, Player& player, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_player(player)
+    , m_worker(
+          problemsIn,
+          [this] { QMetaObject::invokeMethod(this, &ProblemList::collect, Qt::QueuedConnection); })
+    , m_pages(new QStackedLayout(this))
+    , m_empty(new QLabel(tr("No problems")))
+    , m_list(new QListWidget)
+{
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setSpacing(1);
+    m_list->setAccessibleName(tr("Problems"));
+    m_list->setToolTip(tr("Click a problem to select what causes it."));
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(m_list);
+
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(patience);
+    connect(&m_delay, &QTimer::timeout, this, &ProblemList::check);
+    connect(&document, &Document::changed, &m_delay, qOverload<>(&QTimer::start));
+    connect(&document, &Document::replaced, this, &ProblemList::check);
+    connect(&player, &Player::stopped, this, &ProblemList::noteStop);
+    connect(&player, &Player::frameReady, this, [this](const std::shared_ptr<const Frame>& frame) {
+        if (frame->stopped.empty() && !m_stops.empty()) {
+            m_stops.clear();
+            rebuild();
+        }
+    });
+
+    const auto select = [this](QListWidgetItem* item) {
+        const Id culprit{item->data(Qt::UserRole).toUInt()};
+        if (culprit != noId)
+            m_selection.set({culprit});
+    };
+    connect(m_list, &QListWidget::itemClicked, this, select);
+    connect(m_list, &QListWidget::itemActivated, this, select);
+    check();
+}
+
+void ProblemList::check() { m_worker.post(m_document.scene()); }
+
+void ProblemList::collect()
+{
+    const auto outcome = m_worker.take();
+    if (!outcome)
+        return;
+    m_problems = *outcome;
+    rebuild();
+}
+
+void ProblemList::noteStop(const QString& why, quint32 culprit)
+{
+    if (why == m_player.problem())
+        return; // the check says it too
+    m_stops = {{Severity::Error, why.toStdString(), Id{culprit}}};
+    rebuild();
+}
+
+void ProblemList::rebuild()
+{
+    std::vector<Problem> all = m_stops;
+    all.insert(all.end(), m_problems.begin(), m_problems.end());
+
+    m_list->clear();
+    for (const Problem& problem : all) {
+        const bool isError = problem.severity == Severity::Error;
+        auto* item =
+            new QListWidgetItem(icon(isError ? QStringLiteral("error") : QStringLiteral("warning")),
+                                QString::fromStdString(problem.message), m_list);
+        item->setData(Qt::UserRole, std::uint32_t(problem.culprit));
+        item->setData(Qt::AccessibleTextRole,
+                      (isError ? tr("Error: %1") : tr("Warning: %1")).arg(item->text()));
+    }
+    m_pages->setCurrentWidget(all.empty() ? static_cast<QWidget*>(m_empty) : m_list);
+
+    m_errors = int(std::count_if(all.begin(), all.end(),
+                                 [](const Problem& p) { return p.severity == Severity::Error; }));
+    m_warnings = int(all.size()) - m_errors;
+    emit countChanged(m_errors, m_warnings);
+}
+
+} // namespace ripstop
