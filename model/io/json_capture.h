@@ -1,0 +1,27 @@
+#pragma once
+
+#include "io/json_events.h"
+
+#include <string>
+#include <string_view>
+
+namespace ripstop {
+
+// Keeps a key that is not understood, and its value, as text in our own spelling.
+class JsonCapture
+{
+public:
+    // After a Key: the events up to the end of its value belong here. Returns true.
+    bool start(std::string& into, std::string_view key);
+    bool active() const { return m_into != nullptr; }
+
+    // `text` is what the events come from. Returns true.
+    bool add(const JsonEvent& event, std::string_view text);
+
+private:
+    std::string* m_into = nullptr;
+    std::size_t m_depth = 0;
+    bool m_comma = false; // the next value needs one before it
+};
+
+} // namespace ripstop

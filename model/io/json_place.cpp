@@ -1,0 +1,115 @@
+#include "io/json_place.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace ripstop {
+namespace {
+
+using Type = JsonEvent::Type;
+
+struct Level
+{
+    bool array;
+    std::size_t count = 0; // values so far
+    std::string key{};
+};
+
+void appendKey(std::string& path, std::string_view key)
+{
+    constexpr std::size_t longest = 40;
+    const bool plain = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+        return std::isalnum(c) || c == '_' || c == '-';
+    });
+    if (plain)
+        path += path.empty() ? "" : ".";
+    else
+        path += "[\"";
+    path += key.substr(0, longest);
+    path += key.size() > longest ? "..." : "";
+    path += plain ? "" : "\"]";
+}
+
+// `open`: the innermost level has no value that the place is in.
+std::string pathOf(const std::vector<Level>& levels, bool open)
+{
+    std::string path;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (open && i + 1 == levels.size())
+            break;
+        if (levels[i].array)
+            path.append("[").append(std::to_string(levels[i].count - 1)).append("]");
+        else
+            appendKey(path, levels[i].key);
+    }
+    return path;
+}
+
+} // namespace
+
+JsonPlace placeOf(std::string_view text, std::size_t end)
+{
+    const std::string_view before = text.substr(0, end > 0 ? end - 1 : 0);
+    JsonPlace place{std::size_t(std::count(before.begin(), before.end(), '\n')) + 1, {}};
+
+    std::vector<Level> levels;
+    Type last = Type::Null;
+    walkJson(text, 0, false, [&](const JsonEvent& event) {
+        if (event.ends()) {
+            levels.pop_back();
+        } else if (event.type == Type::Key) {
+            levels.back().key = event.text;
+        } else if (event.type != Type::Error && !levels.empty()) {
+            ++levels.back().count;
+        }
+        if (event.end >= end || event.type == Type::Error) {
+            place.path = pathOf(levels, event.type == Type::Error && last != Type::Key);
+            return false;
+        }
+        if (event.begins())
+            levels.push_back({.array = event.type == Type::BeginArray});
+        last = event.type;
+        return true;
+    });
+    return place;
+}
+
+std::optional<JsonMember> findMember(std::string_view text, std::size_t begin, std::string_view key)
+{
+    std::optional<JsonMember> found;
+    int depth = 0;
+    bool next = false;
+    walkJson(text, begin, false, [&](const JsonEvent& event) {
+        if (next || event.type == Type::Error) {
+            found = {event.type, event.number, std::string(event.text), event.end};
+            return false;
+        }
+        depth += int(event.begins()) - int(event.ends());
+        next = depth == 1 && event.type == Type::Key && event.text == key;
+        return true;
+    });
+    return found;
+}
+
+std::size_t endOfMember(std::string_view text, std::size_t begin, std::string_view key,
+                        std::size_t index)
+{
+    std::size_t end = begin + 1;
+    int depth = 0;
+    bool inside = false;
+    std::size_t count = 0;
+    walkJson(text, begin, false, [&](const JsonEvent& event) {
+        if (inside && !event.begins() && count++ == index) {
+            end = event.end;
+            return false;
+        }
+        depth += int(event.begins()) - int(event.ends());
+        if (depth == 1 && event.type == Type::Key)
+            inside = event.text == key;
+        return depth > 0;
+    });
+    return end;
+}
+
+} // namespace ripstop

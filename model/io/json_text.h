@@ -1,0 +1,15 @@
+// Pieces of JSON text. Numbers are the shortest that read back as the same bits.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ripstop {
+
+// A number that JSON has no word for (not a number, infinite) becomes null.
+void appendNumber(std::string& text, double number);
+
+// With quotation marks. Bytes that are not UTF-8 become question marks.
+void appendQuoted(std::string& text, std::string_view value);
+
+} // namespace ripstop

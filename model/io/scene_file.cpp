@@ -1,0 +1,147 @@
+#include "io/scene_file.h"
+
+#include "io/json_place.h"
+#include "io/scene_reader.h"
+#include "io/whole_file.h"
+
+#include <cmath>
+#include <new>
+
+namespace ripstop {
+namespace {
+
+constexpr int version = 1; // of the format that is written, and the newest that is read
+constexpr std::string_view formatName = "ripstop-scene";
+
+// Why a text that begins like this is no scene, as the rest of a sentence.
+std::optional<std::string> wrongStart(std::string_view start)
+{
+    if (start.starts_with("\xef\xbb\xbf")) // the mark that some editors put before UTF-8
+        start.remove_prefix(3);
+    const auto first = start.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || start[first] == '{')
+        return std::nullopt;
+    return "is not a scene: a scene file starts with '{'; choose a file that ends in "
+           + std::string(sceneExtension);
+}
+
+// Format and version, wherever they stand.
+std::optional<Flaw> headerFlaw(std::string_view text)
+{
+    using Type = JsonEvent::Type;
+    const std::optional<JsonMember> format = findMember(text, 0, "format");
+    if (format && format->type == Type::Error)
+        return std::nullopt; // told of when the whole is read
+    if (!format)
+        return Flaw{1, "is not a scene: it lacks \"format\": \"ripstop-scene\"; choose a file that "
+                       "was saved by Ripstop"};
+    if (format->type != Type::Text || format->text != formatName)
+        return Flaw{format->end,
+                    "must be \"ripstop-scene\"; choose a file that was saved by Ripstop"};
+
+    const std::optional<JsonMember> found = findMember(text, 0, "version");
+    if (found && found->type == Type::Error)
+        return std::nullopt;
+    if (!found)
+        return Flaw{1, "lacks the version of its format; add \"version\": 1"};
+    if (found->type == Type::Number && found->number > version)
+        return Flaw{found->end, "is newer than the " + std::to_string(version)
+                                    + " that this program can read; update Ripstop"};
+    if (found->type != Type::Number || found->number != version)
+        return Flaw{found->end, "must be 1"};
+    return std::nullopt;
+}
+
+Failure failureAt(std::string_view fileName, std::string_view text, const Flaw& flaw)
+{
+    const JsonPlace place = placeOf(text, flaw.end);
+    std::string message = std::string(fileName) + ", line " + std::to_string(place.line);
+    message += place.path.empty() ? ": the file " : ", " + place.path + ": ";
+    return Failure{message + flaw.message + "."};
+}
+
+std::string nameOfThing(Id id, Kind kind)
+{
+    std::string name(kindName(kind));
+    if (kind != Kind::Settings)
+        name.append(" ").append(std::to_string(std::uint32_t(id)));
+    return name;
+}
+
+// A scene that could not be read again must not replace one that can.
+std::optional<Failure> unwritable(const Scene& scene, const std::filesystem::path& file)
+{
+    std::optional<Failure> failure;
+    const auto check = [&](Id id, const ConstRef& ref) {
+        for (const Property& property : propertiesOf(kindOf(ref))) {
+            const Value value = property.get(ref);
+            const auto* number = std::get_if<double>(&value);
+            const auto* vector = std::get_if<Vec3>(&value);
+            if ((number && !std::isfinite(*number)) || (vector && !vector->allFinite()))
+                failure = Failure{file.string() + " was not saved: " + std::string(property.key)
+                                  + " of " + nameOfThing(id, kindOf(ref))
+                                  + " is not a finite number; correct it first."};
+        }
+    };
+    check(settingsId, &scene.settings);
+    for (const Entry& entry : scene.items) {
+        std::visit([&](const auto& item) { check(entry.id, &item); }, entry.item);
+        if (const Part* part = std::get_if<Part>(&entry.item)) {
+            for (const auto& [key, value] : part->parameters)
+                if (!std::isfinite(value))
+                    failure = Failure{file.string() + " was not saved: parameter " + key + " of "
+                                      + part->name + " is not a finite number; correct it first."};
+            for (const Particle& row : part->particles)
+                check(row.id, &row);
+            for (const Link& row : part->links)
+                check(row.id, &row);
+        }
+        if (failure)
+            break;
+    }
+    return failure;
+}
+
+} // namespace
+
+Result<Scene> parseScene(std::string_view text, std::string_view fileName)
+{
+    if (const auto reason = wrongStart(text))
+        return Failure{std::string(fileName) + ", line 1: the file " + *reason + "."};
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        return Failure{std::string(fileName)
+                       + ", line 1: the file is empty; choose another or restore it from a copy."};
+    if (const auto flaw = headerFlaw(text))
+        return failureAt(fileName, text, *flaw);
+    SceneDraft draft = readDraft(text);
+    if (!draft.flaw)
+        draft.flaw = referenceFlaw(draft, text);
+    if (draft.flaw)
+        return failureAt(fileName, text, *draft.flaw);
+    return std::move(draft.scene);
+}
+
+Result<Scene> readScene(const std::filesystem::path& file)
+{
+    try {
+        const Result<std::string> text = readWholeFile(file, wrongStart);
+        if (!text)
+            return text.failure();
+        return parseScene(*text, file.filename().string());
+    } catch (const std::bad_alloc&) {
+        return Failure{file.string() + " is too large for the memory of this computer."};
+    }
+}
+
+std::optional<Failure> saveScene(const Scene& scene, const std::filesystem::path& file)
+{
+    try {
+        if (auto failure = unwritable(scene, file))
+            return failure;
+        return replaceFile(file, sceneText(scene));
+    } catch (const std::bad_alloc&) {
+        return Failure{file.string() + " was not saved: not enough memory to write the scene."};
+    }
+}
+
+} // namespace ripstop

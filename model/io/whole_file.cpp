@@ -1,0 +1,101 @@
+#include "io/whole_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace ripstop {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largestFile = std::size_t(4) << 30; // bytes
+constexpr std::size_t chunk = std::size_t(1) << 20;
+
+std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown error"; }
+
+// Brings what was written onto the disk before the rename makes it count.
+bool flushToDisk(const fs::path& file)
+{
+    const int handle = ::open(file.c_str(), O_RDONLY);
+    if (handle < 0)
+        return false;
+    const bool done = ::fsync(handle) == 0 || errno == EINVAL; // not every file system can
+    ::close(handle);
+    return done;
+}
+
+} // namespace
+
+Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
+{
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (!fs::exists(status))
+        return Failure{file.string() + " does not exist; check the path."};
+    if (fs::is_directory(status))
+        return Failure{file.string() + " is a folder; name a file in it."};
+
+    errno = 0;
+    std::ifstream in(file, std::ios::binary);
+    if (!in)
+        return Failure{file.string() + " cannot be opened: " + reason() + "."};
+
+    // Sizes of pipes and special files are not known beforehand.
+    std::string text;
+    if (fs::is_regular_file(status)) {
+        const auto size = fs::file_size(file, error);
+        if (!error && size > largestFile)
+            return Failure{file.string() + " is larger than 4 GiB, too large for this program."};
+    }
+    for (;;) {
+        const std::size_t before = text.size();
+        text.resize(before + chunk);
+        in.read(text.data() + before, std::streamsize(chunk));
+        text.resize(before + std::size_t(in.gcount()));
+        if (before == 0)
+            if (const auto refused = check(text))
+                return Failure{file.string() + ", line 1: the file " + *refused + "."};
+        if (in.bad())
+            return Failure{file.string() + " cannot be read: " + reason() + "."};
+        if (in.eof())
+            return text;
+        if (text.size() > largestFile)
+            return Failure{file.string() + " is larger than 4 GiB, too large for this program."};
+    }
+}
+
+std::optional<Failure> replaceFile(const fs::path& file, std::string_view content)
+{
+    std::error_code error;
+    const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    fs::path temporary = target;
+    temporary.concat(".").concat(std::to_string(::getpid())).concat(".saving");
+
+    const auto failed = [&](const std::string& why) {
+        fs::remove(temporary, error);
+        return Failure{file.string() + " was not saved: " + why
+                       + "; make room or choose another folder."};
+    };
+    if (fs::is_directory(target, error))
+        return failed("it is a folder");
+
+    errno = 0;
+    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+    out.write(content.data(), std::streamsize(content.size()));
+    out.close();
+    if (!out || !flushToDisk(temporary))
+        return failed(reason());
+
+    if (const fs::file_status old = fs::status(target, error); fs::exists(old))
+        fs::permissions(temporary, old.permissions(), error);
+    fs::rename(temporary, target, error);
+    if (error)
+        return failed(error.message());
+    return std::nullopt;
+}
+
+} // namespace ripstop

@@ -1,0 +1,24 @@
+// Files that are read and written as a whole.
+#pragma once
+
+#include "base/result.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ripstop {
+
+// Given the first bytes of a file, the reason not to read the rest ("is not a scene"), or nothing.
+using StartCheck = std::function<std::optional<std::string>(std::string_view)>;
+
+// Up to 4 GiB. Works on pipes too.
+Result<std::string> readWholeFile(const std::filesystem::path& file, const StartCheck& check);
+
+// Writes a file beside the target and renames it, so that whoever looks finds the old content or
+// the new one whole, even after a crash. Follows symbolic links and keeps permissions.
+std::optional<Failure> replaceFile(const std::filesystem::path& file, std::string_view content);
+
+} // namespace ripstop
