@@ -19,10 +19,11 @@ Crew::~Crew() = default;
 Crew::Crew(Crew&&) noexcept = default;
 Crew& Crew::operator=(Crew&&) noexcept = default;
 
-void Crew::spread(std::size_t count, void* body, void (*call)(void*, std::size_t, std::size_t))
+void Crew::spread(std::size_t count, std::size_t least, const void* body,
+                  void (*call)(const void*, std::size_t, std::size_t))
 {
     m_arena->arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least),
                           [&](const tbb::blocked_range<std::size_t>& range) {
                               call(body, range.begin(), range.end());
                           });

@@ -22,15 +22,32 @@ public:
         if (!m_arena || count < 2 * grain)
             body(std::size_t(0), count);
         else
-            spread(count, &body, [](void* b, std::size_t first, std::size_t last) {
-                (*static_cast<Body*>(b))(first, last);
+            spread(count, grain, &body, [](const void* b, std::size_t first, std::size_t last) {
+                (*static_cast<const Body*>(b))(first, last);
+            });
+    }
+
+    // Items that are each worth a thread: body(item).
+    template <typename Body>
+    void tasks(std::size_t count, Body body)
+    {
+        const auto range = [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                body(i);
+        };
+        if (!m_arena || count < 2)
+            range(0, count);
+        else
+            spread(count, 1, &range, [](const void* r, std::size_t first, std::size_t last) {
+                (*static_cast<const decltype(range)*>(r))(first, last);
             });
     }
 
 private:
     static constexpr std::size_t grain = 2048;
 
-    void spread(std::size_t count, void* body, void (*call)(void*, std::size_t, std::size_t));
+    void spread(std::size_t count, std::size_t least, const void* body,
+                void (*call)(const void*, std::size_t, std::size_t));
 
     struct Arena;
     std::unique_ptr<Arena> m_arena; // null for one thread

@@ -4,6 +4,7 @@
 // (kg m); multiplier / h^2 is the tension in newtons, positive when the rod pulls.
 #pragma once
 
+#include "sim/coloured_sweeps.h"
 #include "sim/crew.h"
 #include "sim/system.h"
 
@@ -20,7 +21,7 @@ struct RodTask
     double h;                           // s
     std::uint64_t seed;                 // of the order of the colours; the number of the substep
     std::span<Vec3> position;           // [particles] m, corrected in place
-    std::span<double> multiplier;       // [rods] kg m, zero at the start
+    std::span<double> multiplier;       // [rods] kg m, filled
 };
 
 class RodSolver
@@ -31,13 +32,11 @@ public:
 
 private:
     void averagedSweep(const RodTask& task, Crew& crew);
-    void colouredSweep(const RodTask& task, Crew& crew);
     void countRods(const RodTask& task);
-    void shuffleColors(std::uint64_t seed);
 
+    ColouredSweeps m_coloured;
     std::vector<Vec3> m_pull;      // [rods] kg m, or m for the paper's averaging
     std::vector<double> m_valence; // [particles] rods that are not torn
-    std::vector<int> m_colorOrder; // [colours]
 };
 
 } // namespace ripstop

@@ -136,7 +136,6 @@ void Stepper::noteRodLengths(const System& system, const State& state)
 
 void Stepper::project(const System& system, State& state, double h, std::uint64_t number)
 {
-    std::fill(state.rodTension.begin(), state.rodTension.end(), 0.0);
     m_rods.project(
         {system, state.rodTorn, m_restLength, h, number, state.position, state.rodTension}, m_crew);
     for (double& tension : state.rodTension) // so far multipliers

@@ -1,67 +1,28 @@
 #include "sim/system.h"
 
+#include "sim/rod_order.h"
+
 #include <algorithm>
-#include <bit>
+#include <atomic>
 #include <numeric>
 
 namespace ripstop {
 namespace {
 
-// Greedy colouring in the order of the rods. Pinned particles are never moved, so rods may share
-// one within a colour.
-std::vector<int> colorsOf(const System& system)
+void putRodsInOrder(System& system)
 {
-    std::vector<std::vector<std::uint64_t>> used(system.inverseMass.size());
-    std::vector<int> color(system.rods.size());
-    for (std::size_t r = 0; r < system.rods.size(); ++r) {
-        const auto [a, b] = std::pair(system.rods[r].a, system.rods[r].b);
-        const bool freeA = system.inverseMass[std::size_t(a)] > 0.0;
-        const bool freeB = system.inverseMass[std::size_t(b)] > 0.0;
-        const auto wordAt = [&](int particle, std::size_t word) {
-            const auto& words = used[std::size_t(particle)];
-            return word < words.size() ? words[word] : 0;
-        };
-        std::size_t word = 0;
-        std::uint64_t taken = 0;
-        for (;; ++word) {
-            taken = (freeA ? wordAt(a, word) : 0) | (freeB ? wordAt(b, word) : 0);
-            if (~taken != 0)
-                break;
-        }
-        const int bit = std::countr_one(taken);
-        color[r] = int(word) * 64 + bit;
-        for (const int particle : {a, b}) {
-            auto& words = used[std::size_t(particle)];
-            if (words.size() <= word)
-                words.resize(word + 1, 0);
-            words[word] |= std::uint64_t(1) << bit;
-        }
-    }
-    return color;
-}
-
-void groupByColor(System& system)
-{
-    const std::vector<int> color = colorsOf(system);
-    std::vector<int> order(system.rods.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int x, int y) { return color[std::size_t(x)] < color[std::size_t(y)]; });
-
+    RodOrder order = orderRods(system.inverseMass.size(), system.rods);
     std::vector<Rod> sorted;
-    std::vector<int> place(order.size());
-    sorted.reserve(order.size());
-    system.colorStart.assign(1, 0);
-    for (const int r : order) {
-        if (!sorted.empty()
-            && color[std::size_t(r)] != color[std::size_t(order[sorted.size() - 1])])
-            system.colorStart.push_back(int(sorted.size()));
-        place[std::size_t(r)] = int(sorted.size());
-        sorted.push_back(system.rods[std::size_t(r)]);
+    std::vector<int> place(order.rod.size());
+    sorted.reserve(order.rod.size());
+    for (const int rod : order.rod) {
+        place[std::size_t(rod)] = int(sorted.size());
+        sorted.push_back(system.rods[std::size_t(rod)]);
     }
-    if (!sorted.empty())
-        system.colorStart.push_back(int(sorted.size()));
     system.rods = std::move(sorted);
+    system.colorStart = std::move(order.colorStart);
+    system.chunkStart = std::move(order.chunkStart);
+    system.classStart = std::move(order.classStart);
     for (LinkPlace& link : system.links)
         if (link.kind == LinkKind::Rod)
             link.index = place[std::size_t(link.index)];
@@ -144,6 +105,9 @@ void fill(std::vector<T>& values, std::size_t count, const T& value)
 
 void finish(System& system)
 {
+    static std::atomic<std::uint64_t> finished = 0;
+    system.serial = ++finished;
+
     const std::size_t n = system.start.position.size();
     if (system.key.empty()) {
         system.key.resize(n);
@@ -155,7 +119,7 @@ void finish(System& system)
     fill(system.panelKey, system.panels.size(), Key(0));
 
     nameLinks(system);
-    groupByColor(system);
+    putRodsInOrder(system);
     backReferences(system);
 
     const auto ends = [](const auto& link) { return std::array{link.a, link.b}; };

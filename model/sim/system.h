@@ -151,6 +151,7 @@ struct System
 {
     std::uint64_t generation = 0; // counts compiles; copied into every Frame
     std::uint64_t run = 0;        // counts resets; motion carries over within a run
+    std::uint64_t serial = 0;     // of finish(); tells solvers when to prepare themselves anew
 
     double timeStep = 1.0 / 240.0; // s
     int substeps = 4;
@@ -168,8 +169,10 @@ struct System
     std::vector<double> inverseMass; // [particles] 1/kg, 0 when pinned
 
     std::vector<Spring> springs;
-    std::vector<Rod> rods;       // grouped by colour
-    std::vector<int> colorStart; // [colours + 1] no two rods of a colour share a particle
+    std::vector<Rod> rods;       // in the order of rod_order.h
+    std::vector<int> colorStart; // [colours + 1] places in rods
+    std::vector<int> chunkStart; // [chunks + 1] colours
+    std::vector<int> classStart; // [classes + 1] chunks
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;    // [panels]
     std::vector<LinkPlace> links; // in the author's order
@@ -190,10 +193,10 @@ struct System
     State start;
 };
 
-// Fills what follows from the rest: colours (and with them the order of `rods` and the indices
-// that point into it), incidence lists, the sizes of `start`. Call it once, last. Needs
-// inverseMass, springs, rods, panels and start.position. Keys and links that are left empty are
-// numbered; masses that are left empty follow from inverseMass; velocities are zero.
+// Fills what follows from the rest: the order of `rods` (and of the indices that point into it),
+// incidence lists, the sizes of `start`. Call it once, last. Needs inverseMass, springs, rods,
+// panels and start.position. Keys and links that are left empty are numbered; masses that are left
+// empty follow from inverseMass; velocities are zero.
 void finish(System& system);
 
 } // namespace ripstop
