@@ -72,11 +72,14 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
     });
     std::fill(m_multipliers.begin(), m_multipliers.end(), Multipliers{});
 
-    // A fixed order of colours feeds energy into braced frames: they flutter however many substeps
-    // there are. Another order in each substep, the same in every run, cures it.
-    shuffle(task.system, task.seed);
+    // Sweeps always in the same direction feed energy into braced frames: they flutter however many
+    // substeps there are. Sweeps there and back do not, and settle without noise. A single sweep
+    // per substep needs another order in each, the same in every run.
+    putInOrder(task.system);
+    if (task.system.sweeps == 1)
+        shuffle(task.system, task.seed);
     for (int i = 0; i < task.system.sweeps; ++i)
-        sweep(task.system, crew);
+        sweep(task.system, i % 2 == 0 ? Direction::There : Direction::Back, crew);
 
     crew.each(particles, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
@@ -179,13 +182,17 @@ void ColouredSweeps::update(const RodTask& task)
                 weigh(task.system, r, task.torn[r] != 0);
 }
 
-void ColouredSweeps::shuffle(const System& system, std::uint64_t seed)
+void ColouredSweeps::putInOrder(const System& system)
 {
     m_classOrder.resize(system.classStart.size() - 1);
     std::iota(m_classOrder.begin(), m_classOrder.end(), 0);
-    shuffleInts(m_classOrder, seed);
     m_colorOrder.resize(m_runs.size());
     std::iota(m_colorOrder.begin(), m_colorOrder.end(), 0);
+}
+
+void ColouredSweeps::shuffle(const System& system, std::uint64_t seed)
+{
+    shuffleInts(m_classOrder, seed);
     for (std::size_t c = 0; c + 1 < system.chunkStart.size(); ++c) {
         const auto first = std::size_t(system.chunkStart[c]);
         const auto last = std::size_t(system.chunkStart[c + 1]);
@@ -193,24 +200,31 @@ void ColouredSweeps::shuffle(const System& system, std::uint64_t seed)
     }
 }
 
-void ColouredSweeps::sweep(const System& system, Crew& crew)
+void ColouredSweeps::sweep(const System& system, Direction direction, Crew& crew)
 {
-    for (const int klass : m_classOrder) {
-        const auto begin = std::size_t(system.classStart[std::size_t(klass)]);
-        const auto end = std::size_t(system.classStart[std::size_t(klass) + 1]);
+    const bool back = direction == Direction::Back;
+    const std::size_t classes = m_classOrder.size();
+    for (std::size_t k = 0; k < classes; ++k) {
+        const auto c = std::size_t(m_classOrder[back ? classes - 1 - k : k]);
+        const auto begin = std::size_t(system.classStart[c]);
+        const auto end = std::size_t(system.classStart[c + 1]);
         crew.tasks(end - begin, [&](std::size_t task) {
-            const std::size_t chunk = begin + task;
-            for (int c = system.chunkStart[chunk]; c < system.chunkStart[chunk + 1]; ++c) {
-                const Run& run = m_runs[std::size_t(m_colorOrder[std::size_t(c)])];
-                if (run.soft > run.first)
-                    sweepPlain(&m_batches[run.first], run.soft - run.first, m_rows.data(),
-                               &m_multipliers[run.first]);
-                if (run.last > run.soft)
-                    sweepSoft(&m_batches[run.soft], &m_softness[run.soft], run.last - run.soft,
-                              m_rows.data(), &m_multipliers[run.soft]);
-            }
+            const auto first = std::size_t(system.chunkStart[begin + task]);
+            const auto last = std::size_t(system.chunkStart[begin + task + 1]);
+            for (std::size_t i = first; i < last; ++i)
+                sweep(m_runs[std::size_t(m_colorOrder[back ? first + last - 1 - i : i])]);
         });
     }
+}
+
+void ColouredSweeps::sweep(const Run& run)
+{
+    if (run.soft > run.first)
+        sweepPlain(&m_batches[run.first], run.soft - run.first, m_rows.data(),
+                   &m_multipliers[run.first]);
+    if (run.last > run.soft)
+        sweepSoft(&m_batches[run.soft], &m_softness[run.soft], run.last - run.soft, m_rows.data(),
+                  &m_multipliers[run.soft]);
 }
 
 namespace {

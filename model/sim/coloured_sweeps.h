@@ -57,8 +57,12 @@ private:
     void cookRun(const RodTask& task, int color, std::uint32_t idleRow);
     void update(const RodTask& task);
     void weigh(const System& system, std::size_t rod, bool torn);
+    enum class Direction { There, Back };
+
+    void putInOrder(const System& system);
     void shuffle(const System& system, std::uint64_t seed);
-    void sweep(const System& system, Crew& crew);
+    void sweep(const System& system, Direction direction, Crew& crew);
+    void sweep(const Run& run);
 
     static void sweepPlain(const Batch* batch, std::size_t count, Row* row,
                            Multipliers* multiplier);

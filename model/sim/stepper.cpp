@@ -35,12 +35,14 @@ void Stepper::prepare(const System& system, State& state)
         m_halfway.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
+    fillRestLengths(system, state, m_restLength);
 }
 
 void Stepper::substep(const System& system, State& state, double h, std::uint64_t number)
 {
     moveInputs(system, state, h);
-    fillRestLengths(system, state, m_restLength);
+    if (!system.shiftedRods.empty())
+        fillRestLengths(system, state, m_restLength);
     fillAccelerations(system, state);
     predict(system, state, h);
     noteRodLengths(system, state);
