@@ -27,18 +27,18 @@ constexpr Parameter parameters[]{
     {"span",         "m",     2.4,    0.3, 12,  false, "From tip to tip; about twice the chord gives the usual nose angle of 90 degrees."},
     {"chord",        "m",     1.15,   0.2, 6,   false, "Length from the nose to the trailing edge."},
     {"keel_depth",   "m",     0.4,    0.02, 3,  false, "How far the tow point hangs below the wing; a third of the half span is usual."},
-    {"tow",          "",      0.56,   0.2, 0.9, false, "Where the tow point lies below the wing, from 0 at the nose to 1; further forward flies flatter to the wind and higher."},
+    {"tow",          "",      0.6,    0.2, 0.9, false, "Where the tow point lies below the wing, from 0 at the nose to 1; a little ahead of the centroid of the sail, which is where this law has the centre of pressure; real deltas have both further forward."},
     {"dihedral",     "deg",   8,      -10, 30,  false, "Rise of the leading edges to the tips; keeps the kite upright."},
     {"billow",       "",      0.05,   0, 0.3,   false, "Arch of the sail between keel and leading edge, over its local half width."},
     {"washout",      "deg",   10,     -10, 40,  false, "How much less the tips meet the wind than the root; the pull of the line balances the nose-up turn that it gives."},
     {"reflex",       "",      0.03,   -0.1, 0.2, false, "Rise of the trailing edge at the keel over the chord; turns the nose up like washout."},
     {"fabric",       "kg/m^2", 0.045, 0.005, 1, false, "Mass of the fabric per area; 0.045 is ripstop nylon for kites."},
-    {"frame_mass",   "kg",    0.12,   0.001, 10, false, "Spars in leading edges and keel."},
+    {"frame_mass",   "kg",    0.12,   0.001, 10, false, "Spars in leading edges and keel, and the ring at the tow point."},
     {"line_length",  "m",     25,     1, 1000,  false, "From the tow point to the hand."},
     {"line_density", "kg/m",  0.0005, 1e-5, 0.1, false, "Mass of the line per length."},
     {"wind",         "m/s",   6,      0, 30,    false, "Speed of the wind."},
     {"launch",       "deg",   35,     5, 85,    false, "Angle of the line above the horizon at the start."},
-    {"lift_slope",   "1/rad", 3.0,    0.1, 8,   false, "Normal force coefficient per sine of the angle of attack; 2.6 for a slender delta, 3.7 for one of 90 degrees, less for a loose sail."},
+    {"lift_slope",   "1/rad", 3.7,    0.1, 8,   false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a delta of aspect ratio A, less for a loose sail."},
     {"drag",         "",      0.04,   0, 0.5,   false, "Drag coefficient of sail and spars edge on, as skin friction of the sail."},
     {"hand_height",  "m",     1.2,    0, 100,   false, "Height of the hand over the ground."},
 };
@@ -128,7 +128,8 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
     Kite kite{wing, keel, wing.median(), addStiffeners(network, shape, wing, materials.frame),
               keel.at(0, 0)};
 
-    std::vector<Id> spars = wing.sides();
+    std::vector<Id> spars = wing.sides(); // and the ring that the line is tied to
+    spars.push_back(kite.tow);
     for (const std::vector<Id>& more : {kite.keelLine, kite.stiffeners})
         spars.insert(spars.end(), more.begin(), more.end());
     for (const Id node : spars)
@@ -205,6 +206,8 @@ Scene buildDeltaKite(const Parameters& p)
 {
     Scene scene;
     scene.settings.title = "Delta kite";
+    scene.settings.substeps = 16; // particles of a gram that pull with 10 N
+    scene.settings.sweeps = 4;
     scene.settings.notes =
         "Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.";
     addGround(scene);
