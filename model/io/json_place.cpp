@@ -9,6 +9,8 @@ namespace {
 
 using Type = JsonEvent::Type;
 
+constexpr std::size_t longestPath = 8; // levels; a scene has six
+
 struct Level
 {
     bool array;
@@ -38,6 +40,8 @@ std::string pathOf(const std::vector<Level>& levels, bool open)
     for (std::size_t i = 0; i < levels.size(); ++i) {
         if (open && i + 1 == levels.size())
             break;
+        if (i == longestPath)
+            return path + "...";
         if (levels[i].array)
             path.append("[").append(std::to_string(levels[i].count - 1)).append("]");
         else

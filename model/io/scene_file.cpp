@@ -127,7 +127,7 @@ Result<Scene> readScene(const std::filesystem::path& file)
         const Result<std::string> text = readWholeFile(file, wrongStart);
         if (!text)
             return text.failure();
-        return parseScene(*text, file.filename().string());
+        return parseScene(*text, file.string());
     } catch (const std::bad_alloc&) {
         return Failure{file.string() + " is too large for the memory of this computer."};
     }

@@ -21,9 +21,11 @@ public:
 
     std::optional<Flaw> check()
     {
-        const auto byId = [](const Written& a, const Written& b) { return a.id < b.id; };
+        const auto byId = [](const Written& a, const Written& b) {
+            return a.id != b.id ? a.id < b.id : a.begin < b.begin;
+        };
         if (!std::is_sorted(m_written.begin(), m_written.end(), byId))
-            std::stable_sort(m_written.begin(), m_written.end(), byId);
+            std::sort(m_written.begin(), m_written.end(), byId);
         const auto twice =
             std::adjacent_find(m_written.begin(), m_written.end(),
                                [](const Written& a, const Written& b) { return a.id == b.id; });

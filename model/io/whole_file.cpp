@@ -46,19 +46,23 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
 
     // Sizes of pipes and special files are not known beforehand.
     std::string text;
+    std::size_t expected = 0;
     if (fs::is_regular_file(status)) {
         const auto size = fs::file_size(file, error);
         if (!error && size > largestFile)
             return Failure{file.string() + " is larger than 4 GiB, too large for this program."};
+        expected = error ? 0 : std::size_t(size);
     }
     for (;;) {
         const std::size_t before = text.size();
         text.resize(before + chunk);
         in.read(text.data() + before, std::streamsize(chunk));
         text.resize(before + std::size_t(in.gcount()));
-        if (before == 0)
+        if (before == 0) {
             if (const auto refused = check(text))
                 return Failure{file.string() + ", line 1: the file " + *refused + "."};
+            text.reserve(expected + chunk);
+        }
         if (in.bad())
             return Failure{file.string() + " cannot be read: " + reason() + "."};
         if (in.eof())
