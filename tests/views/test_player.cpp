@@ -224,7 +224,7 @@ private slots:
         QTRY_VERIFY(player.frame() && player.frame()->step > 2);
         document.push(setValue(document.scene(), Id{3}, "mass", 0.0));
         QTRY_VERIFY(!player.problem().isEmpty());
-        QVERIFY(player.problem().contains("particle 3"));
+        QVERIFY(player.problem().contains("Particle 3"));
         QVERIFY(!player.isPlaying());
         QCOMPARE(stops.count(), 1);
         QCOMPARE(stops[0][1].toUInt(), 3u);
