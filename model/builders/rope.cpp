@@ -33,10 +33,6 @@ Scene buildRope(const Parameters& p)
     material.name = "cord";
     material.color = "#b08968";
     const Id cord = addItem(scene, material);
-    material.name = "stiffening";
-    material.shown = false;
-    const Id stiffening = addItem(scene, material);
-
     Network network(scene, "rope");
     const int count = int(p.at("segments"));
     const double length = p.at("length");
@@ -47,9 +43,13 @@ Scene buildRope(const Parameters& p)
     const Resists resists = p.at("one_sided") > 0.0 ? Resists::Tension : Resists::Both;
     const std::vector<Id> nodes =
         network.line(first, last, count, length * p.at("density"), cord, resists);
-    if (p.at("stiffened") > 0.0)
+    if (p.at("stiffened") > 0.0) {
+        material.name = "stiffening";
+        material.shown = false;
+        const Id stiffening = addItem(scene, material);
         for (int i = 0; i + 2 <= count; ++i)
             network.rod(nodes[i], nodes[i + 2], stiffening, resists);
+    }
     network.row(last).mass += p.at("end_mass");
     for (const Id node : nodes) // a rope without mass is a bob on a string
         network.row(node).mass = std::max(network.row(node).mass, 1e-6);
