@@ -18,7 +18,8 @@ struct Census
     };
     std::array<std::vector<Found>, kindCount> found; // by kind, ascending ids
 
-    const std::vector<Found>& operator[](Kind kind) const { return found[std::size_t(kind)]; }
+    const std::vector<Found>& operator[](Kind kind) const& { return found[std::size_t(kind)]; }
+    std::vector<Found> operator[](Kind kind) && { return std::move(found[std::size_t(kind)]); }
 };
 
 // `ids` in ascending order; ids of nothing are left out. Fast for many elements of few parts.

@@ -32,9 +32,12 @@ public:
 private:
     void showSelection();
     void showKind(Kind kind);
+    void leaveForm();
     void refresh();
     void refreshHeader();
-    bool takePick(); // the selection answers a field that asked for one
+    void showPicking();
+    bool takePick();
+    void keyPressEvent(QKeyEvent* event) override;
 
     Document& m_document;
     Selection& m_selection;
@@ -42,10 +45,11 @@ private:
     QLabel* m_icon;
     QLabel* m_title;
     QLabel* m_totals;
+    QLabel* m_banner; // while a field waits for something to be picked
     QTabBar* m_kinds; // when several kinds are selected
     QStackedWidget* m_pages;
     std::array<PropertyForm*, kindCount> m_forms{}; // made when first needed
-    Kind m_kind = Kind::Settings;
+    std::array<QWidget*, kindCount> m_areas{};      // what scrolls them
 };
 
 } // namespace ripstop

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/census.h"
+#include "scene/edit.h"
 
 #include <QObject>
 #include <QString>
@@ -30,15 +31,15 @@ class Subject final : public QObject
 public:
     explicit Subject(Document& document);
 
-    void set(Kind kind, std::vector<Id> ids);
+    void set(Kind kind, std::vector<Id> ids); // all exist and are of this kind
 
     Document& document() const { return m_document; }
     Kind kind() const { return m_kind; }
     const std::vector<Id>& ids() const { return m_ids; }
 
-    std::vector<ConstRef> refs() const;
+    std::vector<ConstRef> refs() const;                        // [ids] until the scene changes
     std::vector<Value> values(const Property& property) const; // [ids]
-    Common common(const Property& property) const;
+    static Common common(const Property& property, const std::vector<ConstRef>& refs);
 
     // Why the property of some thing cannot become this, as half a sentence, or nothing.
     std::optional<QString> refusal(const Property& property, const Transform& transform) const;
@@ -58,6 +59,8 @@ signals:
     void pickingChanged();
 
 private:
+    Edit settingOf(const Property& property, std::vector<Value> values) const;
+
     Document& m_document;
     Kind m_kind = Kind::Settings;
     std::vector<Id> m_ids;

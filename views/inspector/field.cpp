@@ -1,0 +1,196 @@
+#include "inspector/field.h"
+
+#include "document/words.h"
+#include "icons/swatch.h"
+#include "inspector/typed_number.h"
+#include "inspector/value_edit.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QKeySequence>
+#include <QPlainTextEdit>
+#include <QToolButton>
+#include <QWheelEvent>
+
+namespace ripstop {
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("Field", text); }
+
+QString textOf(const Value& value)
+{
+    const std::string* text = std::get_if<std::string>(&value);
+    return text ? QString::fromStdString(*text) : QString();
+}
+
+// Scrolling a form must not change the choices that pass under the mouse.
+class CalmComboBox final : public QComboBox
+{
+    void wheelEvent(QWheelEvent* event) override
+    {
+        hasFocus() ? QComboBox::wheelEvent(event) : event->ignore();
+    }
+};
+
+// Several lines; committed when the focus leaves, or by Ctrl+Enter.
+class NotesEdit final : public QPlainTextEdit
+{
+public:
+    explicit NotesEdit(std::function<void(const QString&)> commit)
+        : m_commit(std::move(commit))
+    {}
+
+private:
+    void focusOutEvent(QFocusEvent* event) override
+    {
+        QPlainTextEdit::focusOutEvent(event);
+        m_commit(toPlainText());
+    }
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+            && event->modifiers() & Qt::ControlModifier)
+            m_commit(toPlainText());
+        else
+            QPlainTextEdit::keyPressEvent(event);
+    }
+
+    std::function<void(const QString&)> m_commit;
+};
+
+bool isKey(const Property& property)
+{
+    return property.key == "keyLess" || property.key == "keyMore";
+}
+
+} // namespace
+
+Field makeField(const FieldPlace& place)
+{
+    const Value& shape = place.property.initial;
+    if (place.property.optional || std::holds_alternative<double>(shape)
+        || std::holds_alternative<int>(shape))
+        return numberField(place);
+    if (std::holds_alternative<bool>(shape))
+        return flagField(place);
+    if (std::holds_alternative<Vec3>(shape))
+        return vectorField(place);
+    if (!place.property.pointsAt.empty())
+        return idField(place);
+    if (!place.property.choices.empty())
+        return choiceField(place);
+    if (place.property.key == "color")
+        return colorField(place);
+    return place.property.key == "notes" ? notesField(place) : textField(place);
+}
+
+Field flagField(const FieldPlace& place)
+{
+    auto* box = new QCheckBox;
+    QObject::connect(box, &QCheckBox::clicked, box, [place, box] {
+        place.subject.edit(place.property, setTo(box->checkState() != Qt::Unchecked));
+    });
+    return {box, {box}, [box](const Common& common) {
+                const bool* on = std::get_if<bool>(&common.value);
+                box->setTristate(common.mixed[0]);
+                box->setCheckState(common.mixed[0] ? Qt::PartiallyChecked
+                                   : on && *on     ? Qt::Checked
+                                                   : Qt::Unchecked);
+            }};
+}
+
+Field choiceField(const FieldPlace& place)
+{
+    auto* box = new CalmComboBox;
+    box->setFocusPolicy(Qt::StrongFocus);
+    box->setPlaceholderText(mixedText());
+    box->setMinimumContentsLength(8);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    const auto choices = place.property.choices;
+    for (const std::string_view choice : choices)
+        box->addItem(choiceLabel(choice));
+    QObject::connect(box, &QComboBox::activated, box, [place, choices](int index) {
+        place.subject.edit(place.property, setTo(std::string(choices[std::size_t(index)])));
+    });
+    return {box, {box}, [box, choices](const Common& common) {
+                const std::string* name = std::get_if<std::string>(&common.value);
+                const auto found =
+                    name ? std::find(choices.begin(), choices.end(), *name) : choices.end();
+                const bool shows = !common.mixed[0] && found != choices.end();
+                box->setCurrentIndex(shows ? int(found - choices.begin()) : -1);
+            }};
+}
+
+Field textField(const FieldPlace& place)
+{
+    const auto judge = [place](const QString& text) -> QString {
+        if (isKey(place.property) && !text.trimmed().isEmpty()
+            && QKeySequence::fromString(text.trimmed()).toString().isEmpty())
+            return words("No key is called so; try Left, A or Ctrl+Up.");
+        if (place.property.key == "name" && text.trimmed().isEmpty())
+            return words("A name is needed.");
+        return {};
+    };
+    auto* edit = new ValueEdit(judge);
+    QObject::connect(edit, &ValueEdit::complained, edit, place.complain);
+    QObject::connect(edit, &ValueEdit::committed, edit, [place](const QString& text) {
+        place.subject.edit(place.property, setTo(text.trimmed().toStdString()));
+    });
+    return {edit, {edit}, [edit](const Common& common) {
+                edit->show(common.mixed[0] ? QString() : textOf(common.value),
+                           common.mixed[0] ? mixedText() : QString());
+            }};
+}
+
+Field notesField(const FieldPlace& place)
+{
+    auto* edit = new NotesEdit([place](const QString& text) {
+        if (Subject::common(place.property, place.subject.refs()).value
+            != Value(text.toStdString()))
+            place.subject.edit(place.property, setTo(text.toStdString()));
+    });
+    edit->setTabChangesFocus(true);
+    edit->setFixedHeight(4 * edit->fontMetrics().lineSpacing() + 10);
+    return {edit, {edit}, [edit](const Common& common) {
+                if (const QString text = textOf(common.value); text != edit->toPlainText())
+                    edit->setPlainText(text);
+            }};
+}
+
+Field colorField(const FieldPlace& place)
+{
+    Field field = textField(place);
+    auto* edit = static_cast<ValueEdit*>(field.widget);
+    edit->setJudge([place](const QString& text) -> QString {
+        const auto reason = refusal(place.property, text.trimmed().toStdString());
+        return reason ? words("The colour %1.").arg(QString::fromStdString(*reason)) : QString();
+    });
+
+    auto* button = new QToolButton;
+    button->setAutoRaise(true);
+    button->setToolTip(words("Choose a colour."));
+    button->setAccessibleName(words("Choose a colour"));
+    QObject::connect(button, &QToolButton::clicked, button, [place, button] {
+        const Value now = Subject::common(place.property, place.subject.refs()).value;
+        const QColor color = QColorDialog::getColor(QColor(textOf(now)), button->window());
+        if (color.isValid())
+            place.subject.edit(place.property, setTo(color.name().toStdString()));
+    });
+
+    auto* both = new QWidget;
+    auto* layout = new QHBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(button);
+    layout->addWidget(edit);
+    return {both, field.focus, [button, showText = field.refresh](const Common& common) {
+                showText(common);
+                button->setIcon(swatch(common.mixed[0] ? QColor(Qt::transparent)
+                                                       : QColor(textOf(common.value))));
+            }};
+}
+
+} // namespace ripstop

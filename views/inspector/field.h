@@ -1,0 +1,42 @@
+// The fields of a form: one editor for each type of value.
+#pragma once
+
+#include "inspector/subject.h"
+
+class QWidget;
+
+namespace ripstop {
+
+class ScrubLabel;
+
+// What a field is made for.
+struct FieldPlace
+{
+    Subject& subject;
+    const Property& property;
+    ScrubLabel& label;                            // a number is also changed by dragging it
+    std::function<void(const QString&)> complain; // what is wrong with what is being typed
+};
+
+struct Field
+{
+    QWidget* widget = nullptr;
+    std::array<QWidget*, 3> focus{};            // what is typed into, by axis of a vector
+    std::function<void(const Common&)> refresh; // shows the value of all things
+};
+
+Field makeField(const FieldPlace& place);
+
+// One function for each type; makeField() chooses.
+Field numberField(const FieldPlace& place); // also numbers that may be absent
+Field vectorField(const FieldPlace& place);
+Field flagField(const FieldPlace& place);
+Field choiceField(const FieldPlace& place);
+Field textField(const FieldPlace& place);
+Field notesField(const FieldPlace& place);
+Field colorField(const FieldPlace& place);
+Field idField(const FieldPlace& place); // an id or a list of ids
+
+inline QString mixedText() { return QStringLiteral("\u2014"); } // shown where values differ
+
+} // namespace ripstop

@@ -1,0 +1,58 @@
+#include "inspector/scrub_label.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+
+#include <cmath>
+
+namespace ripstop {
+
+ScrubLabel::ScrubLabel(const QString& text, QWidget* parent)
+    : QLabel(text, parent)
+{}
+
+void ScrubLabel::setScrubbing(bool on)
+{
+    m_scrubbing = on;
+    setCursor(on ? Qt::SizeHorCursor : Qt::ArrowCursor);
+}
+
+void ScrubLabel::mousePressEvent(QMouseEvent* event)
+{
+    if (!m_scrubbing)
+        return QLabel::mousePressEvent(event);
+    if (event->button() == Qt::RightButton && m_moving)
+        emit cancelled();
+    m_pressed = event->button() == Qt::LeftButton;
+    m_moving = false;
+    m_last = event->globalPosition().x();
+    m_distance = 0.0;
+}
+
+void ScrubLabel::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_pressed)
+        return;
+    const double place = event->globalPosition().x();
+    if (!m_moving) {
+        if (std::abs(place - m_last) < QApplication::startDragDistance() / 2.0)
+            return;
+        m_moving = true;
+        m_last = place;
+        emit began();
+    }
+    const double fineness = event->modifiers() & Qt::ShiftModifier     ? 0.1
+                            : event->modifiers() & Qt::ControlModifier ? 10.0
+                                                                       : 1.0;
+    m_distance += fineness * (place - m_last);
+    m_last = place;
+    emit dragged(m_distance);
+}
+
+void ScrubLabel::mouseReleaseEvent(QMouseEvent*)
+{
+    m_pressed = false;
+    m_moving = false;
+}
+
+} // namespace ripstop

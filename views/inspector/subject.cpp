@@ -1,0 +1,110 @@
+#include "inspector/subject.h"
+
+#include "document/document.h"
+#include "document/words.h"
+
+#include <algorithm>
+
+namespace ripstop {
+
+Subject::Subject(Document& document)
+    : m_document(document)
+    , m_ids{settingsId}
+{}
+
+void Subject::set(Kind kind, std::vector<Id> ids)
+{
+    m_kind = kind;
+    m_ids = std::move(ids);
+}
+
+std::vector<ConstRef> Subject::refs() const
+{
+    std::vector<ConstRef> result;
+    const Census all = census(m_document.scene(), m_ids);
+    for (const Census::Found& found : all[m_kind])
+        result.push_back(found.ref);
+    return result;
+}
+
+std::vector<Value> Subject::values(const Property& property) const
+{
+    std::vector<Value> result;
+    for (const ConstRef& ref : refs())
+        result.push_back(property.get(ref));
+    return result;
+}
+
+Common Subject::common(const Property& property, const std::vector<ConstRef>& refs)
+{
+    Common common;
+    if (refs.empty())
+        return common;
+    common.value = property.get(refs.front());
+    common.isDefault = common.value == property.initial;
+    const Vec3* first = std::get_if<Vec3>(&common.value);
+    for (std::size_t i = 1; i < refs.size(); ++i) {
+        const Value value = property.get(refs[i]);
+        common.isDefault = common.isDefault && value == property.initial;
+        if (first)
+            for (int axis = 0; axis < 3; ++axis)
+                common.mixed[std::size_t(axis)] |= (*first)[axis] != std::get<Vec3>(value)[axis];
+        else
+            common.mixed[0] = common.mixed[0] || value != common.value;
+        if (!common.isDefault && common.mixed[0]
+            && (!first || (common.mixed[1] && common.mixed[2])))
+            break;
+    }
+    return common;
+}
+
+std::optional<QString> Subject::refusal(const Property& property, const Transform& transform) const
+{
+    for (const Value& value : values(property))
+        if (const auto reason = ripstop::refusal(property, transform(value)))
+            return QString::fromStdString(*reason);
+    return std::nullopt;
+}
+
+Edit Subject::settingOf(const Property& property, std::vector<Value> values) const
+{
+    const bool same = std::all_of(values.begin(), values.end(),
+                                  [&](const Value& value) { return value == values.front(); });
+    if (same)
+        values.resize(1);
+    //: history: "Set mass of 3 particles of kite"
+    const QString label =
+        tr("Set %1 of %2").arg(labelOf(property).toLower(), describe(m_document.scene(), m_ids));
+    return {label.toStdString(), {SetValues{&property, m_ids, std::move(values)}}};
+}
+
+void Subject::edit(const Property& property, const Transform& transform)
+{
+    const std::vector<Value> before = values(property);
+    std::vector<Value> after;
+    after.reserve(before.size());
+    for (const Value& value : before)
+        after.push_back(transform(value));
+    if (after != before)
+        m_document.push(settingOf(property, std::move(after)));
+}
+
+void Subject::drag(const Property& property, std::vector<Value> values, int gesture)
+{
+    if (!values.empty() && values.size() == m_ids.size())
+        m_document.drag(settingOf(property, std::move(values)), gesture);
+}
+
+void Subject::pick(const Property& property)
+{
+    m_picking = &property;
+    emit pickingChanged();
+}
+
+void Subject::cancelPick()
+{
+    m_picking = nullptr;
+    emit pickingChanged();
+}
+
+} // namespace ripstop

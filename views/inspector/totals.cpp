@@ -1,0 +1,177 @@
+#include "inspector/totals.h"
+
+#include "document/words.h"
+
+#include <Eigen/Geometry>
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace ripstop {
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("Totals", text); }
+
+QString quantity(double value, const char* unit)
+{
+    return QString::number(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
+}
+
+QString joined(const QStringList& facts) { return facts.join(QStringLiteral(" \u00b7 ")); }
+
+// Sums over elements, whatever tables they come from.
+struct Sums
+{
+    qsizetype particles = 0;
+    qsizetype pins = 0;
+    qsizetype springs = 0;
+    qsizetype rods = 0;
+    qsizetype panels = 0;
+    double mass = 0.0;   // kg
+    double length = 0.0; // m
+    double area = 0.0;   // m^2
+
+    void add(const Particle& particle)
+    {
+        ++particles;
+        pins += particle.pinned;
+        mass += particle.mass;
+    }
+    void add(const Link& link)
+    {
+        ++(link.kind == LinkKind::Spring ? springs : rods);
+        length += link.restLength;
+    }
+    void add(const Scene& scene, const Part& part, const Panel& panel)
+    {
+        ++panels;
+        const auto corner = [&](Id id) -> const Particle* {
+            if (const Particle* near = findRow(part.particles, id))
+                return near;
+            const auto ref = find(scene, id); // of another part
+            return ref && kindOf(*ref) == Kind::Particle ? std::get<const Particle*>(*ref)
+                                                         : nullptr;
+        };
+        const Particle* a = corner(panel.a);
+        const Particle* b = corner(panel.b);
+        const Particle* c = corner(panel.c);
+        if (a && b && c)
+            area += 0.5 * (b->position - a->position).cross(c->position - a->position).norm();
+    }
+
+    QString text() const
+    {
+        QStringList facts;
+        if (particles > 0)
+            facts << quantity(mass, "kg");
+        if (pins > 0)
+            facts << words("%1 pinned").arg(QLocale().toString(pins));
+        if (springs > 0 && rods > 0)
+            facts << words("%1 springs, %2 rods")
+                         .arg(QLocale().toString(springs), QLocale().toString(rods));
+        if (springs + rods > 0)
+            facts << words("%1 long").arg(quantity(length, "m"));
+        if (panels > 0)
+            facts << quantity(area, "m\u00b2");
+        return joined(facts);
+    }
+};
+
+QString counts(const Sums& sums)
+{
+    QStringList facts;
+    if (sums.particles > 0)
+        facts << counted(Kind::Particle, sums.particles);
+    if (sums.springs + sums.rods > 0)
+        facts << counted(Kind::Link, sums.springs + sums.rods);
+    if (sums.panels > 0)
+        facts << counted(Kind::Panel, sums.panels);
+    return joined(facts);
+}
+
+void addAll(Sums& sums, const Scene& scene, const std::vector<Id>& ids)
+{
+    const Census all = census(scene, ids);
+    for (const Census::Found& found : all[Kind::Particle])
+        sums.add(*std::get<const Particle*>(found.ref));
+    for (const Census::Found& found : all[Kind::Link])
+        sums.add(*std::get<const Link*>(found.ref));
+    for (const Census::Found& found : all[Kind::Panel])
+        sums.add(scene, *findItem<Part>(scene, found.part), *std::get<const Panel*>(found.ref));
+}
+
+QString built(const Part& part)
+{
+    if (part.builder.empty())
+        return {};
+    QStringList parameters;
+    for (const auto& [name, value] : part.parameters)
+        parameters << QStringLiteral("%1 %2").arg(QString::fromStdString(name),
+                                                  compactNumber(value));
+    const QString by =
+        words("Built by %1").arg(QString::fromStdString(part.builder).replace('_', ' '));
+    return parameters.isEmpty() ? by
+                                : by + QStringLiteral(": ") + parameters.join(QStringLiteral(", "));
+}
+
+QString ofParts(const Scene& scene, const std::vector<Id>& ids)
+{
+    Sums sums;
+    QString builders;
+    for (const Id id : ids) {
+        const Part& part = *findItem<Part>(scene, id);
+        for (const Particle& row : part.particles)
+            sums.add(row);
+        for (const Link& row : part.links)
+            sums.add(row);
+        for (const Panel& row : part.panels)
+            sums.add(scene, part, row);
+        if (ids.size() == 1 && !part.builder.empty())
+            builders = QChar('\n') + built(part);
+    }
+    return counts(sums) + QChar('\n') + sums.text() + builders;
+}
+
+QString ofGroups(const Scene& scene, const std::vector<Id>& ids)
+{
+    Sums sums;
+    for (const Id id : ids) {
+        std::vector<Id> members = findItem<Group>(scene, id)->members;
+        std::sort(members.begin(), members.end());
+        addAll(sums, scene, members);
+    }
+    return (counts(sums) + QChar('\n') + sums.text()).trimmed();
+}
+
+QString ofMaterials(const Scene& scene, const std::vector<Id>& ids)
+{
+    qsizetype links = 0;
+    qsizetype panels = 0;
+    const auto isOne = [&](Id id) { return std::binary_search(ids.begin(), ids.end(), id); };
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Link& row : part.links)
+            links += isOne(row.material);
+        for (const Panel& row : part.panels)
+            panels += isOne(row.material);
+    });
+    return words("Used by %1, %2").arg(counted(Kind::Link, links), counted(Kind::Panel, panels));
+}
+
+} // namespace
+
+QString totals(const Scene& scene, Kind kind, const std::vector<Id>& ids)
+{
+    if (kind == Kind::Part)
+        return ofParts(scene, ids);
+    if (kind == Kind::Group)
+        return ofGroups(scene, ids);
+    if (kind == Kind::Material)
+        return ofMaterials(scene, ids);
+    if (!isElement(kind))
+        return {};
+    Sums sums;
+    addAll(sums, scene, ids);
+    return sums.text();
+}
+
+} // namespace ripstop

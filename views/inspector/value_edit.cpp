@@ -1,0 +1,128 @@
+#include "inspector/value_edit.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace ripstop {
+namespace {
+
+constexpr int unitGap = 5; // px, on both sides of the unit
+
+} // namespace
+
+ValueEdit::ValueEdit(Judge judge, QWidget* parent)
+    : QLineEdit(parent)
+    , m_judge(std::move(judge))
+{
+    setMinimumWidth(40);
+    connect(this, &QLineEdit::textEdited, this, &ValueEdit::judge);
+}
+
+void ValueEdit::setUnit(const QString& unit)
+{
+    m_unit = unit;
+    const int width = unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + unitGap;
+    setTextMargins(0, 0, width, 0);
+    update();
+}
+
+void ValueEdit::show(const QString& text, const QString& hint)
+{
+    setPlaceholderText(hint);
+    m_shown = text;
+    if (hasFocus() && isModified())
+        return;
+    if (text != this->text()) {
+        setText(text); // also forgets the undo of typing
+        setCursorPosition(0);
+    }
+    complain({});
+}
+
+void ValueEdit::leave()
+{
+    if (!isModified())
+        return;
+    judge();
+    if (isBroken() || !commit())
+        revert();
+}
+
+void ValueEdit::judge() { complain(text() == m_shown ? QString() : m_judge(text())); }
+
+bool ValueEdit::commit()
+{
+    if (isBroken())
+        return false;
+    if (isModified()) {
+        const QString typed = text();
+        setModified(false); // the new value may be shown now
+        emit committed(typed);
+        setText(m_shown);
+    }
+    return true;
+}
+
+void ValueEdit::revert()
+{
+    setText(m_shown);
+    complain({});
+}
+
+void ValueEdit::complain(const QString& sentence)
+{
+    if (sentence == m_complaint)
+        return;
+    m_complaint = sentence;
+    update();
+    emit complained(sentence);
+}
+
+void ValueEdit::keyPressEvent(QKeyEvent* event)
+{
+    const int key = event->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        judge();
+        if (commit())
+            selectAll();
+        return;
+    }
+    if (key == Qt::Key_Escape && isModified()) {
+        revert();
+        selectAll();
+        return;
+    }
+    if (m_steps && (key == Qt::Key_Up || key == Qt::Key_Down)) {
+        leave();
+        const int size = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+        emit stepped(key == Qt::Key_Up ? size : -size, event->isAutoRepeat());
+        return;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+void ValueEdit::focusOutEvent(QFocusEvent* event)
+{
+    if (event->reason() != Qt::PopupFocusReason)
+        leave();
+    QLineEdit::focusOutEvent(event);
+    setCursorPosition(0); // of a long text, the front tells more
+}
+
+void ValueEdit::paintEvent(QPaintEvent* event)
+{
+    QLineEdit::paintEvent(event);
+    QPainter painter(this);
+    if (!m_unit.isEmpty()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(0, 0, -unitGap - 1, 0), Qt::AlignRight | Qt::AlignVCenter,
+                         m_unit);
+    }
+    if (isBroken()) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(QColor(0xd6, 0x3b, 0x3b), 2.0));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2.5, 2.5);
+    }
+}
+
+} // namespace ripstop

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QLineEdit>
+
+#include <functional>
+
+namespace ripstop {
+
+// A line that holds the text of a value. While a person types, the text is judged and a broken one
+// gets a red outline; Enter commits, Escape and leaving a broken text revert. The unit stands at
+// the right end.
+class ValueEdit final : public QLineEdit
+{
+    Q_OBJECT
+
+public:
+    // What is wrong with a text, as a sentence, or an empty one.
+    using Judge = std::function<QString(const QString&)>;
+
+    explicit ValueEdit(Judge judge, QWidget* parent = nullptr);
+
+    void setJudge(Judge judge) { m_judge = std::move(judge); }
+    void setUnit(const QString& unit);
+    void setSteps(bool on) { m_steps = on; } // the arrow keys emit stepped()
+
+    // Shows a value from outside; a text that is being typed stays. `hint` is shown while the text
+    // is empty.
+    void show(const QString& text, const QString& hint = {});
+
+    bool isBroken() const { return !m_complaint.isEmpty(); }
+    void leave(); // commits or reverts what was typed, as when the focus goes
+
+signals:
+    void committed(const QString& text);
+    void complained(const QString& sentence); // empty when all is well again
+    void stepped(int steps, bool isRepeat);   // by an arrow key that is held
+
+private:
+    void judge();
+    bool commit();
+    void revert();
+    void complain(const QString& sentence);
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+    Judge m_judge;
+    QString m_shown;
+    QString m_unit;
+    QString m_complaint;
+    bool m_steps = false;
+};
+
+} // namespace ripstop
