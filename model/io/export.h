@@ -1,6 +1,7 @@
 // Meshes and series for other programs. All of them are made from frames, and the extension of the
-// target chooses the format: .obj, .ply (one moment), .pvd (a series of .vtp files beside it, with
-// the arrays strain, tension, panel load and velocity), .csv (the probes).
+// target chooses the format: .obj, .ply, .vtp (one moment), .pvd (a series of .vtp files in a
+// folder of its name beside it, with the arrays strain, tension, panel load and velocity), .csv
+// (the probes).
 #pragma once
 
 #include "base/result.h"
@@ -28,7 +29,8 @@ struct ExportRange
 using Progress = std::function<bool(double)>;
 
 // Runs the simulation from where it is and writes the target. Gone panels and torn links are left
-// out of meshes.
+// out of meshes. When the simulation cannot go on, a series or table that ends there is kept and
+// the failure says so; Simulation::trouble() tells this case from the others.
 std::optional<Failure> exportRun(Simulation& simulation, const ExportRange& range,
                                  const std::filesystem::path& target,
                                  const Progress& progress = {});

@@ -72,7 +72,7 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
     }
 }
 
-std::optional<Failure> replaceFile(const fs::path& file, std::string_view content)
+std::optional<Failure> replaceFile(const fs::path& file, std::string_view content, Flush flush)
 {
     std::error_code error;
     const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
@@ -91,7 +91,7 @@ std::optional<Failure> replaceFile(const fs::path& file, std::string_view conten
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     out.write(content.data(), std::streamsize(content.size()));
     out.close();
-    if (!out || !flushToDisk(temporary))
+    if (!out || (flush == Flush::ToDisk && !flushToDisk(temporary)))
         return failed(reason());
 
     if (const fs::file_status old = fs::status(target, error); fs::exists(old))

@@ -17,8 +17,13 @@ using StartCheck = std::function<std::optional<std::string>(std::string_view)>;
 // Up to 4 GiB. Works on pipes too.
 Result<std::string> readWholeFile(const std::filesystem::path& file, const StartCheck& check);
 
+// Waiting for the disk takes some milliseconds: worth it for a design, not for each file of a
+// series.
+enum class Flush { ToDisk, Later };
+
 // Writes a file beside the target and renames it, so that whoever looks finds the old content or
 // the new one whole, even after a crash. Follows symbolic links and keeps permissions.
-std::optional<Failure> replaceFile(const std::filesystem::path& file, std::string_view content);
+std::optional<Failure> replaceFile(const std::filesystem::path& file, std::string_view content,
+                                   Flush flush = Flush::ToDisk);
 
 } // namespace ripstop
