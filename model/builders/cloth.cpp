@@ -28,7 +28,8 @@ constexpr Parameter parameters[]{
     {"bend",      "",       0.02, 0, 2,    false, "Stiffness of bend springs over that of structural ones."},
     {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only."},
     {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never."},
-    {"hang",      "",       0,    0, 2,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing."},
+    {"hang",      "",       0,    0, 3,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away."},
+    {"slit",      "",       0,    0, 0.9,  false, "A cut from the middle of the lower edge upwards, over the height; tears start there."},
     {"level",     "m",      1.6,  0.01, 1000, false, "Height of the top edge over the ground."},
     {"flat",      "",       1,    0, 1,    true,  "1 starts with the sheet lying level, 0 hanging."},
     {"sphere",    "m",      0.25,    0, 20,   false, "Radius of a sphere below the sheet; 0 leaves it out."},
@@ -40,6 +41,7 @@ constexpr Parameter parameters[]{
 
 constexpr int byCorners = 0;
 constexpr int byEdge = 1;
+constexpr int byTwoEdges = 3;
 
 struct Materials
 {
@@ -78,6 +80,7 @@ public:
     Sheet(Network& network, const Parameters& p)
         : m_columns(int(p.at("columns")))
         , m_rows(int(p.at("rows")))
+        , m_slitTop(m_rows - int(std::lround(p.at("slit") * m_rows)))
     {
         const bool flat = p.at("flat") > 0.0;
         for (int row = 0; row <= m_rows; ++row)
@@ -93,9 +96,22 @@ public:
             }
     }
 
-    bool has(int row, int column) const
+    std::vector<Id> edge(int column) const
     {
-        return row >= 0 && row <= m_rows && column >= 0 && column <= m_columns;
+        std::vector<Id> nodes;
+        for (int row = 0; row <= m_rows; ++row)
+            nodes.push_back(at(row, column));
+        return nodes;
+    }
+
+    // Both nodes exist, and the slit does not run between them.
+    bool joins(int row, int column, int otherRow, int otherColumn) const
+    {
+        const int left = std::min(column, otherColumn);
+        const int right = std::max(column, otherColumn);
+        const bool isCut =
+            std::max(row, otherRow) > m_slitTop && left <= m_columns / 2 && right > m_columns / 2;
+        return otherRow <= m_rows && left >= 0 && right <= m_columns && !isCut;
     }
     Id at(int row, int column) const { return m_nodes[row * (m_columns + 1) + column]; }
     int rows() const { return m_rows; }
@@ -115,13 +131,14 @@ public:
         for (const Reach& reach : reaches)
             for (int row = 0; row <= m_rows; ++row)
                 for (int column = 0; column <= m_columns; ++column)
-                    if (has(row + reach.rows, column + reach.columns))
+                    if (joins(row, column, row + reach.rows, column + reach.columns))
                         network.spring(at(row, column),
                                        at(row + reach.rows, column + reach.columns),
                                        reach.material);
         for (int row = 0; row < m_rows; ++row)
             for (int column = 0; column < m_columns; ++column)
-                cover(network, row, column, materials.cloth);
+                if (joins(row, column, row + 1, column + 1))
+                    cover(network, row, column, materials.cloth);
     }
 
     // Sets off one wave along the sheet, of this speed at the free edge, m/s.
@@ -153,6 +170,7 @@ private:
 
     int m_columns;
     int m_rows;
+    int m_slitTop; // the last row that is whole
     std::vector<Id> m_nodes;
 };
 
@@ -169,17 +187,17 @@ void addSphere(Scene& scene, const Parameters& p)
     addItem(scene, sphere);
 }
 
-// The first corner is moved by keys as in the cloth paper; up is away from the viewer.
-void addControls(Scene& scene, Id corner)
+// What is held is moved by keys as in the cloth paper; up is away from the viewer.
+void addControls(Scene& scene, const std::string& name, const std::vector<Id>& targets)
 {
     Control control;
-    control.targets = {corner};
-    control.name = "corner x";
+    control.targets = targets;
+    control.name = name + " x";
     control.axis = Vec3::UnitX();
     control.keyLess = "Left";
     control.keyMore = "Right";
     addItem(scene, control);
-    control.name = "corner z";
+    control.name = name + " z";
     control.axis = Vec3::UnitZ();
     control.keyLess = "Up";
     control.keyMore = "Down";
@@ -205,9 +223,11 @@ Scene buildCloth(const Parameters& p)
     std::vector<Id> held;
     if (hang == byCorners)
         held = {sheet.at(0, 0), sheet.at(0, sheet.columns())};
-    else if (hang == byEdge)
-        for (int row = 0; row <= sheet.rows(); ++row)
-            held.push_back(sheet.at(row, 0));
+    else if (hang == byEdge || hang == byTwoEdges)
+        held = sheet.edge(0);
+    if (hang == byTwoEdges)
+        for (const Id node : sheet.edge(sheet.columns()))
+            held.push_back(node);
     for (const Id node : held)
         network.row(node).pinned = true;
     if (hang == byEdge) // a flag that is exactly plane in the wind would stay so for ever
@@ -217,7 +237,9 @@ Scene buildCloth(const Parameters& p)
     const Id part = network.finish("cloth", p);
     addGroup(scene, "held", held);
     if (hang == byCorners)
-        addControls(scene, sheet.at(0, 0));
+        addControls(scene, "corner", {sheet.at(0, 0)});
+    if (hang == byTwoEdges)
+        addControls(scene, "edge", sheet.edge(sheet.columns()));
     addProbe(scene, "lower edge", Quantity::PositionY, middle);
     addProbe(scene, "speed", Quantity::Speed, part);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);

@@ -96,6 +96,9 @@ private slots:
             0);
         // (c+1)(r+1) nodes; structural c(r+1) + r(c+1), shear 2cr, bend (c-1)(r+1) + (r-1)(c+1)
         row("cloth", "cloth", {{"columns", 4}, {"rows", 3}}, 20, 0, 16 + 15 + 24 + 12 + 10, 24);
+        // two cells cut: 2 structural, 4 shear and 4 bend springs and 4 panels less
+        row("cloth with a slit", "cloth", {{"columns", 4}, {"rows", 4}, {"slit", 0.5}}, 25, 0,
+            40 - 2 + 32 - 4 + 30 - 4, 32 - 4);
     }
 
     void counts()
