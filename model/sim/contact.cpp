@@ -29,31 +29,40 @@ std::optional<Touch> touch(const Obstacle& obstacle, const Vec3& position)
     return Touch{obstacle.position + obstacle.radius * normal, normal};
 }
 
-Vec3 leftOver(const Obstacle& obstacle, const Vec3& velocity, const Vec3& normal, double restSpeed)
+struct Rebound
+{
+    Vec3 velocity; // m/s
+    double kept;   // share of the motion along the surface that is left
+};
+
+Rebound rebound(const Obstacle& obstacle, const Vec3& velocity, const Vec3& normal,
+                double restSpeed)
 {
     const double inward = -velocity.dot(normal); // m/s
     if (obstacle.response == Response::Stop)
-        return Vec3::Zero();
+        return {Vec3::Zero(), 0.0};
     if (inward <= 0.0)
-        return velocity;
+        return {velocity, 1.0};
     const Vec3 along = velocity + inward * normal;
     if (obstacle.response == Response::Slide)
-        return along;
+        return {along, 1.0};
     const double restitution = inward > restSpeed ? obstacle.restitution : 0.0;
     const double impulse = (1.0 + restitution) * inward; // per mass
     const double sliding = along.norm();
     const double kept =
         sliding > 0.0 ? std::max(0.0, 1.0 - obstacle.friction * impulse / sliding) : 0.0;
-    return kept * along + (restitution * inward) * normal;
+    return {kept * along + (restitution * inward) * normal, kept};
 }
 
 } // namespace
 
-void resolveContacts(const System& system, State& state, double h, Crew& crew)
+void resolveContacts(const System& system, State& state, std::span<const Vec3> before, double h,
+                     Crew& crew)
 {
     if (system.obstacles.empty())
         return;
     const double restSpeed = 2.0 * system.gravity.norm() * h;
+    const bool verlet = system.integrator == Integrator::Verlet;
     crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (system.inverseMass[i] == 0.0)
@@ -62,9 +71,17 @@ void resolveContacts(const System& system, State& state, double h, Crew& crew)
                 const std::optional<Touch> found = touch(obstacle, state.position[i]);
                 if (!found)
                     continue;
-                state.position[i] = found->surface;
-                state.velocity[i] = leftOver(obstacle, state.velocity[i], found->normal, restSpeed);
-                state.drift[i] = leftOver(obstacle, state.drift[i], found->normal, restSpeed);
+                const Vec3& n = found->normal;
+                const Rebound now = rebound(obstacle, state.velocity[i], n, restSpeed);
+                const Rebound lag = rebound(obstacle, state.drift[i], n, restSpeed);
+                state.velocity[i] = now.velocity;
+                state.drift[i] = lag.velocity;
+
+                // What holds a particle also takes back the way it went along the surface in this
+                // substep; else whatever sticks to a slope creeps down by g h sin(slope).
+                const Vec3 way = found->surface - before[i];
+                const double kept = verlet ? lag.kept : now.kept;
+                state.position[i] = found->surface - (1.0 - kept) * (way - way.dot(n) * n);
             }
         }
     });

@@ -11,10 +11,14 @@
 #include "sim/crew.h"
 #include "sim/system.h"
 
+#include <span>
+
 namespace ripstop {
 
 // `h` is the substep, s: an impact that is slower than what gravity adds in two substeps counts as
 // rest and does not bounce.
-void resolveContacts(const System& system, State& state, double h, Crew& crew);
+//   before  [particles]  m, position at the start of the substep
+void resolveContacts(const System& system, State& state, std::span<const Vec3> before, double h,
+                     Crew& crew);
 
 } // namespace ripstop

@@ -48,7 +48,7 @@ void Stepper::substep(const System& system, State& state, double h, std::uint64_
     noteRodLengths(system, state);
     project(system, state, h, number);
     updateVelocities(system, state, h);
-    resolveContacts(system, state, h, m_crew);
+    resolveContacts(system, state, m_before, h, m_crew);
     tearLinks(system, state, m_rodLength, m_springForce, m_restLength);
     state.started = true;
 }
