@@ -1,0 +1,177 @@
+// ripstop-cli build and builders: designs from parameters.
+#include "builders/builder.h"
+#include "cli/commands.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "io/scene_file.h"
+
+#include <charconv>
+#include <iostream>
+
+namespace ripstop {
+namespace {
+
+std::string names(std::string_view separator)
+{
+    std::string list;
+    for (const Builder& builder : allBuilders())
+        list.append(list.empty() ? "" : separator).append(builder.name);
+    return list;
+}
+
+// The builder, or nothing after a message.
+const Builder* chooseBuilder(const std::string& name)
+{
+    if (const Builder* builder = findBuilder(name))
+        return builder;
+    fail(wrongUsage, "There is no builder \"" + name + "\"; there are " + names(", ") + ".");
+    return nullptr;
+}
+
+Result<Parameters> parametersFrom(const std::vector<std::string>& texts)
+{
+    Parameters parameters;
+    for (const std::string& text : texts) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos)
+            return Failure{"\"" + text + "\" sets nothing; write KEY=VALUE, like span=2.4."};
+        const std::string key = text.substr(0, equals);
+        const char* const first = text.data() + equals + 1;
+        const char* const last = text.data() + text.size();
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(first, last, value);
+        if (error != std::errc() || end != last)
+            return Failure{key + " must be a number, not \"" + std::string(first, last) + "\"."};
+        if (!parameters.emplace(key, value).second)
+            return Failure{key + " is given twice."};
+    }
+    return parameters;
+}
+
+struct BuildOptions
+{
+    std::string builder;
+    std::vector<std::string> parameters;
+    std::vector<std::string> assignments;
+    std::string output;
+};
+
+int buildScene(const BuildOptions& options)
+{
+    const Builder* builder = chooseBuilder(options.builder);
+    if (!builder)
+        return wrongUsage;
+    const Result<Parameters> parameters = parametersFrom(options.parameters);
+    if (!parameters)
+        return fail(wrongUsage, parameters.message());
+    Result<Scene> scene = build(*builder, *parameters);
+    if (!scene)
+        return fail(wrongUsage, scene.message());
+    if (const auto failure = assign(*scene, options.assignments))
+        return fail(wrongUsage, failure->message);
+    if (const auto failure = saveScene(*scene, options.output))
+        return fail(badInput, failure->message);
+    return done;
+}
+
+Json jsonOf(const Builder& builder)
+{
+    Json parameters = Json::array();
+    for (const Parameter& parameter : builder.parameters)
+        parameters.push_back({{"key", parameter.key},
+                              {"unit", parameter.unit},
+                              {"default", parameter.initial},
+                              {"low", parameter.low},
+                              {"high", parameter.high},
+                              {"whole", parameter.whole},
+                              {"help", parameter.help}});
+    return {{"name", builder.name},
+            {"label", builder.label},
+            {"help", builder.help},
+            {"parameters", std::move(parameters)}};
+}
+
+std::string padded(std::string_view text, std::size_t width)
+{
+    return std::string(text) + std::string(width - std::min(text.size(), width - 1), ' ');
+}
+
+void describe(const Builder& builder)
+{
+    std::cout << builder.name << ": " << builder.help << "\n\n"
+              << padded("parameter", 18) << padded("default", 12) << padded("range", 18)
+              << padded("unit", 8) << "meaning\n";
+    for (const Parameter& parameter : builder.parameters)
+        std::cout << padded(parameter.key, 18) << padded(shortNumber(parameter.initial), 12)
+                  << padded(shortNumber(parameter.low) + " to " + shortNumber(parameter.high), 18)
+                  << padded(parameter.unit.empty() ? (parameter.whole ? "whole" : "1")
+                                                   : parameter.unit,
+                            8)
+                  << parameter.help << '\n';
+}
+
+struct BuildersOptions
+{
+    std::string name;
+    bool json = false;
+};
+
+int listBuilders(const BuildersOptions& options)
+{
+    if (!options.name.empty()) {
+        const Builder* builder = chooseBuilder(options.name);
+        if (!builder)
+            return wrongUsage;
+        if (options.json)
+            print(jsonOf(*builder));
+        else
+            describe(*builder);
+        return done;
+    }
+    Json list = Json::array();
+    for (const Builder& builder : allBuilders()) {
+        list.push_back(jsonOf(builder));
+        if (!options.json)
+            std::cout << padded(builder.name, 16) << builder.help << '\n';
+    }
+    if (options.json)
+        print({{"builders", std::move(list)}});
+    return done;
+}
+
+} // namespace
+
+void addBuild(CLI::App& app, Command& chosen)
+{
+    CLI::App* command = app.add_subcommand("build", "Make a scene from a parametric design.");
+    const auto options = std::make_shared<BuildOptions>();
+    command->add_option("BUILDER", options->builder, "One of " + names(", "))->required();
+    command->add_option("KEY=VALUE", options->parameters,
+                        "Parameters; those left out keep their default");
+    command->add_option("-o,--output", options->output, "Scene file to write")
+        ->required()
+        ->type_name("SCENE");
+    addSetOption(*command, options->assignments);
+    command->footer("Examples:\n"
+                    "  ripstop-cli builders delta_kite              (lists the parameters)\n"
+                    "  ripstop-cli build delta_kite segments=14 span=2.4 -o kite.ripstop.json\n"
+                    "  ripstop-cli build parachute rings=8 -o canopy.ripstop.json \\\n"
+                    "      --set settings.substeps=8");
+    command->callback([options, &chosen] { chosen = [options] { return buildScene(*options); }; });
+}
+
+void addBuilders(CLI::App& app, Command& chosen)
+{
+    CLI::App* command =
+        app.add_subcommand("builders", "List the designs, or the parameters of one of them.");
+    const auto options = std::make_shared<BuildersOptions>();
+    command->add_option("NAME", options->name, "One of " + names(", "));
+    command->add_flag("--json", options->json, "Print one JSON object");
+    command->footer("Examples:\n"
+                    "  ripstop-cli builders\n"
+                    "  ripstop-cli builders hang_glider");
+    command->callback(
+        [options, &chosen] { chosen = [options] { return listBuilders(*options); }; });
+}
+
+} // namespace ripstop

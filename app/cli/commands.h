@@ -1,0 +1,22 @@
+// The commands of ripstop-cli. Each adds itself to the program with its options and help, and puts
+// what it does into `chosen` when the user calls it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace ripstop {
+
+// Returns the exit code.
+using Command = std::function<int()>;
+
+void addInfo(CLI::App& app, Command& chosen);
+void addBuild(CLI::App& app, Command& chosen);
+void addBuilders(CLI::App& app, Command& chosen);
+void addRun(CLI::App& app, Command& chosen);
+void addExport(CLI::App& app, Command& chosen);
+void addBench(CLI::App& app, Command& chosen);
+void addProperties(CLI::App& app, Command& chosen);
+
+} // namespace ripstop

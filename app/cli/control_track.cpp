@@ -1,0 +1,108 @@
+#include "cli/control_track.h"
+
+#include "io/whole_file.h"
+#include "scene/property.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace ripstop {
+namespace {
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(" \t\r\"");
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+std::optional<double> numberOf(std::string_view text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+// The id, or how the message goes on.
+Result<std::uint32_t> controlOf(const Scene& scene, std::string_view name)
+{
+    std::vector<std::string_view> names;
+    for (const Entry& entry : scene.items)
+        if (const Control* control = std::get_if<Control>(&entry.item)) {
+            const auto id = std::uint32_t(entry.id);
+            if (control->name == name || name == "#" + std::to_string(id))
+                return id;
+            names.push_back(control->name);
+        }
+    std::string message = "there is no control \"" + std::string(name) + "\"";
+    const std::string_view near = nearest(name, names);
+    if (!near.empty())
+        message.append("; did you mean \"").append(near).append("\"?");
+    else
+        message += names.empty() ? "; the scene has none." : ".";
+    return Failure{message};
+}
+
+Result<ControlCommand> commandOf(const Scene& scene, std::string_view line)
+{
+    const auto first = line.find(',');
+    const auto last = line.rfind(',');
+    if (first == std::string_view::npos || first == last)
+        return Failure{"write TIME,CONTROL,VALUE."};
+    const std::optional<double> time = numberOf(trimmed(line.substr(0, first)));
+    const std::optional<double> value = numberOf(trimmed(line.substr(last + 1)));
+    if (!time || !value)
+        return Failure{"time (s) and value (m) must be finite numbers."};
+    const Result<std::uint32_t> control =
+        controlOf(scene, trimmed(line.substr(first + 1, last - first - 1)));
+    if (!control)
+        return control.failure();
+    return ControlCommand{*time, *control, *value};
+}
+
+} // namespace
+
+Result<std::vector<ControlCommand>> readControlTrack(const std::filesystem::path& file,
+                                                     const Scene& scene)
+{
+    const Result<std::string> text =
+        readWholeFile(file, [](std::string_view) { return std::nullopt; });
+    if (!text)
+        return text.failure();
+    std::vector<ControlCommand> track;
+    std::string_view rest = *text;
+    for (int number = 1; !rest.empty(); ++number) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+        const bool heading =
+            number == 1 && !numberOf(trimmed(line.substr(0, line.find(',')))).has_value();
+        if (heading || trimmed(line).empty())
+            continue;
+        const Result<ControlCommand> command = commandOf(scene, line);
+        if (!command)
+            return Failure{file.string() + ", line " + std::to_string(number) + ": "
+                           + command.message()};
+        track.push_back(*command);
+    }
+    std::stable_sort(
+        track.begin(), track.end(),
+        [](const ControlCommand& a, const ControlCommand& b) { return a.time < b.time; });
+    return track;
+}
+
+void ControlPlayer::giveTo(Simulation& simulation)
+{
+    const double now = simulation.state().time + 0.5 * simulation.system().timeStep;
+    Commands commands;
+    for (; m_next < m_track.size() && m_track[m_next].time < now; ++m_next)
+        commands[m_track[m_next].control] = m_track[m_next].value;
+    if (!commands.empty())
+        simulation.command(commands);
+}
+
+} // namespace ripstop

@@ -1,0 +1,100 @@
+// ripstop-cli export: meshes, series and tables for other programs.
+#include "io/export.h"
+
+#include "cli/commands.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "compile/compile.h"
+
+#include <optional>
+
+namespace ripstop {
+namespace {
+
+constexpr double seriesSeconds = 10.0; // s, of a series or table without --to
+
+struct Options
+{
+    SceneInput scene;
+    std::string output;
+    double fps = 25.0;
+    double from = 0.0;
+    std::optional<double> to;
+    int threads = 1;
+};
+
+bool isOneMoment(const std::filesystem::path& target)
+{
+    const std::string extension = target.extension().string();
+    return extension == ".obj" || extension == ".ply" || extension == ".vtp";
+}
+
+int exportScene(const Options& options)
+{
+    const SceneOutcome loaded = loadScene(options.scene);
+    if (!loaded.scene)
+        return loaded.exitCode;
+    const auto system = compile(*loaded.scene);
+    if (!system)
+        return fail(badInput, options.scene.file + ": " + system.message());
+
+    Simulation simulation(*system, options.threads);
+    ExportRange range{options.from, 0.0, options.fps};
+    range.to = options.to.value_or(isOneMoment(options.output) ? options.from
+                                                               : options.from + seriesSeconds);
+    catchInterrupt();
+    ProgressLine progress(options.output);
+    const auto failure = exportRun(simulation, range, options.output, [&](double share) {
+        progress.show(share);
+        return !interrupted();
+    });
+    if (!failure)
+        return done;
+    return fail(simulation.trouble() ? diverged
+                : interrupted()      ? interruptedRun
+                                     : badInput,
+                failure->message);
+}
+
+} // namespace
+
+void addExport(CLI::App& app, Command& chosen)
+{
+    CLI::App* command = app.add_subcommand(
+        "export", "Fly a scene and write meshes, an animation or a table for other programs.");
+    const auto options = std::make_shared<Options>();
+    addSceneOption(*command, options->scene);
+    command
+        ->add_option("-o,--output", options->output,
+                     ".obj, .ply, .vtp: one moment; .pvd: a series for ParaView; .csv: the probes")
+        ->required()
+        ->type_name("TARGET");
+    command->add_option("--fps", options->fps, "Frames per simulated second")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str()
+        ->type_name("F");
+    command->add_option("--from", options->from, "Simulated time of the first frame, s")
+        ->check(CLI::Range(0.0, 1e9))
+        ->type_name("T0");
+    command
+        ->add_option("--to", options->to,
+                     "Simulated time of the last frame, s; by default 10 s after the first, and "
+                     "for one moment the first itself")
+        ->check(CLI::Range(0.0, 1e9))
+        ->type_name("T1");
+    addSetOption(*command, options->scene.assignments);
+    command->add_option("--threads", options->threads, "Threads; the result is the same for all")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command->footer("Examples:\n"
+                    "  ripstop-cli export kite.ripstop.json -o design.obj            (as drawn)\n"
+                    "  ripstop-cli export kite.ripstop.json -o flying.ply --to 20    (after 20 s)\n"
+                    "  ripstop-cli export kite.ripstop.json -o kite.pvd --to 10 --fps 25\n"
+                    "  ripstop-cli export kite.ripstop.json -o kite.csv --to 60 --fps 10\n"
+                    "\n"
+                    "Torn links and the panels beside them are left out of meshes. Ctrl-C removes\n"
+                    "what was written.");
+    command->callback([options, &chosen] { chosen = [options] { return exportScene(*options); }; });
+}
+
+} // namespace ripstop

@@ -1,0 +1,202 @@
+// ripstop-cli run: flies a scene and says what came of it.
+#include "cli/commands.h"
+#include "cli/control_track.h"
+#include "cli/final_scene.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "compile/compile.h"
+#include "io/csv.h"
+#include "io/scene_file.h"
+#include "measure/diagnostics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+namespace ripstop {
+namespace {
+
+struct Options
+{
+    SceneInput scene;
+    double seconds = 0.0;
+    int threads = 1;
+    std::string csv;
+    std::string finalScene;
+    std::string controls;
+    bool json = false;
+};
+
+// Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
+// s.
+double fly(Simulation& simulation, const Options& options, ControlPlayer& controls,
+           CsvWriter* table)
+{
+    ProgressLine progress(options.scene.file);
+    const auto steps = std::llround(options.seconds / simulation.system().timeStep);
+    const auto start = std::chrono::steady_clock::now();
+    if (table)
+        table->add(*simulation.frame());
+    for (long long i = 0; i < steps && !interrupted(); ++i) {
+        controls.giveTo(simulation);
+        if (!simulation.step())
+            break;
+        if (table)
+            table->add(*simulation.frame());
+        progress.show(double(i + 1) / double(steps));
+    }
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Json report(const Simulation& simulation, double wallSeconds)
+{
+    const std::shared_ptr<const Frame> frame = simulation.frame();
+    const State& state = simulation.state();
+    const Energies energy = energies(simulation.system(), state);
+    const auto largest = std::max_element(frame->strain.begin(), frame->strain.end());
+
+    Json result;
+    result["time"] = state.time;
+    result["steps"] = state.step;
+    result["wall_seconds"] = wallSeconds;
+    result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
+    result["hash"] = hashText(stateHash(state));
+    result["torn"] = std::count(frame->torn.begin(), frame->torn.end(), std::uint8_t(1));
+    result["max_strain"] = largest == frame->strain.end() ? 0.0 : *largest;
+    result["energy"] = energy.total();
+    result["energies"] = {
+        {"kinetic", energy.kinetic}, {"potential", energy.potential}, {"elastic", energy.elastic}};
+    result["probes"] = Json::object();
+    for (std::size_t i = 0; i < frame->layout->probes.size(); ++i)
+        result["probes"][frame->layout->probes[i].name] = frame->probe[i];
+    result["tears"] = Json::array();
+    for (const Tear& tear : frame->tears)
+        result["tears"].push_back({{"time", tear.time},
+                                   {"link", tear.link},
+                                   {"length", tear.length},
+                                   {"strain", tear.strain},
+                                   {"force", tear.force},
+                                   {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
+    result["stopped"] = simulation.trouble().has_value();
+    if (simulation.trouble())
+        result["message"] = simulation.trouble()->message;
+    if (interrupted())
+        result["interrupted"] = true;
+    return result;
+}
+
+void printTable(const Json& result, const Layout& layout)
+{
+    const auto row = [](const std::string& label, const std::string& text) {
+        std::cout << label << std::string(24 - std::min<std::size_t>(label.size(), 23), ' ') << text
+                  << '\n';
+    };
+    row("time", shortNumber(result["time"]) + " s, " + std::to_string(result["steps"].get<long>())
+                    + " steps");
+    row("wall time", shortNumber(result["wall_seconds"]) + " s, "
+                         + shortNumber(result["steps_per_second"]) + " steps/s");
+    row("torn links", std::to_string(result["torn"].get<long>()));
+    row("largest strain", shortNumber(result["max_strain"]));
+    row("energy", shortNumber(result["energy"]) + " J");
+    row("hash", result["hash"].get<std::string>());
+    for (const Layout::Probe& probe : layout.probes) {
+        const double value = result["probes"][probe.name].get<double>();
+        row(probe.name, (std::isfinite(value) ? shortNumber(value) : "none") + " " + probe.unit);
+    }
+}
+
+// Flies a compiled scene, writes what was asked for and reports.
+int flyAndReport(const Scene& scene, Simulation& simulation, const Options& options,
+                 std::vector<ControlCommand> track)
+{
+    std::optional<CsvWriter> table;
+    if (!options.csv.empty()) {
+        Result<CsvWriter> opened = CsvWriter::open(options.csv, *simulation.frame()->layout);
+        if (!opened)
+            return fail(badInput, opened.message());
+        table = std::move(*opened);
+    }
+    catchInterrupt();
+    ControlPlayer controls(std::move(track));
+    const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr);
+
+    if (table)
+        if (const auto failure = table->close())
+            return fail(badInput, failure->message);
+    if (!options.finalScene.empty())
+        if (const auto failure = saveScene(finalScene(scene, simulation), options.finalScene))
+            return fail(badInput, failure->message);
+
+    const Json result = report(simulation, wallSeconds);
+    if (options.json)
+        print(result);
+    else
+        printTable(result, *simulation.frame()->layout);
+    if (simulation.trouble())
+        return fail(diverged, simulation.trouble()->message);
+    if (interrupted())
+        return fail(interruptedRun, "Interrupted; the results are those up to then.");
+    return done;
+}
+
+int run(const Options& options)
+{
+    const SceneOutcome loaded = loadScene(options.scene);
+    if (!loaded.scene)
+        return loaded.exitCode;
+    std::vector<ControlCommand> track;
+    if (!options.controls.empty()) {
+        Result<std::vector<ControlCommand>> read =
+            readControlTrack(options.controls, *loaded.scene);
+        if (!read)
+            return fail(badInput, read.message());
+        track = std::move(*read);
+    }
+    const auto system = compile(*loaded.scene);
+    if (!system)
+        return fail(badInput, options.scene.file + ": " + system.message());
+    Simulation simulation(*system, options.threads);
+    return flyAndReport(*loaded.scene, simulation, options, std::move(track));
+}
+
+} // namespace
+
+void addRun(CLI::App& app, Command& chosen)
+{
+    CLI::App* command =
+        app.add_subcommand("run", "Fly a scene and report strain, energy, tears and probes.");
+    const auto options = std::make_shared<Options>();
+    addSceneOption(*command, options->scene);
+    command->add_option("--seconds", options->seconds, "Simulated time, s")
+        ->required()
+        ->check(CLI::Range(0.0, 1e9))
+        ->type_name("T");
+    addSetOption(*command, options->scene.assignments);
+    command->add_option("--threads", options->threads, "Threads; the result is the same for all")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command->add_option("--csv", options->csv, "Write the probes after every time step")
+        ->type_name("FILE");
+    command
+        ->add_option("--final", options->finalScene,
+                     "Write the scene as the run has left it: positions, velocities, tears")
+        ->type_name("SCENE");
+    command
+        ->add_option("--controls", options->controls,
+                     "What the pilot does: a CSV file of time (s), control, value (m)")
+        ->type_name("FILE");
+    command->add_flag("--json", options->json, "Print one JSON object");
+    command->footer(
+        "Examples:\n"
+        "  ripstop-cli run scenes/delta_kite.ripstop.json --seconds 20 --csv kite.csv\n"
+        "  ripstop-cli run kite.ripstop.json --seconds 20 --set \"wind.velocity=8, 0, 0\" --json\n"
+        "  ripstop-cli run cloth.ripstop.json --seconds 5 --final settled.ripstop.json\n"
+        "\n"
+        "The hash is that of the final state: equal for equal bits only.\n"
+        "Ctrl-C ends the run and reports what there is. When the simulation diverges, the last\n"
+        "good state is reported and the exit code is 3.");
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+} // namespace ripstop

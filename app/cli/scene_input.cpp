@@ -1,0 +1,46 @@
+#include "cli/scene_input.h"
+
+#include "cli/terminal.h"
+#include "io/scene_file.h"
+#include "scene/path.h"
+
+namespace ripstop {
+
+void addSceneOption(CLI::App& command, SceneInput& input)
+{
+    command.add_option("SCENE", input.file, "Scene file, *.ripstop.json")->required();
+}
+
+void addSetOption(CLI::App& command, std::vector<std::string>& assignments)
+{
+    command
+        .add_option("--set", assignments,
+                    "Change a property for this call: settings.timeStep=0.002, "
+                    "\"wind.velocity=6, 0, 0\", kite.particles.mass=0.01, \"#17.mass=0.5\"; "
+                    "may be repeated")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
+}
+
+std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assignments)
+{
+    for (const std::string& text : assignments) {
+        const Result<Edit> edit = assignment(scene, text);
+        if (!edit)
+            return Failure{"--set " + text + ": " + edit.message()};
+        (void)apply(scene, *edit);
+    }
+    return std::nullopt;
+}
+
+SceneOutcome loadScene(const SceneInput& input)
+{
+    Result<Scene> scene = readScene(input.file);
+    if (!scene)
+        return {std::nullopt, fail(badInput, scene.message())};
+    if (const auto failure = assign(*scene, input.assignments))
+        return {std::nullopt, fail(wrongUsage, failure->message)};
+    return {std::move(*scene), done};
+}
+
+} // namespace ripstop

@@ -1,0 +1,47 @@
+// What every command shares: how it ends, what it prints, how it is interrupted.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace ripstop {
+
+enum ExitCode { done = 0, badInput = 1, wrongUsage = 2, diverged = 3, interruptedRun = 130 };
+
+// Keys in the order in which they were added.
+using Json = nlohmann::ordered_json;
+
+// Prints the message on standard error and returns the code.
+int fail(ExitCode code, std::string_view message);
+
+// One object on standard output. Numbers that are not finite become null.
+void print(const Json& object);
+
+// "0.0123", "4.2e-05": six significant digits.
+std::string shortNumber(double number);
+
+// After this, Ctrl-C asks to finish early; a second one ends the program.
+void catchInterrupt();
+bool interrupted();
+
+// A line on standard error that says how far the work is, when that is a terminal.
+class ProgressLine
+{
+public:
+    explicit ProgressLine(std::string label);
+    ~ProgressLine(); // clears the line
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(double share); // 0 to 1; cheap to call often
+
+private:
+    std::string m_label;
+    bool m_visible;
+    std::chrono::steady_clock::time_point m_next;
+};
+
+} // namespace ripstop
