@@ -1,0 +1,43 @@
+#pragma once
+
+#include "viewport/color_map.h"
+#include "viewport/quantity_values.h"
+#include "viewport/theme.h"
+
+#include <QWidget>
+
+namespace ripstop {
+
+// The scale of colours: name, unit and round numbers beside a bar. Hidden when the view shows
+// materials.
+class Legend final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit Legend(QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors);
+
+    QString title() const { return m_title; }
+    QStringList labels() const; // from the bottom up
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct Mark
+    {
+        double share; // 0 at the bottom, 1 at the top
+        QString text;
+    };
+    std::vector<Mark> marks() const;
+
+    Theme m_theme = Theme::light();
+    const ColorMap* m_colors = nullptr;
+    ValueRange m_range; // as shown: strain in per cent
+    QString m_title;
+};
+
+} // namespace ripstop

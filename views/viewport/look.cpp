@@ -1,0 +1,143 @@
+#include "viewport/look.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace ripstop {
+namespace {
+
+constexpr Color unknownColor{150, 150, 150};
+
+// Where the elements of the scene are, by id. Ids come from one counter, so a plain array is
+// both small and fast.
+struct Directory
+{
+    struct Row
+    {
+        const Part* part = nullptr;
+        std::uint32_t index = 0; // in the table of its kind
+    };
+    std::vector<Row> rows;
+
+    explicit Directory(const Scene& scene)
+        : rows(std::size_t(scene.nextId))
+    {
+        forEachPart(scene, [this](Id, const Part& part) {
+            add(part, part.particles);
+            add(part, part.links);
+            add(part, part.panels);
+        });
+    }
+
+    const Row* find(std::uint32_t id) const
+    {
+        return id < rows.size() && rows[id].part ? &rows[id] : nullptr;
+    }
+
+private:
+    template <typename Element>
+    void add(const Part& part, const std::vector<Element>& table)
+    {
+        for (std::uint32_t i = 0; i < table.size(); ++i)
+            if (const auto id = std::uint32_t(table[i].id); id < rows.size())
+                rows[id] = {&part, i};
+    }
+};
+
+struct Paint
+{
+    Color color = unknownColor;
+    bool shown = true;
+};
+
+std::vector<std::pair<Id, Paint>> paintsOf(const Scene& scene)
+{
+    std::vector<std::pair<Id, Paint>> paints;
+    for (const Entry& entry : scene.items)
+        if (const Material* material = std::get_if<Material>(&entry.item))
+            paints.push_back({entry.id, {colorFromText(material->color), material->shown}});
+    return paints;
+}
+
+Paint paintOf(const std::vector<std::pair<Id, Paint>>& paints, Id material)
+{
+    const auto found = std::ranges::find(paints, material, &std::pair<Id, Paint>::first);
+    return found != paints.end() ? found->second : Paint{};
+}
+
+void lookAtParticles(const Directory& directory, const Layout& layout, Look& look)
+{
+    const std::size_t count = layout.particleId.size();
+    look.particleShown.assign(count, 0);
+    look.texture.assign(count, {0.0F, 0.0F});
+    bool textured = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Directory::Row* row = directory.find(layout.particleId[i]);
+        if (!row || row->index >= row->part->particles.size())
+            continue;
+        const Particle& particle = row->part->particles[row->index];
+        look.particleShown[i] = row->part->shown;
+        look.texture[i] = {float(particle.textureU), float(particle.textureV)};
+        textured |= particle.textureU != 0.0 || particle.textureV != 0.0;
+    }
+    if (!textured)
+        look.texture.clear();
+}
+
+} // namespace
+
+Look lookOf(const Scene& scene, const Layout& layout)
+{
+    const Directory directory(scene);
+    const auto paints = paintsOf(scene);
+    Look look;
+    lookAtParticles(directory, layout, look);
+
+    look.linkShown.assign(layout.links.size(), 0);
+    look.linkColor.assign(layout.links.size(), unknownColor);
+    for (std::size_t i = 0; i < layout.links.size(); ++i) {
+        const Directory::Row* row = directory.find(layout.links[i].id);
+        if (!row || row->index >= row->part->links.size())
+            continue;
+        const Paint paint = paintOf(paints, row->part->links[row->index].material);
+        look.linkShown[i] = row->part->shown && paint.shown;
+        look.linkColor[i] = paint.color;
+    }
+
+    look.panelShown.assign(layout.panelId.size(), 0);
+    look.panelColor.assign(layout.panelId.size(), unknownColor);
+    for (std::size_t i = 0; i < layout.panelId.size(); ++i) {
+        const Directory::Row* row = directory.find(layout.panelId[i]);
+        if (!row || row->index >= row->part->panels.size())
+            continue;
+        const Paint paint = paintOf(paints, row->part->panels[row->index].material);
+        look.panelShown[i] = row->part->shown && paint.shown;
+        look.panelColor[i] = paint.color;
+    }
+    return look;
+}
+
+bool changesLook(const Edit& edit)
+{
+    return std::ranges::any_of(edit.changes, [](const Change& change) {
+        const auto* set = std::get_if<SetValues>(&change);
+        if (!set)
+            return true;
+        const Property& property = *set->property;
+        return property.effect == Effect::DisplayOnly || property.kind == Kind::Collider
+               || property.kind == Kind::Wind || property.key == "material";
+    });
+}
+
+Color colorFromText(const std::string& text)
+{
+    std::uint32_t value = 0;
+    const char* first = text.data() + 1;
+    const char* last = text.data() + text.size();
+    if (text.size() != 7 || text.front() != '#'
+        || std::from_chars(first, last, value, 16).ptr != last)
+        return unknownColor;
+    return {std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
+}
+
+} // namespace ripstop

@@ -1,0 +1,37 @@
+// What the scene says about the looks of the elements of a layout.
+#pragma once
+
+#include "run/frame.h"
+#include "scene/edit.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ripstop {
+
+using Color = std::array<std::uint8_t, 3>; // red, green, blue, 0 .. 255
+
+struct Look
+{
+    std::vector<std::uint8_t> particleShown; // [particles]
+    std::vector<std::uint8_t> linkShown;     // [links]
+    std::vector<Color> linkColor;            // [links]
+    std::vector<std::uint8_t> panelShown;    // [panels]
+    std::vector<Color> panelColor;           // [panels]
+
+    // [particles] places on the cloth, 1; empty when no particle has one.
+    std::vector<std::array<float, 2>> texture;
+};
+
+// Elements of the layout that are no longer in the scene are not shown.
+Look lookOf(const Scene& scene, const Layout& layout);
+
+// True when the edit may change the look: a colour, a material, what is shown, the tables. Most
+// edits change numbers of the physics and do not.
+bool changesLook(const Edit& edit);
+
+// "#c8553d"; grey when it cannot be read.
+Color colorFromText(const std::string& text);
+
+} // namespace ripstop

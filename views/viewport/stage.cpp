@@ -1,0 +1,201 @@
+#include "viewport/stage.h"
+
+#include <vtkCamera.h>
+#include <vtkCullerCollection.h>
+#include <vtkLight.h>
+#include <vtkRenderWindow.h>
+
+#include <numbers>
+
+namespace ripstop {
+
+Stage::Stage(vtkRenderWindow& window)
+    : m_shadow(panels.mesh())
+{
+    m_coordinates->SetNumberOfComponents(3);
+    m_points->SetData(m_coordinates);
+    window.AddRenderer(m_renderer);
+    m_renderer->GradientBackgroundOn();
+    m_renderer->GetCullers()->RemoveAllItems(); // they walk over all cells to save a few actors
+    light();
+    for (Layer* layer : layers())
+        layer->addTo(*m_renderer);
+}
+
+std::array<Layer*, 8> Stage::layers()
+{
+    return {&m_ground, &m_shadow, &m_colliders, &panels, &links, &particles, &m_highlight, &m_pins};
+}
+
+// A sun that stays with the world, so that turning the view does not turn the shading, and a soft
+// headlight for what lies in its shade.
+void Stage::light()
+{
+    m_renderer->AutomaticLightCreationOff();
+    vtkNew<vtkLight> sun;
+    sun->SetLightTypeToSceneLight();
+    sun->SetPosition(sunDirection.x(), sunDirection.y(), sunDirection.z());
+    sun->SetFocalPoint(0.0, 0.0, 0.0);
+    sun->SetColor(1.0, 0.98, 0.94);
+    sun->SetIntensity(0.62);
+    m_renderer->AddLight(sun);
+
+    vtkNew<vtkLight> head;
+    head->SetLightTypeToHeadlight();
+    head->SetColor(0.94, 0.97, 1.0);
+    head->SetIntensity(0.48);
+    m_renderer->AddLight(head);
+}
+
+void Stage::show(std::shared_ptr<const Frame> frame) { m_frame = std::move(frame); }
+
+void Stage::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    m_renderer->SetBackground(theme.skyBottom.redF(), theme.skyBottom.greenF(),
+                              theme.skyBottom.blueF());
+    m_renderer->SetBackground2(theme.skyTop.redF(), theme.skyTop.greenF(), theme.skyTop.blueF());
+    m_layersAreOld = true;
+}
+
+void Stage::setColorBy(ColorBy colorBy)
+{
+    m_colorBy = colorBy;
+    m_range.reset();
+    m_layersAreOld = true;
+}
+
+void Stage::setFixedRange(std::optional<ValueRange> range)
+{
+    m_fixedRange = range;
+    m_layersAreOld = true;
+}
+
+void Stage::setSelected(std::vector<Id> ids)
+{
+    m_selected = std::move(ids);
+    m_layersAreOld = true;
+}
+
+void Stage::setPixelRatio(double ratio)
+{
+    m_layersAreOld |= ratio != m_pixelRatio;
+    m_pixelRatio = ratio;
+}
+
+void Stage::setPanelsShown(bool shown)
+{
+    panels.setShown(shown);
+    m_shadow.setShown(shown);
+}
+
+const ColorMap& Stage::colors() const
+{
+    return range().low < 0.0 ? ColorMap::diverging() : ColorMap::sequential();
+}
+
+// VTK has no arrays of const; with `save` set it neither frees nor, here, writes this one.
+void Stage::takePoints()
+{
+    auto* x =
+        const_cast<double*>(m_frame->position.empty() ? nullptr : m_frame->position.front().data());
+    constexpr int save = 1;
+    m_coordinates->SetArray(x, 3 * vtkIdType(m_frame->position.size()), save);
+    m_coordinates->Modified();
+    m_points->Modified();
+}
+
+std::vector<Vec3> Stage::shownPoints(const Scene& scene) const
+{
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; m_frame && i < m_look.particleShown.size(); ++i)
+        if (m_look.particleShown[i] && m_frame->position[i].allFinite())
+            points.push_back(m_frame->position[i]);
+    for (const Entry& entry : scene.items) {
+        const Collider* collider = std::get_if<Collider>(&entry.item);
+        if (!collider || !collider->shown || collider->shape != ColliderShape::Sphere)
+            continue;
+        for (const int axis : {0, 1, 2})
+            for (const double side : {-1.0, 1.0})
+                points.push_back(collider->position + side * collider->radius * Vec3::Unit(axis));
+    }
+    return points;
+}
+
+void Stage::takeBounds(const Scene& scene)
+{
+    m_bounds.setEmpty();
+    for (const Vec3& point : shownPoints(scene))
+        m_bounds.extend(point);
+}
+
+void Stage::takeRange()
+{
+    const QuantityValues& values = m_values;
+    m_range.take(!values.link.empty()    ? values.link
+                 : !values.panel.empty() ? values.panel
+                                         : values.particle,
+                 isSigned(m_colorBy));
+}
+
+bool Stage::somethingBroke() const
+{
+    return !m_drawn || m_drawn->torn != m_frame->torn || m_drawn->gone != m_frame->gone;
+}
+
+void Stage::prepare(const Scene& scene)
+{
+    if (!m_frame)
+        return;
+    const bool otherLayout = m_layout != m_frame->layout;
+    const bool otherFrame = m_drawn != m_frame;
+    if (otherLayout || m_lookIsOld) {
+        m_layout = m_frame->layout;
+        m_look = lookOf(scene, *m_layout);
+    }
+    const bool rebuild = otherLayout || m_lookIsOld || m_layersAreOld || somethingBroke();
+    if (!rebuild && !otherFrame)
+        return;
+
+    if (m_drawn && m_drawn->run != m_frame->run)
+        m_range.reset();
+    takePoints();
+    takeBounds(scene);
+    m_values = valuesOf(*m_frame, m_colorBy);
+    takeRange();
+
+    const Picture picture{scene,     *m_frame, m_look,   m_theme, m_points, m_selected,
+                          m_colorBy, m_values, colors(), range(), m_bounds, m_pixelRatio};
+    for (Layer* layer : layers()) {
+        if (rebuild)
+            layer->rebuild(picture);
+        layer->update(picture);
+    }
+    m_drawn = m_frame;
+    m_lookIsOld = false;
+    m_layersAreOld = false;
+}
+
+void Stage::place(const Turntable& camera)
+{
+    // what is drawn lies within this far of the focus
+    const Vec3 middle = m_bounds.isEmpty() ? camera.focus : Vec3(m_bounds.center());
+    const double reach = (middle - camera.focus).norm() + 1.2 * groundRadius(m_bounds);
+    const double step = camera.orthographic ? reach : 0.0; // an orthographic eye may step back
+
+    const Vec3 eye = camera.eye() + step * camera.back();
+    const Vec3 up = camera.up();
+    vtkCamera& target = *m_renderer->GetActiveCamera();
+    target.SetPosition(eye.x(), eye.y(), eye.z());
+    target.SetFocalPoint(camera.focus.x(), camera.focus.y(), camera.focus.z());
+    target.SetViewUp(up.x(), up.y(), up.z());
+    target.SetViewAngle(Turntable::viewAngle * 180.0 / std::numbers::pi);
+    target.SetParallelProjection(camera.orthographic);
+    target.SetParallelScale(camera.halfHeight());
+
+    const double distance = camera.distance + step;
+    const double near = std::max(distance - reach, 0.02 * camera.distance);
+    target.SetClippingRange(near, distance + reach);
+}
+
+} // namespace ripstop

@@ -1,0 +1,93 @@
+// Everything that is drawn, as VTK sees it: renderer, lights, camera and layers.
+//
+// Setters only note what has changed. prepare() brings the layers up to date, once per picture.
+#pragma once
+
+#include "viewport/collider_layer.h"
+#include "viewport/ground_layer.h"
+#include "viewport/highlight_layer.h"
+#include "viewport/link_layer.h"
+#include "viewport/panel_layer.h"
+#include "viewport/particle_layer.h"
+#include "viewport/shadow_layer.h"
+#include "viewport/turntable.h"
+
+#include <vtkAOSDataArrayTemplate.h>
+#include <vtkPoints.h>
+#include <vtkRenderer.h>
+
+#include <optional>
+
+class vtkRenderWindow;
+
+namespace ripstop {
+
+class Stage
+{
+public:
+    explicit Stage(vtkRenderWindow& window);
+
+    void show(std::shared_ptr<const Frame> frame);
+    void setTheme(const Theme& theme);
+    void setColorBy(ColorBy colorBy);
+    void setFixedRange(std::optional<ValueRange> range);
+    void setSelected(std::vector<Id> ids);
+    void setPixelRatio(double ratio);
+    void sceneChanged() { m_lookIsOld = true; } // what it says about looks
+
+    void prepare(const Scene& scene);
+    void place(const Turntable& camera);
+
+    void setPanelsShown(bool shown); // and their shadow
+
+    PanelLayer panels;
+    LinkLayer links;
+    ParticleLayer particles;
+
+    // As of the last prepare().
+    const std::shared_ptr<const Frame>& frame() const { return m_frame; }
+    const Look& look() const { return m_look; }
+    const Eigen::AlignedBox3d& bounds() const { return m_bounds; }
+    const Theme& theme() const { return m_theme; }
+    ColorBy colorBy() const { return m_colorBy; }
+    ValueRange range() const { return m_fixedRange ? *m_fixedRange : m_range.range(); }
+    const ColorMap& colors() const;
+
+    // Of all that is shown but the ground.
+    std::vector<Vec3> shownPoints(const Scene& scene) const;
+
+private:
+    void light();
+    void takePoints();
+    void takeBounds(const Scene& scene);
+    void takeRange();
+    bool somethingBroke() const;
+    std::array<Layer*, 8> layers();
+
+    PinLayer m_pins;
+    HighlightLayer m_highlight;
+    GroundLayer m_ground;
+    ColliderLayer m_colliders;
+    ShadowLayer m_shadow;
+
+    std::shared_ptr<const Frame> m_frame; // keeps the coordinates alive
+    std::shared_ptr<const Frame> m_drawn; // what the layers show
+    std::shared_ptr<const Layout> m_layout;
+    Look m_look;
+    Theme m_theme = Theme::light();
+    ColorBy m_colorBy = ColorBy::Material;
+    QuantityValues m_values;
+    SteadyRange m_range;
+    std::optional<ValueRange> m_fixedRange;
+    std::vector<Id> m_selected;
+    Eigen::AlignedBox3d m_bounds;
+    double m_pixelRatio = 1.0;
+    bool m_lookIsOld = true;
+    bool m_layersAreOld = true;
+
+    vtkNew<vtkAOSDataArrayTemplate<double>> m_coordinates;
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkRenderer> m_renderer;
+};
+
+} // namespace ripstop

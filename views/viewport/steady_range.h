@@ -1,0 +1,42 @@
+// A range of colours that follows the values without flicker.
+//
+// Its ends are round numbers (1, 2 or 5 times a power of ten). It widens at once when values
+// leave it, and narrows only after they have stayed far inside for a while. The few largest
+// values are let go: one link about to tear would otherwise paint all others alike.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace ripstop {
+
+struct ValueRange
+{
+    double low = 0.0;
+    double high = 1.0;
+
+    friend bool operator==(const ValueRange&, const ValueRange&) = default;
+};
+
+class SteadyRange
+{
+public:
+    // Takes in the values of one frame. `mayBeNegative` makes the range symmetric about zero once
+    // a good part of the values is below it, and keeps it so.
+    void take(std::span<const double> values, bool mayBeNegative);
+
+    ValueRange range() const;
+    bool isSymmetric() const { return m_symmetric; }
+    void reset() { *this = {}; }
+
+private:
+    std::vector<double> m_scratch;
+    double m_bound = 0.0; // 0 before any value
+    int m_calm = 0;       // frames since the values last filled the range
+    bool m_symmetric = false;
+};
+
+// The smallest of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ... that is not below `value`; 0 for 0.
+double roundedUp(double value);
+
+} // namespace ripstop

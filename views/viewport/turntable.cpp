@@ -1,0 +1,150 @@
+#include "viewport/turntable.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double radiansPerPixel = 0.0075;
+constexpr double margin = 1.12;  // around what fits
+constexpr double nearest = 1e-3; // m
+constexpr double farthest = 1e6; // m
+
+double tangent() { return std::tan(0.5 * Turntable::viewAngle); }
+
+// Centre and half width along one axis of the picture.
+struct Slab
+{
+    double low = 1e300;
+    double high = -1e300;
+    void add(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    double middle() const { return 0.5 * (low + high); }
+    double half() const { return 0.5 * (high - low); }
+};
+
+} // namespace
+
+Vec3 Turntable::back() const
+{
+    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+            std::cos(elevation) * std::cos(azimuth)};
+}
+
+// Well defined also when looking straight down, which a cross product with y is not.
+Vec3 Turntable::right() const { return {std::cos(azimuth), 0.0, -std::sin(azimuth)}; }
+
+Vec3 Turntable::up() const { return back().cross(right()); }
+
+double Turntable::halfHeight() const { return distance * tangent(); }
+
+void Turntable::orbit(double dx, double dy)
+{
+    azimuth = std::remainder(azimuth - radiansPerPixel * dx, 2.0 * pi);
+    elevation = std::clamp(elevation + radiansPerPixel * dy, -0.5 * pi, 0.5 * pi);
+}
+
+void Turntable::pan(double dx, double dy, double pictureHeight)
+{
+    const double metresPerPixel = 2.0 * halfHeight() / std::max(1.0, pictureHeight);
+    focus += metresPerPixel * (dy * up() - dx * right());
+}
+
+void Turntable::zoom(double factor, double x, double y, double aspect)
+{
+    const double before = halfHeight();
+    distance = std::clamp(distance * factor, nearest, farthest);
+    const double change = before - halfHeight();
+    focus += change * (x * aspect * right() + y * up());
+}
+
+void Turntable::look(PresetView view)
+{
+    const auto turn = [this](double azimuthDegrees, double elevationDegrees) {
+        azimuth = azimuthDegrees * pi / 180.0;
+        elevation = elevationDegrees * pi / 180.0;
+    };
+    switch (view) {
+    case PresetView::Front:
+        return turn(0, 0);
+    case PresetView::Back:
+        return turn(180, 0);
+    case PresetView::Left:
+        return turn(-90, 0);
+    case PresetView::Right:
+        return turn(90, 0);
+    case PresetView::Top:
+        return turn(0, 90);
+    case PresetView::Bottom:
+        return turn(0, -90);
+    case PresetView::Iso:
+        return turn(35, 18);
+    }
+}
+
+// Each side of the view pyramid must leave all points inside: with t the slope of the side,
+// |x - centre| <= t (eye - z). The outermost points for the two sides give centre and eye.
+void Turntable::fit(std::span<const Vec3> points, double aspect)
+{
+    if (points.empty())
+        return;
+    const Vec3 axisX = right(), axisY = up(), axisZ = back();
+    const double slopeY = tangent() / margin;
+    const double slopeX = slopeY * aspect;
+
+    Slab x, y, z, positiveX, negativeX, positiveY, negativeY;
+    for (const Vec3& point : points) {
+        const double px = point.dot(axisX), py = point.dot(axisY), pz = point.dot(axisZ);
+        x.add(px);
+        y.add(py);
+        z.add(pz);
+        positiveX.add(px + slopeX * pz);
+        negativeX.add(-px + slopeX * pz);
+        positiveY.add(py + slopeY * pz);
+        negativeY.add(-py + slopeY * pz);
+    }
+
+    double centreX = x.middle(), centreY = y.middle();
+    if (orthographic) {
+        distance = std::max({x.half() / slopeX, y.half() / slopeY, nearest});
+    } else {
+        centreX = 0.5 * (positiveX.high - negativeX.high);
+        centreY = 0.5 * (positiveY.high - negativeY.high);
+        const double eye = std::max(0.5 * (positiveX.high + negativeX.high) / slopeX,
+                                    0.5 * (positiveY.high + negativeY.high) / slopeY);
+        distance = std::max(eye - z.middle(), nearest);
+    }
+    if (x.half() + y.half() + z.half() == 0.0)
+        distance = 1.0; // a single particle
+    focus = centreX * axisX + centreY * axisY + z.middle() * axisZ;
+}
+
+Eigen::Matrix4d Turntable::projection(double aspect) const
+{
+    Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+    view.block<1, 3>(0, 0) = right().transpose();
+    view.block<1, 3>(1, 0) = up().transpose();
+    view.block<1, 3>(2, 0) = back().transpose();
+    view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * eye();
+
+    const double scale = orthographic ? 1.0 / halfHeight() : 1.0 / tangent();
+    Eigen::Matrix4d lens = Eigen::Matrix4d::Zero();
+    lens(0, 0) = scale / aspect;
+    lens(1, 1) = scale;
+    lens(2, 2) = -1.0; // depth, m; VTK makes its own for the depth buffer
+    if (orthographic)
+        lens(3, 3) = 1.0;
+    else
+        lens(3, 2) = -1.0;
+    return lens * view;
+}
+
+} // namespace ripstop

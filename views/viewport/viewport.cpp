@@ -1,0 +1,374 @@
+#include "viewport/viewport.h"
+
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "viewport/compass.h"
+#include "viewport/legend.h"
+#include "viewport/picker.h"
+#include "viewport/scene_frame.h"
+#include "viewport/stage.h"
+#include "viewport/vtk_widget.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr int corner = 12; // pixels between the edge and what lies over the view
+constexpr double zoomPerNotch = 0.85;
+
+// What a following camera keeps in place: the fabric, or the network where there is none.
+Vec3 middleOf(const Frame& frame)
+{
+    Vec3 sum = Vec3::Zero();
+    double count = 0.0;
+    for (std::size_t i = 0; i < frame.gone.size(); ++i)
+        if (!frame.gone[i])
+            for (const int particle : frame.layout->panelCorners[i]) {
+                sum += frame.position[particle];
+                count += 1.0;
+            }
+    for (std::size_t i = 0; count == 0.0 && i < frame.position.size(); ++i)
+        sum += frame.position[i] / double(frame.position.size());
+    return count > 0.0 ? Vec3(sum / count) : sum;
+}
+
+Vec3 windOf(const Scene& scene)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const Entry& entry : scene.items)
+        if (const Wind* wind = std::get_if<Wind>(&entry.item))
+            sum += wind->velocity;
+    return sum;
+}
+
+} // namespace
+
+class Viewport::Private
+{
+public:
+    Private(Viewport& widget, Document& openDocument, Selection& openSelection, Player& openPlayer)
+        : document(openDocument)
+        , selection(openSelection)
+        , player(openPlayer)
+        , screen(&widget)
+        , stage(screen.window())
+        , legend(&widget)
+        , compass(&widget)
+    {
+        camera.look(PresetView::Iso);
+    }
+
+    double aspect() const
+    {
+        return screen.height() > 0 ? double(screen.width()) / screen.height() : 1.0;
+    }
+    void sceneReplaced();
+    void sceneChanged(const Edit& edit);
+    void showDesign();
+    void prepare();
+    void place();
+    void moveWith(const Frame& frame);
+    void fitNow();
+
+    Document& document;
+    Selection& selection;
+    Player& player;
+    Turntable camera;
+    VtkWidget screen;
+    Stage stage;
+    Legend legend;
+    Compass compass;
+
+    Pickable pickable{.particles = true, .links = true, .panels = true};
+    bool untouched = true;        // the camera still shows everything, as nobody has moved it
+    std::optional<Vec3> followed; // m, where the middle was, when following
+    QPointF pressed;
+    QPointF last;
+    bool dragging = false;
+};
+
+// --- frames and scene ------------------------------------------------------------------------
+
+void Viewport::Private::showDesign()
+{
+    stage.show(sceneFrame(document.scene()));
+    stage.sceneChanged();
+}
+
+void Viewport::Private::sceneReplaced()
+{
+    untouched = true;
+    followed.reset();
+    camera.look(PresetView::Iso);
+    showDesign();
+    fitNow();
+}
+
+void Viewport::Private::sceneChanged(const Edit& edit)
+{
+    // a design that cannot run sends no frames, but must show what was done to it
+    if (!player.frame() || !player.problem().isEmpty())
+        showDesign();
+    else if (changesLook(edit))
+        stage.sceneChanged();
+}
+
+void Viewport::Private::prepare()
+{
+    stage.setPixelRatio(screen.devicePixelRatioF());
+    stage.prepare(document.scene());
+    compass.setWind(windOf(document.scene()));
+    legend.setScale(stage.colorBy(), stage.range(), stage.colors());
+    place();
+}
+
+void Viewport::Private::place()
+{
+    legend.move(screen.width() - legend.width() - corner, corner);
+    compass.move(corner, screen.height() - compass.height() - corner);
+    compass.setCamera(camera);
+    stage.place(camera);
+}
+
+void Viewport::Private::moveWith(const Frame& frame)
+{
+    if (!followed)
+        return;
+    const Vec3 middle = middleOf(frame);
+    if (!middle.allFinite())
+        return;
+    camera.focus += middle - *followed;
+    followed = middle;
+}
+
+void Viewport::Private::fitNow()
+{
+    stage.prepare(document.scene());
+    camera.fit(stage.shownPoints(document.scene()), aspect());
+    if (followed && stage.frame())
+        followed = middleOf(*stage.frame());
+    screen.update();
+}
+
+// --- the widget ------------------------------------------------------------------------------
+
+Viewport::Viewport(Document& document, Selection& selection, Player& player, QWidget* parent)
+    : QWidget(parent)
+    , d(std::make_unique<Private>(*this, document, selection, player))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(200, 150);
+    d->legend.raise();
+    d->compass.raise();
+    d->screen.beforePainting = [this] { d->prepare(); };
+
+    connect(&document, &Document::replaced, this, [this] { d->sceneReplaced(); });
+    connect(&document, &Document::changed, this, [this](const Edit& edit) {
+        d->sceneChanged(edit);
+        d->screen.update();
+    });
+    connect(&selection, &Selection::changed, this, [this] {
+        d->stage.setSelected(d->selection.ids());
+        d->screen.update();
+    });
+    connect(&player, &Player::frameReady, this,
+            [this](const std::shared_ptr<const Frame>& frame) { show(frame); });
+
+    setTheme(Theme::from(palette()));
+    if (player.frame())
+        d->stage.show(player.frame());
+    else
+        d->showDesign();
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::show(std::shared_ptr<const Frame> frame)
+{
+    d->moveWith(*frame);
+    d->stage.show(std::move(frame));
+    d->screen.update();
+}
+
+ColorBy Viewport::colorBy() const { return d->stage.colorBy(); }
+
+void Viewport::setColorBy(ColorBy colorBy)
+{
+    d->stage.setColorBy(colorBy);
+    d->screen.update();
+}
+
+void Viewport::setFixedRange(std::optional<ValueRange> range)
+{
+    d->stage.setFixedRange(range);
+    d->screen.update();
+}
+
+ValueRange Viewport::range() const { return d->stage.range(); }
+
+const Legend& Viewport::legend() const { return d->legend; }
+
+void Viewport::setPanelsShown(bool shown)
+{
+    d->pickable.panels = shown;
+    d->stage.setPanelsShown(shown);
+    d->screen.update();
+}
+
+void Viewport::setLinksShown(bool shown)
+{
+    d->pickable.links = shown;
+    d->stage.links.setShown(shown);
+    d->screen.update();
+}
+
+void Viewport::setParticlesShown(bool shown)
+{
+    d->pickable.particles = shown;
+    d->stage.particles.setShown(shown);
+    d->screen.update();
+}
+
+void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
+
+void Viewport::setTheme(const Theme& theme)
+{
+    d->stage.setTheme(theme);
+    d->legend.setTheme(theme);
+    d->compass.setTheme(theme);
+    d->screen.update();
+}
+
+void Viewport::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange)
+        setTheme(Theme::from(palette()));
+    QWidget::changeEvent(event);
+}
+
+void Viewport::resizeEvent(QResizeEvent*)
+{
+    d->screen.setGeometry(rect());
+    if (d->untouched)
+        d->fitNow();
+    d->place();
+}
+
+QImage Viewport::image()
+{
+    QImage picture = d->screen.grabFramebuffer();
+    if (picture.isNull())
+        return picture;
+    picture.setDevicePixelRatio(d->screen.devicePixelRatioF());
+    QPainter painter(&picture);
+    for (QWidget* overlay : {static_cast<QWidget*>(&d->legend), static_cast<QWidget*>(&d->compass)})
+        if (!overlay->isHidden())
+            overlay->render(&painter, overlay->pos(), {}, QWidget::RenderFlags{});
+    return picture;
+}
+
+// --- camera ----------------------------------------------------------------------------------
+
+const Turntable& Viewport::camera() const { return d->camera; }
+
+void Viewport::fit()
+{
+    d->untouched = true;
+    d->fitNow();
+    emit cameraChanged();
+}
+
+void Viewport::view(PresetView preset)
+{
+    d->camera.look(preset);
+    fit();
+}
+
+void Viewport::setFollow(bool follow)
+{
+    d->followed.reset();
+    if (follow && d->stage.frame()) {
+        d->followed = middleOf(*d->stage.frame());
+        d->camera.focus = *d->followed;
+        d->untouched = false;
+    }
+    d->screen.update();
+    emit cameraChanged();
+}
+
+void Viewport::setOrthographic(bool orthographic)
+{
+    d->camera.orthographic = orthographic;
+    d->screen.update();
+    emit cameraChanged();
+}
+
+Id Viewport::pick(QPointF place)
+{
+    d->stage.prepare(d->document.scene());
+    if (!d->stage.frame())
+        return noId;
+    const Picker picker{*d->stage.frame(), d->stage.look(),           d->document.scene(),
+                        d->camera,         double(d->screen.width()), double(d->screen.height()),
+                        d->pickable};
+    return picker.at(place.x(), place.y());
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event)
+{
+    d->pressed = d->last = event->position();
+    d->dragging = false;
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event)
+{
+    // a hand trembles while it clicks
+    if ((event->position() - d->pressed).manhattanLength() >= QApplication::startDragDistance())
+        d->dragging = true;
+    if (!d->dragging)
+        return;
+    const QPointF step = event->position() - d->last;
+    d->last = event->position();
+    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+    if (event->buttons().testFlag(Qt::LeftButton) && !shift)
+        d->camera.orbit(step.x(), step.y());
+    else
+        d->camera.pan(step.x(), step.y(), height());
+    d->untouched = false;
+    d->screen.update();
+    emit cameraChanged();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (d->dragging || event->button() != Qt::LeftButton)
+        return;
+    const Id id = pick(event->position());
+    const bool adds = event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
+    if (adds && id != noId)
+        d->selection.toggle(id);
+    else if (!adds)
+        d->selection.set(id != noId ? std::vector{id} : std::vector<Id>{});
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    const double notches = event->angleDelta().y() / 120.0;
+    const double x = 2.0 * event->position().x() / width() - 1.0;
+    const double y = 1.0 - 2.0 * event->position().y() / height();
+    // a following camera keeps its object in the middle
+    const bool centred = d->followed.has_value();
+    d->camera.zoom(std::pow(zoomPerNotch, notches), centred ? 0.0 : x, centred ? 0.0 : y,
+                   d->aspect());
+    d->untouched = false;
+    d->screen.update();
+    emit cameraChanged();
+}
+
+} // namespace ripstop

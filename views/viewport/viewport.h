@@ -1,0 +1,82 @@
+// The 3D view.
+//
+// Left drag turns it, middle or Shift + left drag moves it, the wheel moves in towards the cursor.
+// A click selects the particle, link, panel or collider under the cursor; with Shift or Ctrl it
+// adds to the selection or takes away.
+#pragma once
+
+#include "scene/id.h"
+#include "viewport/quantity_values.h"
+#include "viewport/steady_range.h"
+#include "viewport/theme.h"
+#include "viewport/turntable.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace ripstop {
+
+class Document;
+class Legend;
+class Player;
+class Selection;
+
+class Viewport final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    Viewport(Document& document, Selection& selection, Player& player, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    // Shows this instant until the next one; the player's frames come by themselves.
+    void show(std::shared_ptr<const Frame> frame);
+    using QWidget::show;
+
+    ColorBy colorBy() const;
+    void setColorBy(ColorBy colorBy);
+
+    // In the unit of the quantity (strain: 1). Without one the range follows the values.
+    void setFixedRange(std::optional<ValueRange> range);
+    ValueRange range() const; // what the colours mean now
+    const Legend& legend() const;
+
+    void setPanelsShown(bool shown);
+    void setLinksShown(bool shown);
+    void setParticlesShown(bool shown);
+    void setWindShown(bool shown);
+
+    void fit(); // everything that is shown
+    void view(PresetView preset);
+    void setFollow(bool follow); // the camera goes with the fabric
+    void setOrthographic(bool orthographic);
+    const Turntable& camera() const;
+
+    // Also chosen by itself whenever the palette changes.
+    void setTheme(const Theme& theme);
+
+    // The view as it is now, with legend and compass, in device pixels.
+    QImage image();
+
+    Id pick(QPointF place); // noId when nothing is there
+
+signals:
+    void cameraChanged();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    class Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace ripstop

@@ -1,0 +1,108 @@
+#include "viewport/vtk_widget.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+
+#include <vtkCommand.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+
+namespace ripstop {
+namespace {
+
+// VTK asks these two questions many times per picture.
+struct ContextBridge : vtkCommand
+{
+    static ContextBridge* New() { return new ContextBridge; }
+
+    void Execute(vtkObject*, unsigned long event, void* data) override
+    {
+        QOpenGLContext* context = widget->context();
+        const bool current = context && QOpenGLContext::currentContext() == context;
+        if (event == vtkCommand::WindowIsCurrentEvent)
+            *static_cast<bool*>(data) = current;
+        else if (context && !current)
+            // Not widget->makeCurrent(): that also binds Qt's framebuffer, behind the back of
+            // VTK's record of what is bound, and VTK then draws into the wrong one.
+            context->makeCurrent(context->surface());
+    }
+
+    QOpenGLWidget* widget = nullptr;
+};
+
+} // namespace
+
+VtkWidget::VtkWidget(QWidget* parent)
+    : QOpenGLWidget(parent)
+{
+    vtkNew<ContextBridge> bridge;
+    bridge->widget = this;
+    m_window->AddObserver(vtkCommand::WindowMakeCurrentEvent, bridge);
+    m_window->AddObserver(vtkCommand::WindowIsCurrentEvent, bridge);
+    m_window->SetOwnContext(false);
+    m_window->SetReadyForRendering(false); // until initializeGL
+    m_window->SetFrameBlitModeToNoBlit();  // paintGL does it
+    m_window->SetMultiSamples(4);
+}
+
+VtkWidget::~VtkWidget()
+{
+    disconnect(m_contextDies);
+    if (context())
+        release();
+    m_window->RemoveAllObservers();
+}
+
+// VTK must let go of its buffers while their context is still there.
+void VtkWidget::release()
+{
+    makeCurrent();
+    m_window->Finalize();
+    m_window->SetReadyForRendering(false);
+    doneCurrent();
+}
+
+// Also called again after the widget has moved to another window: Qt then makes a new context.
+void VtkWidget::initializeGL()
+{
+    m_window->SetReadyForRendering(true);
+    m_window->OpenGLInitContext();
+    m_contextDies =
+        connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release);
+}
+
+void VtkWidget::resizeGL(int width, int height)
+{
+    const QSize pixels = QSize(width, height) * devicePixelRatioF();
+    m_window->SetSize(pixels.width(), pixels.height());
+}
+
+void VtkWidget::paintGL()
+{
+    if (beforePainting)
+        beforePainting();
+    m_window->Render();
+    copyToWidget();
+}
+
+void VtkWidget::copyToWidget()
+{
+    QOpenGLExtraFunctions* gl = context()->extraFunctions();
+    const GLenum target = GL_COLOR_ATTACHMENT0;
+    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    gl->glDrawBuffers(1, &target);
+    const int* size = m_window->GetRenderFramebuffer()->GetLastSize();
+    m_window->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, size[0], size[1],
+                                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
+
+    // VTK leaves alpha 0 in the background, through which the desktop would shine.
+    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    vtkOpenGLState* state = m_window->GetState();
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglColorMask(false, false, false, true);
+    state->vtkglClearColor(0, 0, 0, 1);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    state->vtkglColorMask(true, true, true, true);
+}
+
+} // namespace ripstop

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QOpenGLWidget>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+#include <functional>
+
+namespace ripstop {
+
+// A Qt widget that shows a VTK render window. It only paints: the mouse belongs to its parent.
+//
+// VTK has such a widget of its own, but a packaged VTK is often built against another major
+// version of Qt than ours; this one needs nothing of VTK beyond its OpenGL backend.
+class VtkWidget final : public QOpenGLWidget
+{
+    Q_OBJECT
+
+public:
+    explicit VtkWidget(QWidget* parent = nullptr);
+    ~VtkWidget() override;
+
+    vtkRenderWindow& window() { return *m_window.Get(); }
+
+    // Called before each picture, so that many changes between two pictures cost one.
+    std::function<void()> beforePainting;
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+
+private:
+    void copyToWidget();
+    void release();
+
+    vtkNew<vtkGenericOpenGLRenderWindow> m_window;
+    QMetaObject::Connection m_contextDies;
+};
+
+} // namespace ripstop
