@@ -28,7 +28,7 @@ static const QList<Room> namedRooms = {
     {"model/compile",  {"base", "scene", "sim"},                                     {"Eigen/"},  {}},
     {"model/run",      {"base", "scene", "sim", "compile", "measure"},               {"Eigen/"},  {}},
     {"model/io",       {"base", "scene", "run"},                                     {"Eigen/"},  json + posix},
-    {"views/document", {"base", "scene", "compile", "run", "io"},                    {"Q"},       {}},
+    {"views/document", {"base", "scene", "compile", "run", "io"},                    {"Q"},       {"Eigen/"}},
     {"views/viewport", {"base", "scene", "run", "document", "icons"},                {"Q", "vtk"}, {"Eigen/"}},
     {"app/cli",        {"base", "scene", "builders", "sim", "compile", "measure", "run", "io"},
                                                                                      {"Eigen/"},  json + posix + QStringList{"CLI/"}},
@@ -75,10 +75,11 @@ static QList<Room> allRooms()
         const QString name = path.section('/', 1);
         everything << name;
         if (path.startsWith("views/") && !isNamed(path))
-            rooms.append({path,
-                          viewsMayInclude + viewsMayAlsoInclude.value(name),
-                          {"Q"},
-                          name == "plots" ? QStringList{"qcustomplot.h"} : QStringList{}});
+            rooms.append(
+                {path,
+                 viewsMayInclude + viewsMayAlsoInclude.value(name),
+                 {"Q"},
+                 name == "plots" ? QStringList{"Eigen/", "qcustomplot.h"} : QStringList{"Eigen/"}});
     }
     rooms.append({"app/editor", everything, {"Q"}, {}});
     return rooms;
