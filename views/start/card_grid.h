@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+namespace ripstop {
+
+class Card;
+
+// Cards in rows, as many to a row as fit. Arrow keys move from card to card.
+class CardGrid final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CardGrid(QWidget* parent = nullptr);
+
+    void add(Card* card);
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    int columns(int width) const;
+    void place();
+
+    std::vector<Card*> m_cards;
+};
+
+} // namespace ripstop

@@ -1,0 +1,201 @@
+#include "start/start_page.h"
+
+#include "builders/builder.h"
+#include "icons/icon.h"
+#include "start/card.h"
+#include "start/card_grid.h"
+#include "start/samples.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ripstop {
+namespace {
+
+constexpr int sideWidth = 240; // px
+constexpr int mostRecent = 8;
+
+QLabel* heading(const QString& text)
+{
+    auto* label = new QLabel(text);
+    QFont font = label->font();
+    font.setWeight(QFont::DemiBold);
+    font.setPointSizeF(1.15 * font.pointSizeF());
+    label->setFont(font);
+    return label;
+}
+
+// A line of text that can be clicked.
+QToolButton* entry(const QString& text, const QString& iconName, const QString& toolTip)
+{
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setIcon(icon(iconName));
+    button->setIconSize({18, 18});
+    button->setToolTip(toolTip);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+} // namespace
+
+StartPage::StartPage(QWidget* parent)
+    : QWidget(parent)
+{
+    auto* page = new QWidget;
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(28);
+    columns->addWidget(side());
+    columns->addWidget(samples(), 1);
+    auto* content = new QVBoxLayout(page);
+    content->setContentsMargins(28, 22, 28, 22);
+    content->setSpacing(18);
+    content->addWidget(banner());
+    content->addLayout(columns, 1);
+
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidget(page);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(area);
+    setRecent({});
+}
+
+QWidget* StartPage::banner()
+{
+    auto* picture = new QLabel;
+    picture->setPixmap(applicationIcon().pixmap(QSize(48, 48), devicePixelRatioF()));
+    auto* name = new QLabel(tr("Ripstop"));
+    QFont large = name->font();
+    large.setPointSizeF(2.0 * large.pointSizeF());
+    large.setWeight(QFont::DemiBold);
+    name->setFont(large);
+    auto* line = new QLabel(tr("Fabric that flies: kites, hang gliders, parachutes, cloth."));
+    line->setForegroundRole(QPalette::PlaceholderText);
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    words->addWidget(name);
+    words->addWidget(line);
+    auto* whole = new QWidget;
+    auto* layout = new QHBoxLayout(whole);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(14);
+    layout->addWidget(picture);
+    layout->addLayout(words);
+    layout->addStretch(1);
+    return whole;
+}
+
+QWidget* StartPage::side()
+{
+    auto* newScene = new QPushButton(icon(QStringLiteral("new")), tr("New scene"));
+    newScene->setObjectName(QStringLiteral("new"));
+    newScene->setToolTip(tr("An empty scene with a ground and air"));
+    auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open\u2026"));
+    open->setObjectName(QStringLiteral("open"));
+    open->setToolTip(tr("A scene from a file"));
+    connect(newScene, &QPushButton::clicked, this, &StartPage::newRequested);
+    connect(open, &QPushButton::clicked, this, &StartPage::browseRequested);
+
+    m_noRecent = new QLabel(tr("Files that you open will be listed here."));
+    m_noRecent->setForegroundRole(QPalette::PlaceholderText);
+    m_noRecent->setWordWrap(true);
+    m_recent = new QVBoxLayout;
+    m_recent->setSpacing(1);
+
+    auto* whole = new QWidget;
+    whole->setFixedWidth(sideWidth);
+    auto* layout = new QVBoxLayout(whole);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(newScene);
+    layout->addWidget(open);
+    layout->addSpacing(14);
+    layout->addWidget(heading(tr("Recent")));
+    layout->addWidget(m_noRecent);
+    layout->addLayout(m_recent);
+    layout->addSpacing(14);
+    layout->addWidget(heading(tr("Build")));
+    layout->addWidget(builders());
+    layout->addStretch(1);
+    return whole;
+}
+
+QWidget* StartPage::builders()
+{
+    auto* whole = new QWidget;
+    auto* layout = new QVBoxLayout(whole);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
+    for (const Builder& builder : allBuilders()) {
+        const QString name = QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size()));
+        const auto text = [](std::string_view words) {
+            return QString::fromUtf8(words.data(), qsizetype(words.size()));
+        };
+        QToolButton* button = entry(text(builder.label) + QStringLiteral("\u2026"),
+                                    QStringLiteral("builder"), text(builder.help));
+        button->setObjectName(QStringLiteral("build ") + name);
+        connect(button, &QToolButton::clicked, this, [this, name] { emit builderRequested(name); });
+        layout->addWidget(button);
+    }
+    return whole;
+}
+
+QWidget* StartPage::samples()
+{
+    auto* whole = new QWidget;
+    auto* layout = new QVBoxLayout(whole);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(heading(tr("Samples")));
+    auto* grid = new CardGrid;
+    const QStringList files = sampleFiles();
+    for (const QString& file : files) {
+        const Sample sample = readSample(file);
+        auto* card = new Card(sample.title, sample.note, pictureOf(sample), QStringLiteral("part"));
+        card->setObjectName(QStringLiteral("sample ") + sample.name);
+        connect(card, &Card::clicked, this, [this, file] { emit openRequested(file); });
+        grid->add(card);
+    }
+    layout->addWidget(grid);
+    if (files.isEmpty()) {
+        auto* none = new QLabel(tr("The folder \"scenes\" with the samples is not beside the "
+                                   "program. The designs can still be built, at the left."));
+        none->setForegroundRole(QPalette::PlaceholderText);
+        none->setWordWrap(true);
+        layout->addWidget(none);
+    }
+    layout->addStretch(1);
+    return whole;
+}
+
+void StartPage::setRecent(const QStringList& files)
+{
+    while (QLayoutItem* old = m_recent->takeAt(0)) {
+        delete old->widget();
+        delete old;
+    }
+    for (const QString& file : files.mid(0, mostRecent)) {
+        QToolButton* button =
+            entry(QFileInfo(file).fileName().remove(QStringLiteral(".ripstop.json")),
+                  QStringLiteral("recent"), QDir::toNativeSeparators(file));
+        button->setObjectName(QStringLiteral("recent ") + file);
+        button->setEnabled(QFileInfo::exists(file));
+        if (!button->isEnabled())
+            button->setToolTip(tr("%1 is gone.").arg(QDir::toNativeSeparators(file)));
+        connect(button, &QToolButton::clicked, this, [this, file] { emit openRequested(file); });
+        m_recent->addWidget(button);
+    }
+    m_noRecent->setVisible(files.isEmpty());
+}
+
+} // namespace ripstop

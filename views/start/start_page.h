@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace ripstop {
+
+// What one sees before a scene is open: the samples with their pictures, the files that were open
+// lately, and the ways to something new.
+class StartPage final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StartPage(QWidget* parent = nullptr);
+
+    void setRecent(const QStringList& files); // the newest first
+
+signals:
+    void openRequested(const QString& file);
+    void newRequested();
+    void browseRequested();
+    void builderRequested(const QString& builder); // its name in the table of builders
+
+private:
+    QWidget* banner();
+    QWidget* side();
+    QWidget* samples();
+    QWidget* builders();
+
+    QLabel* m_noRecent = nullptr;
+    QVBoxLayout* m_recent = nullptr;
+};
+
+} // namespace ripstop

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+class QKeyEvent;
+class QWidget;
+
+namespace ripstop {
+
+class Document;
+class Player;
+
+// Lets the keys of the controls steer, wherever the focus is: install it on the application.
+//
+// A press moves the control by one step, and so does each repeat of a key that is held. Keys keep
+// their usual meaning in dialogs, menus and wherever text is typed; and, while the design is shown
+// rather than a run, in lists, trees and sliders too.
+class ControlKeys final : public QObject
+{
+    Q_OBJECT
+
+public:
+    ControlKeys(Document& document, Player& player, QObject* parent = nullptr);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    bool maySteer(QObject* watched) const;
+    bool isRunning() const;
+    bool steer(const QKeyEvent& key, bool press); // true when the key is that of a control
+
+    Document& m_document;
+    Player& m_player;
+};
+
+} // namespace ripstop

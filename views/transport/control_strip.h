@@ -1,0 +1,48 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+
+namespace ripstop {
+
+class Document;
+class Player;
+class ValueBar;
+
+// The controls of the scene, one row each: its name, its keys as buttons, and how far it has moved.
+class ControlStrip final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ControlStrip(Document& document, Player& player, QWidget* parent = nullptr);
+
+private:
+    struct Row
+    {
+        Id control;
+        ValueBar* bar;
+    };
+
+    void refresh(); // the controls themselves
+    void rebuild();
+    void addRow(Id id, const Control& control);
+    QWidget* nudgeButton(Id id, const Control& control, int direction);
+    void showValues();
+
+    Document& m_document;
+    Player& m_player;
+    std::vector<Entry> m_controls; // as the rows show them
+    std::vector<Row> m_rows;
+    QWidget* m_body = nullptr;
+    QGridLayout* m_grid = nullptr;
+    QLabel* m_empty;
+};
+
+} // namespace ripstop

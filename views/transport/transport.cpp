@@ -1,0 +1,171 @@
+#include "transport/transport.h"
+
+#include "document/document.h"
+#include "document/player.h"
+#include "icons/icon.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+
+namespace ripstop {
+namespace {
+
+constexpr std::array speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0}; // simulated seconds per second
+constexpr double asFastAsItCan = 0.0;                       // as Player::setSpeed() has it
+constexpr double keepsUp = 0.9;                             // of the speed that was asked for
+
+QString ratioText(double ratio, int decimals)
+{
+    return QLocale().toString(ratio, 'f', decimals) + QChar(0x00d7); // multiplication sign
+}
+
+QString speedText(double speed)
+{
+    return speed == asFastAsItCan ? Transport::tr("as fast as possible")
+                                  : QLocale().toString(speed) + QChar(0x00d7);
+}
+
+// A label that does not push its neighbours about when its digits change.
+QLabel* steadyLabel(const QString& widest, const QString& toolTip)
+{
+    auto* label = new QLabel;
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest));
+    label->setToolTip(toolTip);
+    return label;
+}
+
+} // namespace
+
+Transport::Transport(Document& document, Player& player, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_player(player)
+    , m_reset(button("reset", tr("Reset"),
+                     tr("Back to the design: the run is thrown away, controls return to zero.")))
+    , m_step(button("step", tr("Step"),
+                    tr("One time step, then pause. Repeats while it is held down.")))
+    , m_play(button("play", tr("Play"), {}))
+    , m_speed(new QComboBox)
+    , m_badge(new QLabel)
+    , m_time(steadyLabel(QStringLiteral("00000.000 s"), tr("Simulated time since the start")))
+    , m_ratio(steadyLabel(QStringLiteral("000.00x"), {}))
+{
+    m_badge->setObjectName(QStringLiteral("mode"));
+    m_badge->setAlignment(Qt::AlignCenter);
+    m_time->setObjectName(QStringLiteral("time"));
+    m_ratio->setObjectName(QStringLiteral("ratio"));
+    m_step->setAutoRepeat(true);
+    fillSpeeds();
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(6, 2, 6, 2);
+    layout->setSpacing(4);
+    layout->addWidget(m_reset);
+    layout->addWidget(m_step);
+    layout->addWidget(m_play);
+    layout->addSpacing(6);
+    layout->addWidget(m_speed);
+    layout->addSpacing(10);
+    layout->addWidget(m_badge);
+    layout->addWidget(m_time);
+    layout->addWidget(m_ratio);
+    layout->addStretch(1);
+
+    connect(m_reset, &QToolButton::clicked, &player, &Player::reset);
+    connect(m_step, &QToolButton::clicked, &player, &Player::step);
+    connect(m_play, &QToolButton::clicked, &player, &Player::toggle);
+    connect(m_speed, &QComboBox::activated, this,
+            [this] { m_player.setSpeed(m_speed->currentData().toDouble()); });
+    connect(&player, &Player::stateChanged, this, &Transport::refresh);
+    connect(&player, &Player::frameReady, this, &Transport::refreshRun);
+    connect(&document, &Document::replaced, this, &Transport::refresh);
+    refresh();
+}
+
+QToolButton* Transport::button(const char* name, const QString& text, const QString& toolTip)
+{
+    auto* made = new QToolButton(this);
+    made->setObjectName(QLatin1String(name));
+    made->setIcon(icon(QLatin1String(name)));
+    made->setText(text);
+    made->setAccessibleName(text);
+    made->setToolTip(toolTip);
+    made->setIconSize({20, 20});
+    made->setAutoRaise(true);
+    return made;
+}
+
+void Transport::fillSpeeds()
+{
+    m_speed->setObjectName(QStringLiteral("speed"));
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("Simulated seconds per second of the clock"));
+    for (const double speed : speeds)
+        m_speed->addItem(speedText(speed), speed);
+    m_speed->addItem(speedText(asFastAsItCan), asFastAsItCan);
+}
+
+void Transport::refresh()
+{
+    const bool playing = m_player.isPlaying();
+    m_play->setIcon(icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+    m_play->setText(playing ? tr("Pause") : tr("Play"));
+    m_play->setAccessibleName(m_play->text());
+    m_play->setToolTip(playing ? tr("Pause: the run stands still and can be played on.")
+                               : tr("Play: run the simulation from where it stands."));
+
+    int index = m_speed->findData(m_player.speed());
+    if (index < 0) { // set from elsewhere
+        m_speed->addItem(speedText(m_player.speed()), m_player.speed());
+        index = m_speed->count() - 1;
+    }
+    m_speed->setCurrentIndex(index);
+    refreshRun();
+}
+
+void Transport::refreshRun()
+{
+    const auto& frame = m_player.frame();
+    m_time->setText(tr("%1 s").arg(QLocale().toString(frame ? frame->time : 0.0, 'f', 3)));
+    m_reset->setEnabled(m_player.isPlaying() || (frame && frame->step > 0));
+    refreshRatio();
+    refreshBadge();
+}
+
+void Transport::refreshRatio()
+{
+    const auto& frame = m_player.frame();
+    const double asked = m_player.speed();
+    const double ratio = frame ? frame->realTimeRatio : 0.0;
+    const bool moves = m_player.isPlaying() && ratio > 0.0;
+    m_ratio->setText(moves ? ratioText(ratio, 2) : QString(QChar(0x2013))); // dash
+    const bool lags = moves && asked != asFastAsItCan && ratio < keepsUp * asked;
+    m_ratio->setToolTip(lags ? tr("Simulated seconds per second of the clock, lately: this machine "
+                                  "cannot reach the %1 that is asked for.")
+                                   .arg(speedText(asked))
+                             : tr("Simulated seconds per second of the clock, lately"));
+}
+
+void Transport::refreshBadge()
+{
+    const auto& frame = m_player.frame();
+    const bool stuck = frame && !frame->stopped.empty();
+    const bool runs = m_player.isPlaying() || (frame && frame->step > 0);
+    m_badge->setText(stuck ? tr("Stopped") : runs ? tr("Run") : tr("Edit"));
+    m_badge->setToolTip(stuck  ? QString::fromStdString(frame->stopped)
+                        : runs ? tr("Run: what you see is the simulation. Reset returns to the "
+                                    "design; properties can be edited in both.")
+                               : tr("Edit: what you see is the design. Play starts from here."));
+}
+
+void Transport::changeEvent(QEvent* event) { QWidget::changeEvent(event); }
+
+} // namespace ripstop

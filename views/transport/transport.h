@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace ripstop {
+
+class Document;
+class Player;
+
+// The bar that runs the simulation: back to the design, one step, play and pause, speed; and where
+// the run stands: the mode, the simulated time and how it keeps up with the clock.
+class Transport final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    Transport(Document& document, Player& player, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QToolButton* button(const char* name, const QString& text, const QString& toolTip);
+    void fillSpeeds();
+    void refresh();      // what the player is asked to do
+    void refreshRun();   // where the run stands
+    void refreshRatio(); // simulated seconds per second of the clock
+    void refreshBadge();
+
+    Document& m_document;
+    Player& m_player;
+    QToolButton* m_reset;
+    QToolButton* m_step;
+    QToolButton* m_play;
+    QComboBox* m_speed;
+    QLabel* m_badge;
+    QLabel* m_time;
+    QLabel* m_ratio;
+};
+
+} // namespace ripstop
