@@ -117,6 +117,7 @@ Json resultOf(const Case& benchmark, const System& system, const std::vector<dou
     const double least = times.front();
     const double projections =
         double(system.rods.size()) * double(system.substeps) * double(system.sweeps);
+    const double springVisits = double(system.springs.size()) * double(system.substeps);
     const auto perProjection = [&](double time) {
         return projections > 0.0 ? Json(1e9 * time / projections) : Json();
     };
@@ -134,7 +135,8 @@ Json resultOf(const Case& benchmark, const System& system, const std::vector<dou
             {"best_steps_per_second", 1.0 / least},
             {"real_time_ratio", system.timeStep / median},
             {"ns_per_rod_projection", perProjection(median)},
-            {"best_ns_per_rod_projection", perProjection(least)}};
+            {"best_ns_per_rod_projection", perProjection(least)},
+            {"ns_per_spring", springVisits > 0.0 ? Json(1e9 * median / springVisits) : Json()}};
 }
 
 std::string processor()

@@ -1,7 +1,31 @@
 #include "cli/commands.h"
 #include "cli/terminal.h"
+#include "scene/property.h"
 
 #include <exception>
+
+namespace ripstop {
+namespace {
+
+// CLI11 says "A subcommand is required" to a misspelt one.
+std::optional<std::string> unknownCommand(const CLI::App& app, const std::string& word)
+{
+    std::vector<std::string_view> names;
+    std::string list;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == word)
+            return std::nullopt;
+        names.push_back(command->get_name());
+        list += (list.empty() ? "" : ", ") + command->get_name();
+    }
+    const std::string_view near = nearest(word, names);
+    return "There is no command \"" + word + "\"; "
+           + (near.empty() ? "there are " + list + "."
+                           : "did you mean \"" + std::string(near) + "\"?");
+}
+
+} // namespace
+} // namespace ripstop
 
 int main(int argc, char** argv)
 {
@@ -29,6 +53,9 @@ int main(int argc, char** argv)
     addBench(app, chosen);
     addProperties(app, chosen);
 
+    if (argc > 1 && argv[1][0] != '-')
+        if (const auto message = unknownCommand(app, argv[1]))
+            return fail(wrongUsage, *message);
     try {
         app.parse(argc, argv);
         return chosen();
