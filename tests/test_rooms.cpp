@@ -28,10 +28,10 @@ static const QList<Room> namedRooms = {
     {"model/compile",  {"base", "scene", "sim"},                                     {"Eigen/"},  {}},
     {"model/run",      {"base", "scene", "sim", "compile", "measure"},               {"Eigen/"},  {}},
     {"model/io",       {"base", "scene", "run"},                                     {"Eigen/"},  json + posix},
-    {"views/document", {"base", "scene", "compile", "run", "io"},                    {"Q"},       {"Eigen/"}},
-    {"views/viewport", {"base", "scene", "run", "document", "icons"},                {"Q", "vtk"}, {"Eigen/"}},
+    {"views/document", {"base", "scene", "compile", "run", "io"},                    {"Q", "Eigen/"},        {}},
+    {"views/viewport", {"base", "scene", "run", "document", "icons"},                {"Q", "Eigen/", "vtk"}, {}},
     {"app/cli",        {"base", "scene", "builders", "sim", "compile", "measure", "run", "io"},
-                                                                                     {"Eigen/"},  json + posix + QStringList{"CLI/"}},
+                                                                                     {"Eigen/", "CLI/", "nlohmann/"}, posix},
     // clang-format on
 };
 
@@ -81,7 +81,7 @@ static QList<Room> allRooms()
                  {"Q"},
                  name == "plots" ? QStringList{"Eigen/", "qcustomplot.h"} : QStringList{"Eigen/"}});
     }
-    rooms.append({"app/editor", everything, {"Q"}, {}});
+    rooms.append({"app/editor", everything, {"Q", "Eigen/"}, {}});
     return rooms;
 }
 
