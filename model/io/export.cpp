@@ -35,9 +35,8 @@ Arrival advance(Simulation& simulation, double time, double begin, double end,
                 const Progress& progress)
 {
     constexpr int stepsBetweenReports = 50;
-    const auto steps =
-        std::llround((time - simulation.state().time) / simulation.system().timeStep);
-    for (long long i = 0; i < steps; ++i) {
+    const double timeStep = simulation.system().timeStep;
+    for (int i = 0; !hasReached(simulation.state().time, time, timeStep); ++i) {
         if (progress && i % stepsBetweenReports == 0
             && !progress((simulation.state().time - begin) / std::max(end - begin, 1e-9)))
             return Arrival::Cancelled;

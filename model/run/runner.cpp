@@ -40,6 +40,31 @@ private:
     double m_ratio = 0.0;
 };
 
+// When the next step of a paced run is due.
+class Timetable
+{
+public:
+    void restart() { m_due = Clock::now(); }
+    void setPlaying(bool playing)
+    {
+        if (playing && !m_playing)
+            restart(); // the time of a pause is not made up for
+        m_playing = playing;
+    }
+    void stepped(double timeStep, double speed)
+    {
+        m_due = speed > 0.0 ? m_due + seconds(timeStep / speed) : Clock::now();
+        m_due = std::max(m_due, Clock::now() - 100ms); // too slow for real time: do not chase it
+    }
+    bool isPlaying() const { return m_playing; }
+    bool isDue() const { return m_playing && Clock::now() >= m_due; }
+    Clock::duration left() const { return m_due - Clock::now(); }
+
+private:
+    Clock::time_point m_due = Clock::now();
+    bool m_playing = false;
+};
+
 } // namespace
 
 Runner::Runner()
@@ -95,7 +120,7 @@ void Runner::run(const std::stop_token& stop)
 {
     std::optional<Simulation> simulation;
     std::int64_t stepsDone = 0;
-    auto due = Clock::now();
+    Timetable timetable;
     auto framed = Clock::time_point();
     bool fresh = false; // there is something that no frame has shown
     Pace pace;
@@ -114,41 +139,41 @@ void Runner::run(const std::stop_token& stop)
                 simulation->load(std::move(next));
             else
                 simulation.emplace(std::move(next));
-            due = Clock::now();
+            timetable.restart();
             show();
         }
-        if (simulation)
-            if (const auto commands = m_commands.take())
-                simulation->command(*commands);
+        if (const auto commands = simulation ? m_commands.take() : nullptr)
+            simulation->command(*commands);
+        timetable.setPlaying(m_playing);
+        if (simulation && simulation->trouble())
+            stepsDone = m_stepsAsked; // steps that cannot be made are not made up for
 
+        double until = m_until;
         const double timeStep = simulation ? simulation->system().timeStep : 0.0;
         const bool catchingUp =
-            simulation && simulation->state().time < m_until.load() - 0.5 * timeStep;
+            simulation && !hasReached(simulation->state().time, until, timeStep);
         const bool asked = simulation && stepsDone < m_stepsAsked.load();
-        const bool onTime = m_playing && Clock::now() >= due;
+        const bool onTime = timetable.isDue();
         if (simulation && !simulation->trouble() && (catchingUp || asked || onTime)) {
             fresh = simulation->step();
-            if (catchingUp && simulation->state().time >= m_until.load() - 0.5 * timeStep)
-                m_until = -std::numeric_limits<double>::infinity();
+            // unless another time has been asked for meanwhile
+            if (catchingUp && hasReached(simulation->state().time, until, timeStep))
+                m_until.compare_exchange_strong(until, -std::numeric_limits<double>::infinity());
             if (asked)
                 ++stepsDone;
-            if (onTime) {
-                const double speed = m_speed;
-                due = speed > 0.0 ? due + seconds(timeStep / speed) : Clock::now();
-                due =
-                    std::max(due, Clock::now() - 100ms); // too slow for real time: do not chase it
-            }
+            if (onTime)
+                timetable.stepped(timeStep, m_speed);
             // Views take a frame every 16 ms; making more would only cost time.
             if (asked || simulation->trouble() || Clock::now() - framed > 8ms)
                 show();
             continue;
         }
-        if (fresh && (!m_playing || due - Clock::now() > 2ms))
+        if (fresh && (!timetable.isPlaying() || timetable.left() > 2ms))
             show();
 
+        const bool running = timetable.isPlaying() && simulation && !simulation->trouble();
         std::unique_lock lock(m_mutex);
-        const bool running = m_playing && simulation && !simulation->trouble();
-        const auto patience = running ? due - Clock::now() : Clock::duration(1s);
+        const auto patience = running ? timetable.left() : Clock::duration(1s);
         m_wake.wait_for(lock, stop, patience, [&] { return m_woken; });
         m_woken = false;
     }

@@ -34,6 +34,11 @@ std::shared_ptr<const Layout> layoutOf(const System& system)
 
 } // namespace
 
+bool hasReached(double time, double until, double timeStep)
+{
+    return time >= until - (0.5 + 1e-6) * timeStep;
+}
+
 Simulation::Simulation(std::shared_ptr<const System> system, int threads)
     : m_system(std::move(system))
     , m_layout(layoutOf(*m_system))
@@ -52,7 +57,8 @@ void Simulation::load(std::shared_ptr<const System> system)
 void Simulation::command(const Commands& commands)
 {
     for (std::size_t i = 0; i < m_system->inputs.size(); ++i)
-        if (const auto found = commands.find(m_system->inputs[i].key); found != commands.end())
+        if (const auto found = commands.find(m_system->inputs[i].key);
+            found != commands.end() && std::isfinite(found->second))
             m_state.inputCommand[i] =
                 std::clamp(found->second, -m_system->inputs[i].limit, m_system->inputs[i].limit);
 }
@@ -71,8 +77,7 @@ bool Simulation::step()
 
 bool Simulation::runUntil(double time)
 {
-    const auto steps = std::llround((time - m_state.time) / m_system->timeStep);
-    for (long long i = 0; i < steps; ++i)
+    while (!hasReached(m_state.time, time, m_system->timeStep))
         if (!step())
             return false;
     return true;

@@ -16,6 +16,10 @@ namespace ripstop {
 // what they were told before.
 using Commands = std::map<std::uint32_t, double>;
 
+// Whether the time step that is nearest to `until` has been reached. Midway between two steps it is
+// the earlier one, and round-off does not decide.
+bool hasReached(double time, double until, double timeStep); // s
+
 class Simulation
 {
 public:
@@ -30,7 +34,7 @@ public:
     // trouble() then says why.
     bool step();
 
-    // Steps until `time`, s, is reached; the number of whole steps is rounded.
+    // Steps until `time`, s, is reached, as hasReached() has it.
     bool runUntil(double time);
 
     const System& system() const { return *m_system; }

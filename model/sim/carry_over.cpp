@@ -28,23 +28,27 @@ private:
 // Spreads the motion of known particles along links until every tied particle has one.
 void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t>& placed)
 {
-    const auto follow = [&](std::size_t known, std::size_t unknown) {
-        carried.position[unknown] =
-            to.start.position[unknown] + carried.position[known] - to.start.position[known];
-        carried.velocity[unknown] = carried.velocity[known];
-        carried.drift[unknown] = carried.drift[known];
-        placed[unknown] = 1;
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        if (placed[i])
+            known.push_back(i);
+    const auto follow = [&](std::size_t from, const auto& link) {
+        const auto other = std::size_t(std::size_t(link.a) == from ? link.b : link.a);
+        if (placed[other])
+            return;
+        carried.position[other] =
+            to.start.position[other] + carried.position[from] - to.start.position[from];
+        carried.velocity[other] = carried.velocity[from];
+        carried.drift[other] = carried.drift[from];
+        placed[other] = 1;
+        known.push_back(other);
     };
-    for (bool spreading = true; spreading;) {
-        spreading = false;
-        for (const LinkPlace& link : to.links) {
-            const auto a = std::size_t(link.a);
-            const auto b = std::size_t(link.b);
-            if (placed[a] == placed[b])
-                continue;
-            placed[a] ? follow(a, b) : follow(b, a);
-            spreading = true;
-        }
+    for (std::size_t next = 0; next < known.size() && known.size() < placed.size(); ++next) {
+        const std::size_t from = known[next];
+        for (int k = to.springsAt.start[from]; k < to.springsAt.start[from + 1]; ++k)
+            follow(from, to.springs[std::size_t(to.springsAt.items[std::size_t(k)])]);
+        for (int k = to.rodsAt.start[from]; k < to.rodsAt.start[from + 1]; ++k)
+            follow(from, to.rods[std::size_t(to.rodsAt.items[std::size_t(k)])]);
     }
 }
 
@@ -87,6 +91,11 @@ State carryOver(const System& from, const State& state, const System& to)
             placed[j] = 1;
         }
     followNeighbours(to, carried, placed);
+    for (std::size_t j = 0; j < to.key.size(); ++j)
+        if (to.inverseMass[j] == 0.0) { // what has just been pinned stops, for the air as well
+            carried.velocity[j].setZero();
+            carried.drift[j].setZero();
+        }
     carryLinks(from, state, to, carried);
 
     const Matches panelOf(from.panelKey, [](Key key) { return key; });

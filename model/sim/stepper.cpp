@@ -31,8 +31,6 @@ void Stepper::prepare(const System& system, State& state)
     m_acceleration.resize(state.position.size());
     m_before.resize(state.position.size());
     m_predicted.resize(state.position.size());
-    if (system.integrator == Integrator::VelocityVerlet)
-        m_halfway.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     fillRestLengths(system, state, m_restLength);
@@ -107,18 +105,16 @@ void Stepper::predict(const System& system, State& state, double h)
                 x += h * v;
                 break;
             case Integrator::Verlet:
+            case Integrator::VelocityVerlet:
                 // x' = 2 x - previous + a h^2, Verlet 1967, with (x - previous) / h remembered
                 // instead of the previous position, which would lose digits far from the origin.
-                // The start previous = x - v h + a h^2 / 2 keeps it of second order.
+                // The start previous = x - v h + a h^2 / 2 keeps it of second order. Velocity
+                // Verlet goes the same way; from v at a full step it would count only half of the
+                // acceleration of what rods hold.
                 if (!state.started)
                     drift = v - (0.5 * h) * a;
                 drift += h * a;
                 x += h * drift;
-                break;
-            case Integrator::VelocityVerlet:
-                x += h * v + (0.5 * h * h) * a;
-                m_halfway[i] = v + (0.5 * h) * a;
-                v += h * a; // what drag and dampers see at the end of the step
                 break;
             }
             m_predicted[i] = x;
@@ -148,15 +144,21 @@ void Stepper::project(const System& system, State& state, double h, std::uint64_
 void Stepper::updateVelocities(const System& system, State& state, double h)
 {
     const double keep = std::exp(-system.viscosity * h);
-    const bool second = system.integrator == Integrator::VelocityVerlet;
     const bool verlet = system.integrator == Integrator::Verlet;
+    const bool second = system.integrator == Integrator::VelocityVerlet;
+    const auto correctionOf = [&](std::size_t i) -> Vec3 {
+        return state.position[i] - m_predicted[i];
+    };
     if (second) {
-        // Forces that depend on velocity keep the scheme of second order only if they see the
-        // velocity of the end of the step, which for a particle held by rods is the way it went.
+        // Drag and dampers keep the scheme of second order only if they see the velocity of the
+        // end of the step; for what rods hold, that is the way it went.
         m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i)
-                if (state.position[i] != m_predicted[i])
-                    state.velocity[i] = (state.position[i] - m_before[i]) / h;
+            for (std::size_t i = first; i < last; ++i) {
+                const Vec3 correction = correctionOf(i);
+                state.velocity[i] = state.drift[i]
+                                    + (correction.isZero(0.0) ? Vec3((0.5 * h) * m_acceleration[i])
+                                                              : Vec3(correction / h));
+            }
         });
         fillAccelerations(system, state);
     }
@@ -166,16 +168,14 @@ void Stepper::updateVelocities(const System& system, State& state, double h)
             if (system.inverseMass[i] == 0.0)
                 continue;
             Vec3& v = state.velocity[i];
-            const Vec3 correction = state.position[i] - m_predicted[i];
-            const bool free = correction.isZero(0.0);
-            if (verlet) {
-                state.drift[i] += correction / h;
+            const Vec3 correction = correctionOf(i);
+            if (verlet || second) {
                 // The half step of acceleration that turns the drift into the velocity of now is
                 // right for free motion only: at rest in a rod it would read as a fall.
-                v = free ? Vec3(state.drift[i] + (0.5 * h) * m_acceleration[i]) : state.drift[i];
-            } else if (second) {
-                if (free)
-                    v = m_halfway[i] + (0.5 * h) * m_acceleration[i];
+                state.drift[i] += correction / h;
+                v = state.drift[i];
+                if (correction.isZero(0.0))
+                    v += (0.5 * h) * m_acceleration[i];
             } else {
                 v += correction / h;
             }

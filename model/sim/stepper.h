@@ -33,7 +33,6 @@ private:
     std::vector<Vec3> m_acceleration; // [particles] m/s^2, of the forces, not of rods or contact
     std::vector<Vec3> m_before;       // [particles] m, at the start of the substep
     std::vector<Vec3> m_predicted;    // [particles] m, before projection
-    std::vector<Vec3> m_halfway;      // [particles] m/s, of velocity Verlet in the middle of a step
     std::vector<double> m_restLength; // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;  // [rods] m, before projection
 };

@@ -116,7 +116,10 @@ void finish(System& system)
     if (system.mass.empty())
         for (const double w : system.inverseMass)
             system.mass.push_back(w > 0.0 ? 1.0 / w : 0.0);
-    fill(system.panelKey, system.panels.size(), Key(0));
+    if (system.panelKey.empty()) {
+        system.panelKey.resize(system.panels.size());
+        std::iota(system.panelKey.begin(), system.panelKey.end(), Key(0));
+    }
 
     nameLinks(system);
     putRodsInOrder(system);

@@ -125,7 +125,7 @@ struct State
 
     std::vector<Vec3> position; // [particles] m
     std::vector<Vec3> velocity; // [particles] m/s
-    std::vector<Vec3> drift;    // [particles] m/s, (x - previous x) / h: the memory of Verlet
+    std::vector<Vec3> drift;    // [particles] m/s, (x - previous x) / h: what both Verlets remember
 
     std::vector<double> inputCommand; // [inputs] m, where the input is told to go
     std::vector<double> inputValue;   // [inputs] m, where it is

@@ -139,6 +139,31 @@ private slots:
         }
     }
 
+    // Every scheme gives rods the whole weight to carry.
+    void tensionInEveryScheme_data()
+    {
+        QTest::addColumn<Integrator>("integrator");
+        for (const Integrator integrator :
+             {Integrator::ExplicitEuler, Integrator::SemiImplicitEuler, Integrator::Verlet,
+              Integrator::VelocityVerlet})
+            QTest::addRow("K7 tension of a hang, %s",
+                          choiceNames<Integrator>[std::size_t(integrator)].data())
+                << integrator;
+    }
+    void tensionInEveryScheme()
+    {
+        QFETCH(Integrator, integrator);
+        System system = emptySystem(1.0 / 1000.0, integrator);
+        system.gravity = {0.0, -standardGravity, 0.0};
+        addPin(system, Vec3::Zero());
+        addParticle(system, {0.0, -1.0, 0.0}, 5.0);
+        addRod(system, 0, 1, 1.0);
+        finish(system);
+        const State state = run(system, 1000);
+        QVERIFY2(isNear(state.rodTension[0], 5.0 * standardGravity, 0.01 * 5.0 * standardGravity),
+                 told(state.rodTension[0], 5.0 * standardGravity));
+    }
+
     // What rests in rods rests: no noise from the order in which they are swept.
     void hangIsStill_data() { allSolvers("still"); }
     void hangIsStill()

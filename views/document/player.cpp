@@ -214,8 +214,9 @@ void Player::giveOrders()
 
 bool Player::hasArrived() const
 {
-    const double halfStep = 0.5 * m_document.scene().settings.timeStep;
-    return m_until && m_frame && m_frame->run == m_run && m_frame->time >= *m_until - halfStep;
+    const double timeStep = m_document.scene().settings.timeStep;
+    return m_until && m_frame && m_frame->run == m_run
+           && hasReached(m_frame->time, *m_until, timeStep);
 }
 
 void Player::halt()
