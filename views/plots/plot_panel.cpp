@@ -1,9 +1,339 @@
 #include "plots/plot_panel.h"
 
-namespace ripstop {
+#include "base/laws.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/words.h"
+#include "icons/icon.h"
+#include "icons/swatch.h"
+#include "plots/curve_color.h"
 
-PlotPanel::PlotPanel(Document&, Player&, QWidget* parent)
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSaveFile>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTextStream>
+#include <QTreeWidget>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr int redrawInterval = 33; // ms, about 30 pictures a second
+constexpr int listWidth = 210;     // px
+
+QLabel* hint(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setAlignment(Qt::AlignCenter);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setWordWrap(true);
+    return label;
+}
+
+QString shown(double value, const QString& unit)
+{
+    if (std::isnan(value))
+        return QString(QChar(0x2013)); // dash: nothing to read
+    const QString number = QLocale().toString(value, 'g', 4);
+    return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
+}
+
+QString csvField(QString text)
+{
+    if (text.contains(',') || text.contains('"') || text.contains('\n'))
+        text = QChar('"') + text.replace(QStringLiteral("\""), QStringLiteral("\"\"")) + QChar('"');
+    return text;
+}
+
+} // namespace
+
+PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     : QWidget(parent)
-{}
+    , m_document(document)
+    , m_player(player)
+    , m_pages(new QStackedWidget)
+    , m_list(new QTreeWidget)
+    , m_chartPages(new QStackedWidget)
+    , m_chart(new Chart)
+{
+    layOut();
+    m_redraw.setSingleShot(true);
+    m_redraw.setInterval(redrawInterval);
+    connect(&m_redraw, &QTimer::timeout, this, &PlotPanel::draw);
+    connect(&document, &Document::changed, this, &PlotPanel::refresh);
+    connect(&document, &Document::replaced, this, [this] {
+        m_history.clear();
+        refresh();
+    });
+    connect(&player, &Player::frameReady, this, &PlotPanel::take);
+    connect(m_list, &QTreeWidget::itemChanged, this, &PlotPanel::tick);
+    connect(m_chart, &Chart::followed, this, &PlotPanel::drawSoon);
+    connect(m_chart, &Chart::hovered, this, [this](std::optional<double> time) {
+        m_hovered = time;
+        showValues();
+    });
+    m_chart->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_chart, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& place) { showMenu(m_chart->mapToGlobal(place)); });
+    refresh();
+    if (player.frame())
+        take(player.frame());
+}
+
+void PlotPanel::layOut()
+{
+    m_list->setColumnCount(2);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setAccessibleName(tr("Probes"));
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_list->setToolTip(tr("Tick a probe to plot it."));
+
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(m_chart);
+    m_chartPages->addWidget(scroll);
+    m_chartPages->addWidget(hint(tr("Tick a probe to plot it.")));
+
+    auto* splitter = new QSplitter;
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(m_list);
+    splitter->addWidget(m_chartPages);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({listWidth, 3 * listWidth});
+    m_pages->addWidget(splitter);
+    m_pages->addWidget(hint(tr("No probes. Add one in the outline to plot it.")));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+}
+
+void PlotPanel::refresh()
+{
+    std::vector<Entry> probes;
+    for (const Entry& entry : m_document.scene().items)
+        if (std::holds_alternative<Probe>(entry.item))
+            probes.push_back(entry);
+    if (probes != m_probes) {
+        m_probes = std::move(probes);
+        rebuildList();
+        rebuildCurves();
+    }
+    m_pages->setCurrentIndex(m_probes.empty() ? 1 : 0);
+}
+
+void PlotPanel::rebuildList()
+{
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (std::size_t i = 0; i < m_probes.size(); ++i) {
+        const auto& probe = std::get<Probe>(m_probes[i].item);
+        auto* item = new QTreeWidgetItem(m_list, {QString::fromStdString(probe.name)});
+        item->setCheckState(0, probe.plotted ? Qt::Checked : Qt::Unchecked);
+        item->setIcon(0, swatch(curveColor(int(i), palette())));
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setToolTip(0, choiceLabel(choiceNames<Quantity>[std::size_t(probe.quantity)]));
+    }
+    showValues();
+}
+
+void PlotPanel::rebuildCurves()
+{
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < m_probes.size(); ++i) {
+        const auto& probe = std::get<Probe>(m_probes[i].item);
+        if (probe.plotted)
+            curves.push_back({std::uint32_t(m_probes[i].id), QString::fromStdString(probe.name),
+                              choiceLabel(choiceNames<Quantity>[std::size_t(probe.quantity)]),
+                              unitOf(m_probes[i].id), curveColor(int(i), palette())});
+    }
+    m_chartPages->setCurrentIndex(curves.empty() ? 1 : 0);
+    m_chart->setCurves(std::move(curves));
+    drawSoon();
+}
+
+QString PlotPanel::unitOf(Id id) const
+{
+    if (const auto& frame = m_player.frame())
+        for (const Layout::Probe& probe : frame->layout->probes)
+            if (probe.id == std::uint32_t(id))
+                return QString::fromStdString(probe.unit);
+    return {};
+}
+
+void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
+{
+    m_history.add(*frame);
+    if (frame->layout != m_layout) {
+        m_layout = frame->layout;
+        rebuildCurves(); // units
+    }
+    drawSoon();
+}
+
+void PlotPanel::drawSoon()
+{
+    if (isVisible() && !m_redraw.isActive())
+        m_redraw.start();
+}
+
+void PlotPanel::draw()
+{
+    m_chart->draw(m_history);
+    showValues();
+}
+
+// What the probes read at the time under the mouse, or now.
+void PlotPanel::showValues()
+{
+    const bool past = m_hovered && !m_history.time().empty();
+    const std::size_t sample = past ? m_history.nearest(*m_hovered) : 0;
+    m_list->setHeaderLabels(
+        {tr("Probe"), past ? tr("at %1 s").arg(QLocale().toString(m_history.time()[sample], 'f', 2))
+                           : tr("now")});
+    const auto& frame = m_player.frame();
+    for (std::size_t i = 0; i < m_probes.size(); ++i) {
+        const auto id = std::uint32_t(m_probes[i].id);
+        double value = std::nan("");
+        if (past) {
+            const auto values = m_history.valuesOf(id);
+            if (sample < values.size())
+                value = values[sample];
+        } else if (frame) {
+            const auto& probes = frame->layout->probes;
+            for (std::size_t p = 0; p < probes.size(); ++p)
+                if (probes[p].id == id)
+                    value = frame->probe[p];
+        }
+        const QSignalBlocker quiet(m_list);
+        m_list->topLevelItem(int(i))->setText(1, shown(value, unitOf(m_probes[i].id)));
+    }
+    m_list->viewport()->update(); // its signals were blocked
+}
+
+void PlotPanel::tick(QTreeWidgetItem* item)
+{
+    const int row = m_list->indexOfTopLevelItem(item);
+    const Entry& entry = m_probes[std::size_t(row)];
+    const auto& probe = std::get<Probe>(entry.item);
+    const bool plotted = item->checkState(0) == Qt::Checked;
+    if (plotted == probe.plotted)
+        return;
+    const Property* property = findProperty(Kind::Probe, "plotted");
+    m_document.push({(plotted ? "Plot " : "Do not plot ") + probe.name,
+                     {SetValues{property, {entry.id}, {plotted}}}});
+}
+
+void PlotPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        rebuildList();
+        rebuildCurves();
+    }
+}
+
+void PlotPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    drawSoon();
+}
+
+void PlotPanel::clear()
+{
+    m_history.clear();
+    drawSoon();
+}
+
+// --- the context menu ------------------------------------------------------------------------
+
+void PlotPanel::showMenu(const QPoint& place)
+{
+    QMenu menu(this);
+    QAction* whole = menu.addAction(tr("Show the whole run"));
+    whole->setCheckable(true);
+    whole->setChecked(m_chart->showsWholeRun());
+    whole->setToolTip(tr("Off, the latest half minute is shown."));
+    connect(whole, &QAction::toggled, m_chart, &Chart::setWholeRun);
+    QAction* follow = menu.addAction(tr("Follow the run"), m_chart, &Chart::follow);
+    follow->setEnabled(!m_chart->follows());
+    menu.addSeparator();
+    menu.addAction(icon(QStringLiteral("table")), tr("Save as CSV\u2026"), this,
+                   &PlotPanel::saveCsv);
+    menu.addAction(icon(QStringLiteral("picture")), tr("Save picture\u2026"), this,
+                   &PlotPanel::savePicture);
+    menu.addSeparator();
+    menu.addAction(icon(QStringLiteral("delete")), tr("Clear"), this, &PlotPanel::clear);
+    menu.exec(place);
+}
+
+QString PlotPanel::suggestedFile(const char* suffix) const
+{
+    const QString name = m_document.displayName().remove(QStringLiteral(".ripstop.json"));
+    const QString folder = m_document.file().isEmpty()
+                               ? QDir::homePath()
+                               : QFileInfo(m_document.file()).absolutePath();
+    return QDir(folder).filePath(name + QLatin1String(suffix));
+}
+
+void PlotPanel::saveCsv()
+{
+    const QString name = QFileDialog::getSaveFileName(this, tr("Save the curves"),
+                                                      suggestedFile(".csv"), tr("CSV (*.csv)"));
+    if (name.isEmpty())
+        return;
+    QSaveFile file(name);
+    const bool opened = file.open(QIODevice::WriteOnly);
+    if (opened)
+        writeCsv(file);
+    if (!opened || !file.commit())
+        QMessageBox::warning(this, tr("Save the curves"),
+                             tr("%1 cannot be written: %2.").arg(name, file.errorString()));
+}
+
+void PlotPanel::savePicture()
+{
+    const QString name = QFileDialog::getSaveFileName(
+        this, tr("Save the picture"), suggestedFile(".png"), tr("PNG (*.png);;PDF (*.pdf)"));
+    if (!name.isEmpty() && !m_chart->savePicture(name))
+        QMessageBox::warning(this, tr("Save the picture"), tr("%1 cannot be written.").arg(name));
+}
+
+void PlotPanel::writeCsv(QIODevice& device) const
+{
+    QTextStream out(&device);
+    out << "time (s)";
+    for (const Curve& curve : m_chart->curves())
+        out << ','
+            << csvField(curve.unit.isEmpty() ? curve.name : curve.name + " (" + curve.unit + ')');
+    out << '\n';
+    const auto time = m_history.time();
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        out << QString::number(time[i], 'g', QLocale::FloatingPointShortest);
+        for (const Curve& curve : m_chart->curves()) {
+            const auto values = m_history.valuesOf(curve.probe);
+            out << ',';
+            if (i < values.size() && !std::isnan(values[i]))
+                out << QString::number(values[i], 'g', QLocale::FloatingPointShortest);
+        }
+        out << '\n';
+    }
+}
 
 } // namespace ripstop

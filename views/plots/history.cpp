@@ -1,0 +1,125 @@
+#include "plots/history.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+void dropEverySecond(std::vector<double>& values)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); i += 2)
+        values[kept++] = values[i];
+    values.resize(kept);
+}
+
+} // namespace
+
+void History::add(const Frame& frame)
+{
+    if (frame.run != m_run || (!m_time.empty() && frame.time < m_time.back()))
+        startOver(frame);
+    if (frame.layout != m_layout)
+        matchColumns(*frame.layout);
+    m_layout = frame.layout;
+
+    m_tears.clear();
+    for (const Tear& tear : frame.tears)
+        if (tear.time >= m_since)
+            m_tears.push_back(tear.time);
+
+    // the same instant again, after an edit: what the probes read now replaces it
+    const bool again = !m_time.empty() && frame.time == m_time.back();
+    if (!again && m_passed++ % m_stride != 0)
+        return;
+    if (again)
+        ++m_revision;
+    else
+        m_time.push_back(frame.time);
+    for (std::size_t i = 0; i < m_columns.size(); ++i) {
+        m_columns[i].values.resize(m_time.size(), nothing);
+        m_columns[i].values.back() = frame.probe[i];
+    }
+    if (m_time.size() >= m_most)
+        thin();
+}
+
+void History::clear()
+{
+    m_since = m_time.empty() ? 0.0 : m_time.back();
+    m_time.clear();
+    m_tears.clear();
+    for (Column& column : m_columns)
+        column.values.clear();
+    m_stride = 1;
+    m_passed = 0;
+    ++m_revision;
+}
+
+std::span<const double> History::valuesOf(std::uint32_t probe) const
+{
+    for (const Column& column : m_columns)
+        if (column.probe == probe)
+            return column.values;
+    return {};
+}
+
+std::size_t History::nearest(double time) const
+{
+    const auto after = std::lower_bound(m_time.begin(), m_time.end(), time);
+    if (after == m_time.begin())
+        return 0;
+    if (after == m_time.end())
+        return m_time.size() - 1;
+    const auto index = std::size_t(after - m_time.begin());
+    return *after - time < time - m_time[index - 1] ? index : index - 1;
+}
+
+void History::startOver(const Frame& frame)
+{
+    m_run = frame.run;
+    m_layout.reset();
+    m_columns.clear();
+    clear();
+    m_since = 0.0;
+}
+
+// Columns by id, so that a probe that was renamed keeps its past; one that measures something else
+// now does not.
+void History::matchColumns(const Layout& layout)
+{
+    const bool same =
+        std::equal(m_columns.begin(), m_columns.end(), layout.probes.begin(), layout.probes.end(),
+                   [](const Column& c, const Layout::Probe& probe) {
+                       return c.probe == probe.id && c.unit == probe.unit;
+                   });
+    if (same)
+        return;
+    std::vector<Column> columns;
+    for (const Layout::Probe& probe : layout.probes) {
+        const auto old = std::find_if(m_columns.begin(), m_columns.end(), [&](const Column& c) {
+            return c.probe == probe.id && c.unit == probe.unit;
+        });
+        if (old != m_columns.end())
+            columns.push_back(std::move(*old));
+        else
+            columns.push_back({probe.id, probe.unit, std::vector<double>(m_time.size(), nothing)});
+    }
+    m_columns = std::move(columns);
+    ++m_revision;
+}
+
+void History::thin()
+{
+    dropEverySecond(m_time);
+    for (Column& column : m_columns)
+        dropEverySecond(column.values);
+    m_stride *= 2;
+    m_passed = 1; // the last sample may have been dropped; the next is one stride away at most
+    ++m_revision;
+}
+
+} // namespace ripstop

@@ -1,0 +1,62 @@
+// What the probes have read since the run began.
+//
+// Memory is bounded: when `most` samples are held, every second one is dropped and from then on
+// only every second frame is taken, and so on. A long run is kept whole, in coarser steps.
+#pragma once
+
+#include "run/frame.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+class History
+{
+public:
+    explicit History(std::size_t most = 20'000)
+        : m_most(most)
+    {}
+
+    // Frames of one run come in order of time; one of another run starts over. A probe that was
+    // added in the middle of the run has read nothing (NaN) before.
+    void add(const Frame& frame);
+    void clear(); // forgets what was until now; the run goes on
+
+    std::span<const double> time() const { return m_time; }      // [samples] s, ascending
+    std::span<const double> valuesOf(std::uint32_t probe) const; // [samples]; empty when unknown
+    std::span<const double> tears() const { return m_tears; }    // s, ascending
+
+    // The sample nearest to that time, s; only when there are any.
+    std::size_t nearest(double time) const;
+
+    // Grows whenever samples other than the newest have changed.
+    int revision() const { return m_revision; }
+
+private:
+    struct Column
+    {
+        std::uint32_t probe;
+        std::string unit;
+        std::vector<double> values; // [samples]
+    };
+
+    void startOver(const Frame& frame);
+    void matchColumns(const Layout& layout);
+    void thin();
+
+    std::size_t m_most;
+    std::uint64_t m_run = 0;
+    std::shared_ptr<const Layout> m_layout;
+    std::vector<double> m_time;
+    std::vector<Column> m_columns; // in the order of m_layout->probes
+    std::vector<double> m_tears;
+    double m_since = 0.0;     // s; tears before are forgotten
+    std::size_t m_stride = 1; // frames for each sample
+    std::size_t m_passed = 0; // frames since the last sample
+    int m_revision = 0;
+};
+
+} // namespace ripstop
