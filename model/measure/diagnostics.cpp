@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -31,7 +32,7 @@ double elasticEnergy(double stiffness, Resists resists, double stretch)
     return slack ? 0.0 : 0.5 * stiffness * stretch * stretch;
 }
 
-class Hash // FNV-1a, 64 bits
+class Hash // FNV-1a, 64 bits, fed with words of eight bytes
 {
 public:
     template <typename T>
@@ -42,8 +43,12 @@ public:
     void add(const void* data, std::size_t size)
     {
         const auto* bytes = static_cast<const unsigned char*>(data);
-        for (std::size_t i = 0; i < size; ++i)
-            m_value = (m_value ^ bytes[i]) * 0x100000001b3u;
+        for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t)) {
+            std::uint64_t word = 0;
+            std::memcpy(&word, bytes + i, std::min(sizeof word, size - i));
+            m_value = (m_value ^ word) * 0x100000001b3u;
+            m_value ^= m_value >> 32; // a word's high bits must reach the low ones
+        }
     }
     std::uint64_t value() const { return m_value; }
 

@@ -91,6 +91,7 @@ std::shared_ptr<const Frame> Simulation::frame() const
     frame->layout = m_layout;
     frame->time = m_state.time;
     frame->step = m_state.step;
+    frame->hash = stateHash(m_state);
     frame->position = m_state.position;
     frame->velocity = m_state.velocity;
     frame->strain = strains(*m_system, m_state);

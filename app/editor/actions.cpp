@@ -1,0 +1,232 @@
+#include "editor/actions.h"
+
+#include "builders/builder.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/files.h"
+#include "icons/icon.h"
+#include "outline/outline.h"
+#include "scene/edit.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+
+namespace ripstop {
+namespace {
+
+enum class Toggle { No, Off, On };
+
+struct Row
+{
+    const char* menu;
+    const char* id; // null: a line between actions
+    QString text;
+    const char* icon;
+    QKeySequence keys;
+    QString tip;
+    std::function<void()> run;
+    Toggle toggle = Toggle::No;
+    const char* group = nullptr; // of toggles that exclude each other
+};
+
+std::vector<Id> everyElement(const Scene& scene)
+{
+    std::vector<Id> ids;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& row : part.particles)
+            ids.push_back(row.id);
+        for (const Link& row : part.links)
+            ids.push_back(row.id);
+        for (const Panel& row : part.panels)
+            ids.push_back(row.id);
+    });
+    return ids;
+}
+
+void removeSelected(Document& document, const Selection& selection)
+{
+    std::vector<Id> ids = selection.ids();
+    std::erase(ids, settingsId); // always there
+    if (!ids.empty())
+        document.push(removal(document.scene(), ids));
+}
+
+void about(QWidget* window)
+{
+    QMessageBox::about(
+        window, Actions::tr("About Ripstop"),
+        Actions::tr(
+            "<h3>Ripstop %1</h3><p>An editor and simulator for fabric that flies: kites, "
+            "hang gliders, parachutes, cloth.</p><p>Every number on the screen can be made "
+            "again by <tt>ripstop-cli</tt>, bit for bit.</p><p>Free software under the GNU "
+            "General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, "
+            "nlohmann/json, CLI11 and QCustomPlot.</p>")
+            .arg(QApplication::applicationVersion()));
+}
+
+// The table. Menus appear in the order in which they are first named.
+std::vector<Row> rowsOf(const Workbench& bench, const Actions& actions)
+{
+    const auto tr = [](const char* text) { return Actions::tr(text); };
+    Document& document = bench.document;
+    Selection& selection = bench.selection;
+    Player& player = bench.player;
+    Viewport& viewport = bench.viewport;
+    Files& files = bench.files;
+    QMainWindow& window = bench.window;
+    const auto showing = [&viewport, &actions](const char* id, void (Viewport::*show)(bool)) {
+        return [&viewport, &actions, id, show] { (viewport.*show)(actions[id]->isChecked()); };
+    };
+    const auto looking = [&viewport](PresetView view) {
+        return [&viewport, view] { viewport.view(view); };
+    };
+    const auto coloring = [&viewport](ColorBy colorBy) {
+        return [&viewport, colorBy] { viewport.setColorBy(colorBy); };
+    };
+    const Row line{"", nullptr, {}, nullptr, {}, {}, {}};
+    // clang-format off
+    return {
+        {"&File", "new",        tr("&New scene"),          "new",     QKeySequence::New,    tr("An empty scene, to draw or import into."), [&files] { files.startNew(); }},
+        {"&File", "build",      tr("New from &builder…"),  "builder", QKeySequence("Ctrl+B"), tr("A kite, glider, parachute, cloth or rope from its dimensions."), [&files] { files.startFrom({}); }},
+        {"&File", "open",       tr("&Open…"),              "open",    QKeySequence::Open,   tr("Open a scene file."), [&files] { files.browse(); }},
+        {"&File", "start",      tr("S&tart page"),         "start",   {},                   tr("Samples, recent files and builders."), bench.showStartPage},
+        line,
+        {"&File", "save",       tr("&Save"),               "save",    QKeySequence::Save,   tr("Save the scene in its file."), [&files] { files.save(); }},
+        {"&File", "saveAs",     tr("Save &as…"),           "save-as", QKeySequence("Ctrl+Shift+S"), tr("Save the scene in another file."), [&files] { files.saveAs(); }},
+        {"&File", "export",     tr("&Export…"),            "export",  QKeySequence("Ctrl+E"), tr("Meshes for Blender, series for ParaView, tables of the probes."), [&files] { files.exportRun(); }},
+        {"&File", "picture",    tr("Save &picture…"),      "picture", QKeySequence("Ctrl+P"), tr("The 3D view as a PNG or JPEG file."), [&files] { files.savePicture(); }},
+        line,
+        {"&File", "quit",       tr("&Quit"),               "quit",    QKeySequence::Quit,   tr("Leave Ripstop."), [&window] { window.close(); }},
+
+        {"&Edit", "undo",       tr("&Undo"),               "undo",    QKeySequence::Undo,   tr("Take back the last edit."), [&document] { document.history().undo(); }},
+        {"&Edit", "redo",       tr("&Redo"),               "redo",    QKeySequence("Ctrl+Shift+Z"), tr("Make the last edit again that was taken back."), [&document] { document.history().redo(); }},
+        line,
+        {"&Edit", "delete",     tr("&Delete"),             "delete",  QKeySequence::Delete, tr("Remove what is selected, and all that hangs on it."), [&document, &selection] { removeSelected(document, selection); }},
+        {"&Edit", "selectAll",  tr("Select &all"),         "select-all", QKeySequence::SelectAll, tr("Select all particles, links and panels."), [&document, &selection] { selection.set(everyElement(document.scene())); }},
+        {"&Edit", "deselect",   tr("D&eselect"),           "deselect", QKeySequence("Esc"), tr("Select nothing; the inspector then shows the settings."), [&selection] { selection.clear(); }},
+        {"&Edit", "find",       tr("&Find in outline"),    "search",  QKeySequence::Find,   tr("Search the outline by name."), [&bench = bench.outline] { bench.focusSearch(); }},
+
+        {"&View", "fit",        tr("&Fit"),                "fit",     QKeySequence("F"),    tr("Show the whole scene."), [&viewport] { viewport.fit(); }},
+        {"&View", "follow",     tr("F&ollow"),             "follow",  QKeySequence("Shift+F"), tr("The camera goes with the fabric."), showing("follow", &Viewport::setFollow), Toggle::Off},
+        {"&View", "ortho",      tr("O&rthographic"),       "orthographic", QKeySequence("5"), tr("Without perspective: parallels stay parallel."), showing("ortho", &Viewport::setOrthographic), Toggle::Off},
+        line,
+        {"&View", "front",      tr("Fro&nt"),              "view-front", QKeySequence("1"), tr("Look from the front."), looking(PresetView::Front)},
+        {"&View", "back",       tr("&Back"),               nullptr,   QKeySequence("Ctrl+1"), tr("Look from behind."), looking(PresetView::Back)},
+        {"&View", "right",      tr("R&ight"),              "view-side", QKeySequence("3"),  tr("Look from the right."), looking(PresetView::Right)},
+        {"&View", "left",       tr("&Left"),               nullptr,   QKeySequence("Ctrl+3"), tr("Look from the left."), looking(PresetView::Left)},
+        {"&View", "top",        tr("&Top"),                "view-top", QKeySequence("7"),   tr("Look from above."), looking(PresetView::Top)},
+        {"&View", "bottom",     tr("Botto&m"),             nullptr,   QKeySequence("Ctrl+7"), tr("Look from below."), looking(PresetView::Bottom)},
+        {"&View", "home",       tr("&Corner"),             "view-home", QKeySequence("0"),  tr("Look from a corner above."), looking(PresetView::Iso)},
+        line,
+        {"&View", "byMaterial", tr("Colour by &material"), nullptr,   QKeySequence("Alt+1"), tr("The colours of the materials."), coloring(ColorBy::Material), Toggle::On, "color"},
+        {"&View", "byStrain",   tr("Colour by &strain"),   "color-by", QKeySequence("Alt+2"), tr("How far links are stretched."), coloring(ColorBy::Strain), Toggle::Off, "color"},
+        {"&View", "byTension",  tr("Colour by t&ension"),  nullptr,   QKeySequence("Alt+3"), tr("How hard links pull."), coloring(ColorBy::Tension), Toggle::Off, "color"},
+        {"&View", "bySpeed",    tr("Colour by s&peed"),    nullptr,   QKeySequence("Alt+4"), tr("How fast particles move."), coloring(ColorBy::Speed), Toggle::Off, "color"},
+        {"&View", "byLoad",     tr("Colour by panel loa&d"), nullptr, QKeySequence("Alt+5"), tr("How hard the air pushes panels, per area."), coloring(ColorBy::PanelLoad), Toggle::Off, "color"},
+        line,
+        {"&View", "panels",     tr("Show p&anels"),        "panel",   {},                   tr("Draw the fabric."), showing("panels", &Viewport::setPanelsShown), Toggle::On},
+        {"&View", "links",      tr("Show lin&ks"),         "link",    {},                   tr("Draw springs, rods and lines."), showing("links", &Viewport::setLinksShown), Toggle::On},
+        {"&View", "particles",  tr("Show partic&les"),     "particle", QKeySequence("Shift+P"), tr("Draw a dot at each particle."), showing("particles", &Viewport::setParticlesShown), Toggle::Off},
+        {"&View", "wind",       tr("Show &wind"),          "wind",    {},                   tr("Draw an arrow for the wind."), showing("wind", &Viewport::setWindShown), Toggle::On},
+
+        {"&Run", "play",        tr("&Play"),               "play",    QKeySequence("Space"), tr("Run the simulation, or hold it."), [&player] { player.toggle(); }},
+        {"&Run", "step",        tr("&Step"),               "step",    QKeySequence("."),    tr("One time step."), [&player] { player.step(); }},
+        {"&Run", "reset",       tr("&Reset"),              "reset",   QKeySequence("Ctrl+R"), tr("Back to the design; controls return to zero."), [&player] { player.reset(); }},
+
+        {"&Help", "keys",       tr("&Keys"),               "keys",    QKeySequence("F1"),   tr("All keys, and those of the controls of this scene."), bench.showKeys},
+        {"&Help", "about",      tr("&About Ripstop"),      "about",   {},                   tr("Version and licence."), [&window] { about(&window); }},
+    };
+    // clang-format on
+}
+
+} // namespace
+
+Actions::Actions(const Workbench& bench)
+    : QObject(&bench.window)
+    , m_bench(bench)
+{
+    build();
+    connect(&m_bench.document.history(), &QUndoStack::indexChanged, this, &Actions::keepCurrent);
+    connect(&m_bench.selection, &Selection::changed, this, &Actions::keepCurrent);
+    connect(&m_bench.player, &Player::stateChanged, this, &Actions::keepCurrent);
+    connect(&m_bench.files, &Files::recentChanged, this, &Actions::fillRecent);
+    fillRecent();
+    keepCurrent();
+}
+
+void Actions::build()
+{
+    std::map<QString, QMenu*> menus;
+    std::map<QString, QActionGroup*> groups;
+    QMenu* menu = nullptr;
+    for (const Row& row : rowsOf(m_bench, *this)) {
+        if (!row.id) {
+            menu->addSeparator();
+            continue;
+        }
+        QMenu*& place = menus[row.menu];
+        if (!place)
+            place = m_bench.window.menuBar()->addMenu(tr(row.menu));
+        menu = place;
+        QAction* action =
+            menu->addAction(row.icon ? icon(row.icon) : QIcon(), row.text, this, row.run);
+        action->setShortcut(row.keys);
+        const QString keys = row.keys.toString(QKeySequence::NativeText);
+        action->setToolTip(keys.isEmpty() ? row.tip : tr("%1 (%2)").arg(row.tip, keys));
+        action->setStatusTip(row.tip);
+        action->setCheckable(row.toggle != Toggle::No);
+        action->setChecked(row.toggle == Toggle::On);
+        if (row.group) {
+            QActionGroup*& group = groups[row.group];
+            if (!group)
+                group = new QActionGroup(this);
+            group->addAction(action);
+        }
+        m_byId[row.id] = action;
+        m_all.push_back(action);
+    }
+    m_recent = new QMenu(tr("Open &recent"), &m_bench.window);
+    m_recent->setIcon(icon("recent"));
+    menus["&File"]->insertMenu(m_byId["start"], m_recent);
+    m_panels = menus["&View"]->addMenu(tr("Panels and &docks"));
+}
+
+void Actions::addDockToggle(QAction* toggle) { m_panels->addAction(toggle); }
+
+void Actions::keepCurrent()
+{
+    const QUndoStack& history = m_bench.document.history();
+    m_byId["undo"]->setEnabled(history.canUndo());
+    m_byId["undo"]->setText(history.canUndo() ? tr("&Undo: %1").arg(history.undoText())
+                                              : tr("&Undo"));
+    m_byId["redo"]->setEnabled(history.canRedo());
+    m_byId["redo"]->setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText())
+                                              : tr("&Redo"));
+    m_byId["delete"]->setEnabled(!m_bench.selection.ids().empty());
+    m_byId["deselect"]->setEnabled(!m_bench.selection.ids().empty());
+    const bool playing = m_bench.player.isPlaying();
+    m_byId["play"]->setText(playing ? tr("&Pause") : tr("&Play"));
+    m_byId["play"]->setIcon(icon(playing ? "pause" : "play"));
+}
+
+void Actions::fillRecent()
+{
+    m_recent->clear();
+    for (const QString& file : m_bench.files.recent())
+        m_recent
+            ->addAction(QFileInfo(file).fileName(), this,
+                        [this, file] { m_bench.files.open(file); })
+            ->setToolTip(file);
+    m_recent->setEnabled(!m_recent->isEmpty());
+}
+
+} // namespace ripstop

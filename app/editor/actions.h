@@ -1,0 +1,65 @@
+// Everything that a user can do from a menu, a tool bar or a key, as one table.
+#pragma once
+
+#include <QIcon>
+#include <QKeySequence>
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+class QAction;
+class QMainWindow;
+class QMenu;
+class QToolBar;
+
+namespace ripstop {
+
+class Document;
+class Files;
+class Outline;
+class Player;
+class Selection;
+class Viewport;
+
+// What actions act on.
+struct Workbench
+{
+    QMainWindow& window;
+    Document& document;
+    Selection& selection;
+    Player& player;
+    Viewport& viewport;
+    Outline& outline;
+    Files& files;
+    std::function<void()> showStartPage;
+    std::function<void()> showKeys;
+};
+
+class Actions final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Actions(const Workbench& bench);
+
+    QAction* operator[](const QString& id) const { return m_byId.at(id); }
+    const std::vector<QAction*>& all() const { return m_all; }
+
+    void addDockToggle(QAction* toggle); // to View > Panels
+
+private:
+    void build();
+    void keepCurrent(); // enabled, checked and worded as things are
+    void fillRecent();
+
+    Workbench m_bench;
+    std::map<QString, QAction*> m_byId;
+    std::vector<QAction*> m_all;
+    QMenu* m_recent = nullptr;
+    QMenu* m_panels = nullptr;
+};
+
+} // namespace ripstop

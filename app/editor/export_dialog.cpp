@@ -1,0 +1,210 @@
+#include "editor/export_dialog.h"
+
+#include "compile/compile.h"
+#include "io/export.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ripstop {
+namespace {
+
+struct Format
+{
+    const char* extension;
+    const char* label;
+    bool moment; // of now, otherwise a series
+};
+
+constexpr Format formats[]{
+    {".obj", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, OBJ"), true},
+    {".ply", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, PLY"), true},
+    {".vtp", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment with strains and loads, VTP"),
+     true},
+    {".pvd", QT_TRANSLATE_NOOP("ExportDialog", "Series for ParaView, PVD and VTP"), false},
+    {".csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of the probes, CSV"), false}};
+
+std::optional<Failure> writeMoment(const Frame& frame, const std::filesystem::path& file)
+{
+    if (file.extension() == ".ply")
+        return writePly(frame, file);
+    if (file.extension() == ".vtp")
+        return writeVtp(frame, file);
+    return writeObj(frame, file);
+}
+
+QDoubleSpinBox* seconds(double value)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setRange(0.0, 100000.0);
+    box->setDecimals(2);
+    box->setSuffix(" s");
+    box->setValue(value);
+    return box;
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now,
+                           const QString& stem, QWidget* parent)
+    : QDialog(parent)
+    , m_scene(scene)
+    , m_now(std::move(now))
+    , m_stem(stem)
+    , m_format(new QComboBox)
+    , m_target(new QLineEdit)
+    , m_from(seconds(0.0))
+    , m_to(seconds(m_now && m_now->time > 0.0 ? m_now->time : 10.0))
+    , m_fps(new QDoubleSpinBox)
+    , m_message(new QLabel)
+    , m_progress(new QProgressBar)
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Export"));
+    for (const Format& format : formats)
+        m_format->addItem(tr(format.label), QString(format.extension));
+    m_fps->setRange(0.1, 10000.0);
+    m_fps->setValue(25.0);
+    m_fps->setSuffix(tr(" per s"));
+    m_fps->setToolTip(tr("Pictures per second of simulated time; a table has a row for each."));
+
+    auto* browse = new QToolButton;
+    browse->setText(tr("…"));
+    browse->setToolTip(tr("Choose the file"));
+    auto* file = new QHBoxLayout;
+    file->addWidget(m_target);
+    file->addWidget(browse);
+
+    auto* form = new QFormLayout;
+    form->addRow(tr("Format"), m_format);
+    form->addRow(tr("File"), file);
+    form->addRow(tr("From"), m_from);
+    form->addRow(tr("To"), m_to);
+    form->addRow(tr("Rate"), m_fps);
+
+    m_message->setWordWrap(true);
+    m_progress->setRange(0, 1000);
+    m_progress->hide();
+    QPushButton* go = m_buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    go->setDefault(true);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_buttons);
+    setMinimumWidth(520);
+
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseFormat);
+    connect(browse, &QToolButton::clicked, this, &ExportDialog::browse);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportDialog::start);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    connect(&m_watch, &QTimer::timeout, this, &ExportDialog::watch);
+    chooseFormat();
+}
+
+ExportDialog::~ExportDialog()
+{
+    m_cancelled = true;
+    if (m_work.valid())
+        m_work.wait();
+}
+
+QString ExportDialog::target() const { return m_target->text(); }
+
+void ExportDialog::chooseFormat()
+{
+    const Format& format = formats[m_format->currentIndex()];
+    m_target->setText(m_stem + format.extension);
+    for (QWidget* field :
+         {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_fps)})
+        field->setEnabled(!format.moment);
+    m_message->setText(
+        format.moment
+            ? tr("The shape that the view shows now.")
+            : tr("The scene is simulated anew from its start, without what was changed by hand "
+                 "during the run on the screen."));
+}
+
+void ExportDialog::browse()
+{
+    const QString extension = m_format->currentData().toString();
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Export as"), m_target->text(), "*" + extension);
+    if (!file.isEmpty())
+        m_target->setText(QFileInfo(file).suffix().isEmpty() ? file + extension : file);
+}
+
+void ExportDialog::start()
+{
+    if (m_work.valid())
+        return;
+    const std::filesystem::path file = m_target->text().toStdString();
+    if (formats[m_format->currentIndex()].moment) {
+        if (!m_now)
+            return end(tr("There is nothing on the screen to export; see the list of problems."));
+        const auto failure = writeMoment(*m_now, file);
+        return failure ? end(QString::fromStdString(failure->message)) : accept();
+    }
+    if (m_to->value() <= m_from->value())
+        return end(tr("The series ends before it begins: make To later than From."));
+
+    m_cancelled = false;
+    m_done = 0.0;
+    m_progress->show();
+    m_progress->setValue(0);
+    const ExportRange range{m_from->value(), m_to->value(), m_fps->value()};
+    m_work = std::async(std::launch::async, [this, file, range]() -> QString {
+        const auto system = compile(m_scene);
+        if (!system)
+            return QString::fromStdString(system.message());
+        Simulation simulation(*system);
+        const auto failure = ripstop::exportRun(simulation, range, file, [this](double done) {
+            m_done = done;
+            return !m_cancelled;
+        });
+        return failure ? QString::fromStdString(failure->message) : QString();
+    });
+    m_watch.start(50);
+}
+
+void ExportDialog::watch()
+{
+    m_progress->setValue(int(1000 * m_done));
+    if (m_work.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    m_watch.stop();
+    const QString failure = m_work.get();
+    if (m_cancelled)
+        end(tr("Cancelled; nothing was kept."));
+    else if (!failure.isEmpty())
+        end(failure);
+    else
+        accept();
+}
+
+void ExportDialog::end(const QString& failure)
+{
+    m_progress->hide();
+    m_message->setText(failure);
+}
+
+void ExportDialog::reject()
+{
+    if (m_work.valid())
+        m_cancelled = true; // watch() sees the end of it
+    else
+        QDialog::reject();
+}
+
+} // namespace ripstop

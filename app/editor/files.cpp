@@ -1,0 +1,170 @@
+#include "editor/files.h"
+
+#include "document/document.h"
+#include "document/player.h"
+#include "editor/export_dialog.h"
+#include "start/builder_dialog.h"
+#include "viewport/viewport.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+
+namespace ripstop {
+namespace {
+
+constexpr auto recentKey = "recentFiles";
+constexpr int mostRecent = 12;
+
+} // namespace
+
+Files::Files(Document& document, Player& player, Viewport& viewport, QWidget& window)
+    : QObject(&window)
+    , m_document(document)
+    , m_player(player)
+    , m_viewport(viewport)
+    , m_window(window)
+{}
+
+QString Files::sceneFilter() { return tr("Ripstop scenes (*.ripstop.json);;All files (*)"); }
+
+void Files::startNew()
+{
+    if (!mayDiscard())
+        return;
+    m_document.replace(Scene{}, tr("untitled"));
+    emit opened();
+}
+
+void Files::startFrom(const QString& builder)
+{
+    if (!mayDiscard())
+        return;
+    BuilderDialog dialog(builder, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    Scene scene = dialog.scene();
+    const QString title = QString::fromStdString(scene.settings.title);
+    m_document.replace(std::move(scene), title.isEmpty() ? tr("untitled") : title);
+    emit opened();
+}
+
+void Files::browse()
+{
+    const QString folder =
+        m_document.file().isEmpty() ? QString() : QFileInfo(m_document.file()).path();
+    const QString file =
+        QFileDialog::getOpenFileName(&m_window, tr("Open a scene"), folder, sceneFilter());
+    if (!file.isEmpty())
+        open(file);
+}
+
+bool Files::open(const QString& file)
+{
+    if (!mayDiscard())
+        return false;
+    if (const auto failure = m_document.open(file)) {
+        QMessageBox::warning(&m_window, tr("Cannot open the scene"),
+                             QString::fromStdString(failure->message));
+        return false;
+    }
+    remember(file);
+    emit opened();
+    return true;
+}
+
+bool Files::save() { return m_document.file().isEmpty() ? saveAs() : write(m_document.file()); }
+
+bool Files::saveAs()
+{
+    QString file = QFileDialog::getSaveFileName(&m_window, tr("Save the scene as"),
+                                                suggestedFile(".ripstop.json"), sceneFilter());
+    if (file.isEmpty())
+        return false;
+    if (QFileInfo(file).suffix().isEmpty())
+        file += ".ripstop.json";
+    return write(file);
+}
+
+bool Files::write(const QString& file)
+{
+    if (const auto failure = m_document.save(file)) {
+        QMessageBox::warning(&m_window, tr("Cannot save the scene"),
+                             QString::fromStdString(failure->message));
+        return false;
+    }
+    remember(file);
+    emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+    return true;
+}
+
+void Files::exportRun()
+{
+    ExportDialog dialog(m_document.scene(), m_player.frame(), suggestedFile(""), &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        emit said(tr("Exported %1").arg(QDir::toNativeSeparators(dialog.target())));
+}
+
+void Files::savePicture()
+{
+    const QImage picture = m_viewport.image(); // of now, not of when the dialog closes
+    QString file =
+        QFileDialog::getSaveFileName(&m_window, tr("Save the view as a picture"),
+                                     suggestedFile(".png"), tr("Pictures (*.png *.jpg)"));
+    if (file.isEmpty())
+        return;
+    if (QFileInfo(file).suffix().isEmpty())
+        file += ".png";
+    if (picture.save(file))
+        emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+    else
+        QMessageBox::warning(
+            &m_window, tr("Cannot save the picture"),
+            tr("%1 cannot be written: choose a folder that you may write to, and the ending .png "
+               "or .jpg.")
+                .arg(QDir::toNativeSeparators(file)));
+}
+
+bool Files::mayDiscard()
+{
+    if (!m_document.isModified())
+        return true;
+    const auto answer = QMessageBox::question(
+        &m_window, tr("Unsaved changes"),
+        tr("%1 has changes that are not saved. Save them first?").arg(m_document.displayName()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save)
+        return save();
+    return answer == QMessageBox::Discard;
+}
+
+QStringList Files::recent() const
+{
+    QStringList files = QSettings().value(recentKey).toStringList();
+    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+    return files;
+}
+
+void Files::remember(const QString& file)
+{
+    const QString whole = QFileInfo(file).absoluteFilePath();
+    QStringList files = recent();
+    files.removeAll(whole);
+    files.prepend(whole);
+    QSettings().setValue(recentKey, files.mid(0, mostRecent));
+    emit recentChanged();
+}
+
+// Beside the scene, with its name.
+QString Files::suggestedFile(const QString& extension) const
+{
+    const QFileInfo scene(m_document.file());
+    QString name = m_document.file().isEmpty() ? m_document.displayName() : scene.fileName();
+    name.remove(".ripstop.json");
+    const QString folder = m_document.file().isEmpty() ? QDir::currentPath() : scene.path();
+    return QDir(folder).filePath(name + extension);
+}
+
+} // namespace ripstop

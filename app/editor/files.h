@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+class QWidget;
+
+namespace ripstop {
+
+class Document;
+class Player;
+class Viewport;
+
+// What the File menu does: dialogs around the document, and the list of recent files. Nothing is
+// thrown away without asking.
+class Files final : public QObject
+{
+    Q_OBJECT
+
+public:
+    Files(Document& document, Player& player, Viewport& viewport, QWidget& window);
+
+    void startNew();
+    void startFrom(const QString& builder); // empty: the dialog offers them all
+    void browse();
+    bool open(const QString& file); // false when refused; the open scene then stays
+    bool save();
+    bool saveAs();
+    void exportRun();
+    void savePicture();
+    bool mayDiscard(); // asks to save when there are changes
+
+    QStringList recent() const; // newest first, files that still exist
+
+    static QString sceneFilter();
+
+signals:
+    void opened(); // a scene is there to be looked at
+    void recentChanged();
+    void said(const QString& message); // for the status bar
+
+private:
+    bool write(const QString& file);
+    void remember(const QString& file);
+    QString suggestedFile(const QString& extension) const;
+
+    Document& m_document;
+    Player& m_player;
+    Viewport& m_viewport;
+    QWidget& m_window;
+};
+
+} // namespace ripstop

@@ -1,0 +1,244 @@
+#include "editor/main_window.h"
+
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "document/words.h"
+#include "editor/keys_dialog.h"
+#include "inspector/inspector.h"
+#include "outline/outline.h"
+#include "plots/plot_panel.h"
+#include "problems/problem_list.h"
+#include "start/start_page.h"
+#include "transport/control_keys.h"
+#include "transport/control_strip.h"
+#include "transport/transport.h"
+#include "viewport/viewport.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+
+namespace ripstop {
+namespace {
+
+constexpr int layoutVersion = 1; // raised when docks change so that an old layout would mislead
+
+QString droppedFile(const QMimeData* data)
+{
+    const QList<QUrl> urls = data->urls();
+    return urls.size() == 1 ? urls.first().toLocalFile() : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(Document& document, Selection& selection, Player& player, Memory memory)
+    : m_document(document)
+    , m_selection(selection)
+    , m_player(player)
+    , m_memory(memory)
+    , m_viewport(new Viewport(document, selection, player))
+    , m_start(new StartPage(this))
+    , m_middle(new QStackedWidget(this))
+    , m_outline(new Outline(document, selection, this))
+    , m_inspector(new Inspector(document, selection, this))
+    , m_plots(new PlotPanel(document, player, this))
+    , m_problems(new ProblemList(document, selection, player, this))
+    , m_transport(new Transport(document, player, this))
+    , m_files(new Files(document, player, *m_viewport, *this))
+    , m_counts(new QLabel)
+    , m_selected(new QLabel)
+{
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setAcceptDrops(true);
+    m_middle->addWidget(m_start);
+    m_middle->addWidget(m_viewport);
+    setCentralWidget(m_middle);
+
+    buildDocks();
+    buildActions();
+    buildToolBar();
+    buildStatusBar();
+    connectParts();
+    qApp->installEventFilter(new ControlKeys(document, player, this));
+
+    resize(1280, 800);
+    restoreLayout();
+    showStartPage();
+    showTitle();
+    showCounts();
+}
+
+void MainWindow::buildDocks()
+{
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    addDock("outline", tr("Outline"), m_outline, Qt::LeftDockWidgetArea);
+    addDock("inspector", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
+    addDock("plots", tr("Plots"), m_plots, Qt::BottomDockWidgetArea);
+    addDock("controls", tr("Controls"), new ControlStrip(m_document, m_player, this),
+            Qt::BottomDockWidgetArea);
+    addDock("problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(m_docks["plots"], m_docks["controls"]);
+    tabifyDockWidget(m_docks["controls"], m_docks["problems"]);
+    m_docks["plots"]->raise();
+    resizeDocks({m_docks["outline"], m_docks["inspector"]}, {230, 290}, Qt::Horizontal);
+    resizeDocks({m_docks["plots"]}, {210}, Qt::Vertical);
+}
+
+void MainWindow::addDock(const QString& id, const QString& title, QWidget* widget,
+                         Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(id); // restoreState() knows docks by this
+    dock->setWidget(widget);
+    addDockWidget(area, dock);
+    m_docks[id] = dock;
+}
+
+void MainWindow::buildActions()
+{
+    m_actions = new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline,
+                             *m_files, [this] { showStartPage(); }, [this] { showKeys(); }});
+    for (const auto& [id, dock] : m_docks)
+        m_actions->addDockToggle(dock->toggleViewAction());
+}
+
+void MainWindow::buildToolBar()
+{
+    auto* bar = addToolBar(tr("Main"));
+    bar->setObjectName("main");
+    bar->setMovable(false);
+    bar->setIconSize(QSize(18, 18));
+    for (const char* id :
+         {"open", "save", "", "undo", "redo", "", "fit", "home", "follow", "byStrain", "particles"})
+        if (*id)
+            bar->addAction((*m_actions)[id]);
+        else
+            bar->addSeparator();
+    bar->addSeparator();
+    bar->addWidget(m_transport);
+}
+
+void MainWindow::buildStatusBar()
+{
+    for (QLabel* label : {m_selected, m_counts}) {
+        label->setContentsMargins(8, 0, 8, 0);
+        statusBar()->addPermanentWidget(label);
+    }
+}
+
+void MainWindow::connectParts()
+{
+    connect(m_files, &Files::opened, this, &MainWindow::showScene);
+    connect(m_files, &Files::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, 8000); });
+    connect(m_files, &Files::recentChanged, this,
+            [this] { m_start->setRecent(m_files->recent()); });
+    connect(m_start, &StartPage::openRequested, m_files, &Files::open);
+    connect(m_start, &StartPage::newRequested, m_files, &Files::startNew);
+    connect(m_start, &StartPage::browseRequested, m_files, &Files::browse);
+    connect(m_start, &StartPage::builderRequested, m_files, &Files::startFrom);
+
+    connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);
+    connect(&m_document, &Document::changed, this, &MainWindow::showCounts);
+    connect(&m_document, &Document::replaced, this, &MainWindow::showCounts);
+    connect(&m_selection, &Selection::changed, this, &MainWindow::showCounts);
+    connect(m_problems, &ProblemList::countChanged, this, [this](int errors, int warnings) {
+        const int count = errors + warnings;
+        m_docks["problems"]->setWindowTitle(count ? tr("Problems (%1)").arg(count)
+                                                  : tr("Problems"));
+        if (errors)
+            m_docks["problems"]->raise();
+    });
+    connect(&m_player, &Player::stopped, this, [this](const QString& why) {
+        m_docks["problems"]->show();
+        m_docks["problems"]->raise();
+        statusBar()->showMessage(why, 15000);
+    });
+}
+
+void MainWindow::restoreLayout()
+{
+    m_start->setRecent(m_files->recent());
+    if (m_memory == Memory::Ignore)
+        return;
+    const QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+}
+
+void MainWindow::showScene()
+{
+    m_middle->setCurrentWidget(m_viewport);
+    for (const auto& [id, dock] : m_docks)
+        dock->setEnabled(true);
+    m_viewport->setFocus();
+    m_viewport->fit();
+}
+
+void MainWindow::showStartPage()
+{
+    m_start->setRecent(m_files->recent());
+    m_middle->setCurrentWidget(m_start);
+}
+
+void MainWindow::showTitle()
+{
+    setWindowTitle(tr("%1[*] – Ripstop").arg(m_document.displayName()));
+    setWindowFilePath(m_document.file());
+    setWindowModified(m_document.isModified());
+}
+
+void MainWindow::showCounts()
+{
+    qsizetype particles = 0;
+    qsizetype links = 0;
+    qsizetype panels = 0;
+    forEachPart(m_document.scene(), [&](Id, const Part& part) {
+        particles += qsizetype(part.particles.size());
+        links += qsizetype(part.links.size());
+        panels += qsizetype(part.panels.size());
+    });
+    m_counts->setText(QStringList{counted(Kind::Particle, particles), counted(Kind::Link, links),
+                                  counted(Kind::Panel, panels)}
+                          .join(" · "));
+    const auto& ids = m_selection.ids();
+    m_selected->setText(ids.empty() ? QString()
+                                    : tr("Selected: %1").arg(describe(m_document.scene(), ids)));
+}
+
+void MainWindow::showKeys()
+{
+    KeysDialog dialog(m_actions->all(), m_document.scene(), this);
+    dialog.exec();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!m_files->mayDiscard())
+        return event->ignore();
+    if (m_memory == Memory::Keep) {
+        QSettings settings;
+        settings.setValue("window/geometry", saveGeometry());
+        settings.setValue("window/state", saveState(layoutVersion));
+    }
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (droppedFile(event->mimeData()).endsWith(".json", Qt::CaseInsensitive))
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) { m_files->open(droppedFile(event->mimeData())); }
+
+} // namespace ripstop

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "editor/actions.h"
+#include "editor/files.h"
+
+#include <QMainWindow>
+
+class QLabel;
+class QStackedWidget;
+
+namespace ripstop {
+
+class ControlKeys;
+class Document;
+class Inspector;
+class Outline;
+class PlotPanel;
+class Player;
+class ProblemList;
+class Selection;
+class StartPage;
+class Transport;
+class Viewport;
+
+// Places the docks and menus; no logic. The view or the start page in the middle, the outline on
+// the left, the inspector on the right, plots, problems and controls below.
+class MainWindow final : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    enum class Memory { Keep, Ignore }; // of places and sizes, from run to run
+
+    MainWindow(Document& document, Selection& selection, Player& player, Memory memory);
+
+    Viewport& viewport() { return *m_viewport; }
+    Files& files() { return *m_files; }
+    Actions& actions() { return *m_actions; }
+
+    void showScene();
+    void showStartPage();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void buildDocks();
+    void buildActions();
+    void buildToolBar();
+    void buildStatusBar();
+    void connectParts();
+    void addDock(const QString& id, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+    void restoreLayout();
+    void showTitle();
+    void showCounts();
+    void showKeys();
+
+    Document& m_document;
+    Selection& m_selection;
+    Player& m_player;
+    Memory m_memory;
+
+    Viewport* m_viewport;
+    StartPage* m_start;
+    QStackedWidget* m_middle;
+    Outline* m_outline;
+    Inspector* m_inspector;
+    PlotPanel* m_plots;
+    ProblemList* m_problems;
+    Transport* m_transport;
+    Files* m_files;
+    Actions* m_actions = nullptr;
+    std::map<QString, QDockWidget*> m_docks;
+    QLabel* m_counts;
+    QLabel* m_selected;
+};
+
+} // namespace ripstop

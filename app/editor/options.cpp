@@ -1,0 +1,94 @@
+#include "editor/options.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+namespace ripstop {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
+
+const QStringList appearances{"desktop", "light", "dark"}; // in the order of Appearance
+const QStringList colors{"material", "strain", "tension", "speed", "load"}; // of ColorBy
+
+std::optional<QSize> sizeFrom(const QString& text)
+{
+    static const QRegularExpression pattern("^(\\d{2,5})x(\\d{2,5})$");
+    const auto match = pattern.match(text);
+    if (!match.hasMatch())
+        return std::nullopt;
+    return QSize(match.captured(1).toInt(), match.captured(2).toInt());
+}
+
+} // namespace
+
+std::optional<Options> readOptions(const QStringList& arguments, QString& error)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        tr("Ripstop, an editor and simulator for fabric that flies.\n\nripstop-cli does the same "
+           "work without a window."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument("scene", tr("Scene file to open (*.ripstop.json)."), "[SCENE]");
+    const QCommandLineOption screenshot(
+        "screenshot", tr("Save a picture of the window as FILE (PNG) and quit."), "FILE");
+    const QCommandLineOption after(
+        "after", tr("Take the picture after this much simulated time (0)."), "SECONDS", "0");
+    const QCommandLineOption frames(
+        "frames",
+        tr("Take N pictures at equal steps up to that time; %1 in FILE becomes the number."), "N",
+        "1");
+    const QCommandLineOption viewOnly("view-only", tr("Only the 3D view, not the whole window."));
+    const QCommandLineOption size("size", tr("Size of the window (1280x800)."), "WxH");
+    const QCommandLineOption theme("theme", tr("Colours: desktop, light or dark."), "NAME",
+                                   "desktop");
+    const QCommandLineOption colorBy(
+        "color-by", tr("Colour by material, strain, tension, speed or load."), "NAME", "material");
+    const QCommandLineOption select("select", tr("Select the item of this name."), "NAME");
+    parser.addOptions({screenshot, after, frames, viewOnly, size, theme, colorBy, select});
+    parser.process(arguments);
+
+    Options options;
+    const QStringList files = parser.positionalArguments();
+    if (files.size() > 1) {
+        error = tr("one scene at a time; \"%1\" is one too many").arg(files[1]);
+        return std::nullopt;
+    }
+    options.scene = files.value(0);
+    options.screenshot = parser.value(screenshot);
+    options.viewOnly = parser.isSet(viewOnly);
+    options.select = parser.value(select);
+
+    bool isNumber = false;
+    options.after = parser.value(after).toDouble(&isNumber);
+    if (!isNumber || !(options.after >= 0.0) || options.after > 1e6) {
+        error = tr("--after needs a time in seconds, not \"%1\"").arg(parser.value(after));
+        return std::nullopt;
+    }
+    options.frames = parser.value(frames).toInt(&isNumber);
+    if (!isNumber || options.frames < 1 || options.frames > 100000) {
+        error = tr("--frames needs a number of pictures, not \"%1\"").arg(parser.value(frames));
+        return std::nullopt;
+    }
+    if (parser.isSet(size) && !(options.size = sizeFrom(parser.value(size)))) {
+        error = tr("--size needs a size like 1280x800, not \"%1\"").arg(parser.value(size));
+        return std::nullopt;
+    }
+    const auto appearance = appearances.indexOf(parser.value(theme));
+    const auto quantity = colors.indexOf(parser.value(colorBy));
+    if (appearance < 0) {
+        error = tr("--theme is one of %1").arg(appearances.join(", "));
+        return std::nullopt;
+    }
+    if (quantity < 0) {
+        error = tr("--color-by is one of %1").arg(colors.join(", "));
+        return std::nullopt;
+    }
+    options.appearance = Appearance(appearance);
+    options.colorBy = ColorBy(quantity);
+    return options;
+}
+
+} // namespace ripstop

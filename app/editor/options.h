@@ -1,0 +1,31 @@
+#pragma once
+
+#include "editor/appearance.h"
+#include "viewport/quantity_values.h"
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+
+namespace ripstop {
+
+// What the command line asks for.
+struct Options
+{
+    QString scene;      // empty: the start page
+    QString screenshot; // empty: stay open
+    double after = 0.0; // s, simulated time at which the picture is taken
+    int frames = 1;     // pictures, at equal steps up to `after`
+    bool viewOnly = false;
+    std::optional<QSize> size;
+    Appearance appearance = Appearance::Desktop;
+    ColorBy colorBy = ColorBy::Material;
+    QString select; // name of an item
+};
+
+// Nothing, and a sentence in `error`, when the arguments make no sense.
+std::optional<Options> readOptions(const QStringList& arguments, QString& error);
+
+} // namespace ripstop

@@ -1,0 +1,82 @@
+#include "editor/screenshot.h"
+
+#include "document/player.h"
+#include "editor/main_window.h"
+#include "measure/diagnostics.h"
+#include "viewport/viewport.h"
+
+#include <QApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace ripstop {
+namespace {
+
+constexpr int slicesPerPicture = 120; // one sample of the plots each
+constexpr int settlingTurns = 6;      // of the event loop, until docks and view have their sizes
+
+} // namespace
+
+Screenshot::Screenshot(const Options& options, MainWindow& window, Player& player)
+    : QObject(&window)
+    , m_options(options)
+    , m_window(window)
+    , m_player(player)
+{
+    connect(&m_timer, &QTimer::timeout, this, &Screenshot::goOn);
+    connect(&m_player, &Player::stopped, this, [this](const QString& why) {
+        std::fprintf(stderr, "%s\n", qPrintable(why));
+        finish(3);
+    });
+    m_timer.start(10);
+}
+
+void Screenshot::goOn()
+{
+    if (m_player.isPlaying())
+        return;
+    if (++m_settling < settlingTurns)
+        return;
+    const int perPicture = std::max(1, slicesPerPicture / m_options.frames);
+    const int slices = m_options.after > 0.0 ? perPicture * (m_picture + 1) : 0;
+    if (m_slice < slices) {
+        ++m_slice;
+        m_player.playUntil(m_options.after * m_slice / (perPicture * m_options.frames));
+        return;
+    }
+    save();
+}
+
+void Screenshot::save()
+{
+    QString file = m_options.screenshot;
+    if (m_options.frames > 1 || file.contains("%1"))
+        file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))
+                   .arg(m_picture, 4, 10, QChar('0'));
+    m_window.repaint();
+    const QImage view = m_window.viewport().image();
+    const QImage picture = m_options.viewOnly ? view : m_window.grab().toImage();
+    if (!picture.save(file)) {
+        std::fprintf(stderr,
+                     "%s: cannot be written; choose a folder that you may write to and the ending "
+                     ".png\n",
+                     qPrintable(file));
+        return finish(1);
+    }
+    if (++m_picture < m_options.frames)
+        return;
+    if (const auto& frame = m_player.frame())
+        std::printf("%s time %.6g s step %lld hash %s\n", qPrintable(file), frame->time,
+                    static_cast<long long>(frame->step), hashText(frame->hash).c_str());
+    finish(0);
+}
+
+void Screenshot::finish(int exitCode)
+{
+    m_timer.stop();
+    QApplication::exit(exitCode);
+}
+
+} // namespace ripstop

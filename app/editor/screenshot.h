@@ -1,0 +1,36 @@
+#pragma once
+
+#include "editor/options.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace ripstop {
+
+class MainWindow;
+class Player;
+
+// Takes the pictures that the command line asked for and quits: flies the scene as fast as it can
+// to each of the times, waits until the view has drawn it, and saves the window.
+class Screenshot final : public QObject
+{
+    Q_OBJECT
+
+public:
+    Screenshot(const Options& options, MainWindow& window, Player& player);
+
+private:
+    void goOn();
+    void save();
+    void finish(int exitCode);
+
+    Options m_options;
+    MainWindow& m_window;
+    Player& m_player;
+    QTimer m_timer;
+    int m_slice = 0;   // of the flight; the plots get a sample at the end of each
+    int m_picture = 0; // the next to be taken
+    int m_settling = 0;
+};
+
+} // namespace ripstop
