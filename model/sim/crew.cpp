@@ -1,6 +1,8 @@
 #include "sim/crew.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -8,11 +10,21 @@ namespace ripstop {
 
 struct Crew::Arena
 {
+    explicit Arena(int threads)
+        : arena(threads)
+    {
+        if (threads > tbb::info::default_concurrency())
+            more = std::make_unique<tbb::global_control>(
+                tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    }
+
+    // More threads than cores, when that is asked for; the library refuses them otherwise.
+    std::unique_ptr<tbb::global_control> more;
     tbb::task_arena arena;
 };
 
 Crew::Crew(int threads)
-    : m_arena(threads > 1 ? new Arena{tbb::task_arena(threads)} : nullptr)
+    : m_arena(threads > 1 ? new Arena(threads) : nullptr)
 {}
 
 Crew::~Crew() = default;

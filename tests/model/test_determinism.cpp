@@ -1,0 +1,169 @@
+// The same bits in every run and at every number of threads (validation C9).
+#include "model/systems.h"
+
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "measure/diagnostics.h"
+#include "run/simulation.h"
+
+#include <QtTest>
+
+#include <cstring>
+
+using namespace ripstop;
+
+namespace {
+
+template <typename T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b)
+{
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+// More than the hash covers: all that a step leaves behind.
+bool sameBits(const State& a, const State& b)
+{
+    return a.time == b.time && a.step == b.step && stateHash(a) == stateHash(b)
+           && sameBits(a.position, b.position) && sameBits(a.velocity, b.velocity)
+           && sameBits(a.drift, b.drift) && sameBits(a.rodTension, b.rodTension)
+           && a.tears.size() == b.tears.size();
+}
+
+// A tangle of 8000 particles: 12000 rods and springs and 11000 panels at random between
+// neighbours, in a wind, over a floor, some of it tearing. Large enough that every loop of the step
+// is shared out between threads.
+System tangle(Integrator integrator, Solver solver)
+{
+    const int count = 8000;
+    Dice dice(11);
+    System system = emptySystem(1.0 / 500.0, integrator);
+    system.solver = solver;
+    system.sweeps = 4;
+    system.substeps = 2;
+    system.gravity = {0.0, -standardGravity, 0.0};
+    system.wind = {2.0, 0.5, -1.0};
+    system.viscosity = 0.3;
+    system.obstacles = {
+        {ColliderShape::Plane, {0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, 0.0, Response::Contact, 0.3, 0.4},
+        {ColliderShape::Sphere, Vec3::Zero(), {0.0, 1.0, 0.0}, 0.3, Response::Slide, 0.0, 0.0}};
+    for (int i = 0; i < count; ++i) {
+        const Vec3 place = Vec3(0.002 * i - 8.0, 0.0, 0.0) + dice.vector(0.5);
+        const Vec3 velocity = dice.vector(1.0);
+        const double mass = dice(0.01, 0.1);
+        if (i % 97 == 0)
+            addPin(system, place, mass);
+        else
+            addParticle(system, place, mass, velocity);
+    }
+    const auto neighbour = [&](int i) { return (i + 1 + dice.below(200)) % count; };
+    for (int k = 0; k < 12000; ++k) {
+        const int a = dice.below(count);
+        const int b = neighbour(a);
+        Rod& rod = addRod(system, a, b, distance(system, a, b), k % 3 == 0 ? 1e-5 : 0.0);
+        rod.resists = k % 5 == 0 ? Resists::Tension : Resists::Both;
+        if (k % 4 == 0)
+            rod.tear = {TearRule::Force, 300.0};
+    }
+    for (int k = 0; k < 12000; ++k) {
+        const int a = dice.below(count);
+        const int b = neighbour(a);
+        Spring& spring = addSpring(system, a, b, distance(system, a, b), 20.0, 0.01);
+        if (k % 4 == 0)
+            spring.tear = {TearRule::Strain, 0.02};
+    }
+    for (int k = 0; k < 11000; ++k) {
+        const int a = dice.below(count - 210);
+        addPanel(system, a, a + 1 + dice.below(90), a + 100 + dice.below(90),
+                 k % 2 ? AirLaw::LinearNormal : AirLaw::Paper, 1.2, 0.02);
+    }
+    finish(system);
+    return system;
+}
+
+} // namespace
+
+class TestDeterminism : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void threads_data()
+    {
+        QTest::addColumn<Integrator>("integrator");
+        QTest::addColumn<Solver>("solver");
+        const auto row = [](Integrator integrator, Solver solver) {
+            QTest::addRow("C9 tangle, %s, %s",
+                          choiceNames<Integrator>[std::size_t(integrator)].data(),
+                          choiceNames<Solver>[std::size_t(solver)].data())
+                << integrator << solver;
+        };
+        row(Integrator::SemiImplicitEuler, Solver::GaussSeidel);
+        row(Integrator::SemiImplicitEuler, Solver::AveragedJacobi);
+        row(Integrator::SemiImplicitEuler, Solver::PaperJacobi);
+        row(Integrator::ExplicitEuler, Solver::GaussSeidel);
+        row(Integrator::Verlet, Solver::GaussSeidel);
+        row(Integrator::VelocityVerlet, Solver::GaussSeidel);
+    }
+
+    void threads()
+    {
+        QFETCH(Integrator, integrator);
+        QFETCH(Solver, solver);
+        const System system = tangle(integrator, solver);
+        const int steps = 8;
+        const State alone = run(system, steps);
+        QVERIFY(!alone.tears.empty());
+        QVERIFY2(sameBits(run(system, steps), alone), "a second run");
+        for (const int threads : {2, 3, 8})
+            QVERIFY2(sameBits(run(system, steps, threads), alone),
+                     qPrintable(QString("%1 threads").arg(threads)));
+    }
+
+    // Compiling and running once more, and running on more threads, changes no bit of any design.
+    void designs_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("fineness"); // rows of cloth, 0 for the default
+        for (const Builder& builder : allBuilders())
+            QTest::addRow("C9 %s", std::string(builder.name).c_str())
+                << QString::fromStdString(std::string(builder.name)) << 0;
+        QTest::newRow("C9 fine cloth") << QString("cloth") << 100;
+    }
+
+    void designs()
+    {
+        QFETCH(QString, name);
+        QFETCH(int, fineness);
+        const Builder& builder = *findBuilder(name.toStdString());
+        Parameters parameters;
+        for (const Parameter& parameter : builder.parameters)
+            if (fineness > 0 && (parameter.key == "columns" || parameter.key == "rows"))
+                parameters[std::string(parameter.key)] = fineness;
+        QVERIFY(fineness == 0 || parameters.size() == 2);
+        const auto scene = build(builder, parameters);
+        QVERIFY2(bool(scene), scene ? "" : scene.message().c_str());
+
+        std::vector<State> states;
+        for (const int threads : {1, 1, 2, 3, 8}) {
+            const auto system = compile(*scene); // anew for each
+            QVERIFY(bool(system));
+            Simulation simulation(*system, threads);
+            const double seconds = fineness > 0 ? 0.02 : 0.3;
+            QVERIFY(simulation.runUntil(seconds));
+            states.push_back(simulation.state());
+        }
+        for (const State& state : states)
+            QVERIFY(sameBits(state, states[0]));
+    }
+
+    // A checkpoint in the middle changes nothing: a copied State goes on with the same bits.
+    void checkpoint()
+    {
+        const System system = tangle(Integrator::Verlet, Solver::GaussSeidel);
+        const State half = run(system, 4);
+        QVERIFY(sameBits(run(system, half, 4), run(system, 8)));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestDeterminism)
+#include "test_determinism.moc"
