@@ -91,4 +91,20 @@ void appendQuoted(std::string& text, std::string_view value)
     text += '"';
 }
 
+std::string printable(std::string_view value)
+{
+    std::string text;
+    while (!value.empty()) {
+        const std::size_t length = characterLength(value);
+        if (length == 0)
+            text += '?';
+        else if (length == 1 && static_cast<unsigned char>(value.front()) < 0x20)
+            text += ' ';
+        else
+            text += value.substr(0, length);
+        value.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return text;
+}
+
 } // namespace ripstop

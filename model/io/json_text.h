@@ -12,4 +12,8 @@ void appendNumber(std::string& text, double number);
 // With quotation marks. Bytes that are not UTF-8 become question marks.
 void appendQuoted(std::string& text, std::string_view value);
 
+// Fit for one line of a message: control characters become blanks, bytes that are not UTF-8
+// question marks.
+std::string printable(std::string_view value);
+
 } // namespace ripstop

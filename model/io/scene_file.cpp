@@ -1,6 +1,7 @@
 #include "io/scene_file.h"
 
 #include "io/json_place.h"
+#include "io/json_text.h"
 #include "io/scene_reader.h"
 #include "io/whole_file.h"
 
@@ -57,7 +58,7 @@ Failure failureAt(std::string_view fileName, std::string_view text, const Flaw& 
     const JsonPlace place = placeOf(text, flaw.end);
     std::string message = std::string(fileName) + ", line " + std::to_string(place.line);
     message += place.path.empty() ? ": the file " : ", " + place.path + ": ";
-    return Failure{message + flaw.message + "."};
+    return Failure{printable(message + flaw.message + ".")};
 }
 
 std::string nameOfThing(Id id, Kind kind)

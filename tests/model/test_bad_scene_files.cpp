@@ -71,6 +71,7 @@ private slots:
         row("too many substeps", withItems("").replace("\"version\"", "\"settings\": {\n\"substeps\": 1e18}, \"version\""), 3, "settings.substeps", {"must be at most 10000, not 1e18"});
         row("no substeps", withItems("").replace("\"version\"", "\"settings\": {\n\"substeps\": 0}, \"version\""), 3, "settings.substeps", {"must be at least 1, not 0"});
         row("a time step of zero", withItems("").replace("\"version\"", "\"settings\": {\n\"timeStep\": 0}, \"version\""), 3, "settings.timeStep", {"must be at least"});
+        row("line ends in a choice", withItems("").replace("\"version\"", "\"settings\": {\n\"integrator\": \"a\\nb\"}, \"version\""), 3, "settings.integrator", {"not \"a b\""});
         row("a misspelt choice", withItems("").replace("\"version\"", "\"settings\": {\n\"integrator\": \"verlt\"}, \"version\""), 3, "settings.integrator", {"must be one of explicit_euler", "not \"verlt\"", "did you mean \"verlet\"?"});
         row("a colour by name", withItems("{\"type\": \"material\", \"id\": 1,\n\"color\": \"red\"}"), 5, "items[0].color", {"#rrggbb"});
         row("a builder's parameter as text", withPart("\"parameters\": {\"span\":\n\"wide\"}"), 6, "items[0].parameters.span", {"must be a number, not \"wide\""});
