@@ -115,8 +115,9 @@ std::vector<Row> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Edit", "deselect",   tr("D&eselect"),           "deselect", QKeySequence("Esc"), tr("Select nothing; the inspector then shows the settings."), [&selection] { selection.clear(); }},
         {"&Edit", "find",       tr("&Find in outline"),    "search",  QKeySequence::Find,   tr("Search the outline by name."), [&bench = bench.outline] { bench.focusSearch(); }},
 
-        {"&View", "fit",        tr("&Fit"),                "fit",     QKeySequence("F"),    tr("Show the whole scene."), [&viewport] { viewport.fit(); }},
-        {"&View", "follow",     tr("F&ollow"),             "follow",  QKeySequence("Shift+F"), tr("The camera goes with the fabric."), showing("follow", &Viewport::setFollow), Toggle::Off},
+        {"&View", "fit",        tr("&Fit"),                "fit",     QKeySequence("Home"), tr("Show the whole scene."), [&viewport] { viewport.fit(); }},
+        {"&View", "fitSelected", tr("Fit sele&ction"),     nullptr,   QKeySequence("F"),    tr("Show what is selected, or the whole scene when nothing is."), [&viewport] { viewport.fitSelection(); }},
+        {"&View", "follow",     tr("F&ollow"),             "follow",  QKeySequence("Shift+F"), tr("The camera goes with the fabric."), showing("follow", &Viewport::setFollow), Toggle::On},
         {"&View", "ortho",      tr("O&rthographic"),       "orthographic", QKeySequence("5"), tr("Without perspective: parallels stay parallel."), showing("ortho", &Viewport::setOrthographic), Toggle::Off},
         line,
         {"&View", "front",      tr("Fro&nt"),              "view-front", QKeySequence("1"), tr("Look from the front."), looking(PresetView::Front)},
@@ -161,6 +162,7 @@ Actions::Actions(const Workbench& bench)
     connect(&m_bench.files, &Files::recentChanged, this, &Actions::fillRecent);
     fillRecent();
     keepCurrent();
+    m_bench.viewport.setParticlesShown(m_byId["particles"]->isChecked());
 }
 
 void Actions::build()

@@ -173,19 +173,32 @@ void MainWindow::restoreLayout()
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+    for (const auto& [id, dock] : m_docks)
+        if (dock->isHidden())
+            m_hidden.insert(id);
 }
 
 void MainWindow::showScene()
 {
     m_middle->setCurrentWidget(m_viewport);
     for (const auto& [id, dock] : m_docks)
-        dock->setEnabled(true);
+        dock->setVisible(!m_hidden.contains(id));
+    m_docks["plots"]->raise();
     m_viewport->setFocus();
     m_viewport->fit();
 }
 
 void MainWindow::showStartPage()
 {
+    // The start page has the window to itself; docks that were closed stay closed afterwards.
+    if (m_middle->currentWidget() == m_viewport) {
+        m_hidden.clear();
+        for (const auto& [id, dock] : m_docks)
+            if (dock->isHidden())
+                m_hidden.insert(id);
+    }
+    for (const auto& [id, dock] : m_docks)
+        dock->hide();
     m_start->setRecent(m_files->recent());
     m_middle->setCurrentWidget(m_start);
 }
@@ -226,6 +239,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
     if (!m_files->mayDiscard())
         return event->ignore();
     if (m_memory == Memory::Keep) {
+        if (m_middle->currentWidget() == m_start)
+            showScene(); // the layout to remember is that with docks
         QSettings settings;
         settings.setValue("window/geometry", saveGeometry());
         settings.setValue("window/state", saveState(layoutVersion));

@@ -5,6 +5,9 @@
 
 #include <QMainWindow>
 
+#include <map>
+#include <set>
+
 class QLabel;
 class QStackedWidget;
 
@@ -73,6 +76,7 @@ private:
     Files* m_files;
     Actions* m_actions = nullptr;
     std::map<QString, QDockWidget*> m_docks;
+    std::set<QString> m_hidden; // docks that the user has closed
     QLabel* m_counts;
     QLabel* m_selected;
 };

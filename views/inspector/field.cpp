@@ -154,6 +154,7 @@ Field notesField(const FieldPlace& place)
     });
     edit->setTabChangesFocus(true);
     edit->setFixedHeight(4 * edit->fontMetrics().lineSpacing() + 10);
+    edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // else its row takes all room
     return {edit, {edit}, [edit](const Common& common) {
                 if (const QString text = textOf(common.value); text != edit->toPlainText())
                     edit->setPlainText(text);

@@ -13,6 +13,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QResizeEvent>
 #include <QScopedValueRollback>
 #include <QToolButton>
 #include <QTreeView>
@@ -22,6 +23,8 @@
 
 namespace ripstop {
 namespace {
+
+constexpr int detailWidth = 190; // pixels, of the longest details
 
 using Sort = OutlineModel::Node::Sort;
 
@@ -126,7 +129,7 @@ void Outline::buildTree()
     header->setStretchLastSection(false);
     header->setMinimumSectionSize(20);
     header->setSectionResizeMode(OutlineModel::Name, QHeaderView::Stretch);
-    header->setSectionResizeMode(OutlineModel::Detail, QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(OutlineModel::Detail, QHeaderView::Fixed);
     header->setSectionResizeMode(OutlineModel::Shown, QHeaderView::Fixed);
     header->resizeSection(OutlineModel::Shown, 26);
 
@@ -283,6 +286,11 @@ void Outline::takeSearch()
 
 bool Outline::eventFilter(QObject* watched, QEvent* event)
 {
+    // Names come first: details get what they need, but less than half of the width.
+    if (watched == m_tree && event->type() == QEvent::Resize)
+        m_tree->header()->resizeSection(
+            OutlineModel::Detail,
+            std::min(detailWidth, static_cast<QResizeEvent*>(event)->size().width() * 2 / 5));
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (watched == m_tree && key == Qt::Key_Delete) {

@@ -4,6 +4,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "viewport/compass.h"
+#include "viewport/element_places.h"
 #include "viewport/legend.h"
 #include "viewport/picker.h"
 #include "viewport/scene_frame.h"
@@ -87,7 +88,8 @@ public:
 
     Pickable pickable{.particles = true, .links = true, .panels = true};
     bool untouched = true;        // the camera still shows everything, as nobody has moved it
-    std::optional<Vec3> followed; // m, where the middle was, when following
+    bool following = true;        // the camera goes with the fabric
+    std::optional<Vec3> followed; // m, where the middle was in the last frame
     QPointF pressed;
     QPointF last;
     bool dragging = false;
@@ -138,12 +140,11 @@ void Viewport::Private::place()
 
 void Viewport::Private::moveWith(const Frame& frame)
 {
-    if (!followed)
-        return;
     const Vec3 middle = middleOf(frame);
-    if (!middle.allFinite())
+    if (!following || !middle.allFinite())
         return;
-    camera.focus += middle - *followed;
+    if (followed)
+        camera.focus += middle - *followed;
     followed = middle;
 }
 
@@ -284,6 +285,19 @@ void Viewport::fit()
     emit cameraChanged();
 }
 
+void Viewport::fitSelection()
+{
+    const auto& frame = d->stage.frame();
+    const auto places =
+        frame ? placesOf(*frame, d->document.scene(), d->selection.ids()) : std::vector<Vec3>();
+    if (places.empty())
+        return fit();
+    d->untouched = false;
+    d->camera.fit(places, d->aspect());
+    d->screen.update();
+    emit cameraChanged();
+}
+
 void Viewport::view(PresetView preset)
 {
     d->camera.look(preset);
@@ -292,14 +306,10 @@ void Viewport::view(PresetView preset)
 
 void Viewport::setFollow(bool follow)
 {
+    d->following = follow;
     d->followed.reset();
-    if (follow && d->stage.frame()) {
+    if (follow && d->stage.frame())
         d->followed = middleOf(*d->stage.frame());
-        d->camera.focus = *d->followed;
-        d->untouched = false;
-    }
-    d->screen.update();
-    emit cameraChanged();
 }
 
 void Viewport::setOrthographic(bool orthographic)
@@ -363,7 +373,7 @@ void Viewport::wheelEvent(QWheelEvent* event)
     const double x = 2.0 * event->position().x() / width() - 1.0;
     const double y = 1.0 - 2.0 * event->position().y() / height();
     // a following camera keeps its object in the middle
-    const bool centred = d->followed.has_value();
+    const bool centred = d->following;
     d->camera.zoom(std::pow(zoomPerNotch, notches), centred ? 0.0 : x, centred ? 0.0 : y,
                    d->aspect());
     d->untouched = false;

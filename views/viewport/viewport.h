@@ -49,9 +49,10 @@ public:
     void setParticlesShown(bool shown);
     void setWindShown(bool shown);
 
-    void fit(); // everything that is shown
+    void fit();          // everything that is shown
+    void fitSelection(); // what is selected; everything when nothing is
     void view(PresetView preset);
-    void setFollow(bool follow); // the camera goes with the fabric
+    void setFollow(bool follow); // the camera goes with the fabric; on at first
     void setOrthographic(bool orthographic);
     const Turntable& camera() const;
 
