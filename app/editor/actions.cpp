@@ -116,7 +116,7 @@ std::vector<Row> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Edit", "find",       tr("&Find in outline"),    "search",  QKeySequence::Find,   tr("Search the outline by name."), [&bench = bench.outline] { bench.focusSearch(); }},
 
         {"&View", "fit",        tr("&Fit"),                "fit",     QKeySequence("Home"), tr("Show the whole scene."), [&viewport] { viewport.fit(); }},
-        {"&View", "fitSelected", tr("Fit sele&ction"),     nullptr,   QKeySequence("F"),    tr("Show what is selected, or the whole scene when nothing is."), [&viewport] { viewport.fitSelection(); }},
+        {"&View", "fitSelected", tr("Fit sele&ction"),     nullptr,   QKeySequence("F"),    tr("Show what is selected, or the whole scene when nothing is."), [&viewport, &selection] { viewport.fit(selection.ids()); }},
         {"&View", "follow",     tr("F&ollow"),             "follow",  QKeySequence("Shift+F"), tr("The camera goes with the fabric."), showing("follow", &Viewport::setFollow), Toggle::On},
         {"&View", "ortho",      tr("O&rthographic"),       "orthographic", QKeySequence("5"), tr("Without perspective: parallels stay parallel."), showing("ortho", &Viewport::setOrthographic), Toggle::Off},
         line,

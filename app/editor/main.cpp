@@ -22,11 +22,13 @@ int refuse(const QString& message, int exitCode)
     return exitCode;
 }
 
-void select(const QString& name, const Document& document, Selection& selection)
+// Nothing when no item is called so.
+std::vector<Id> itemCalled(const QString& name, const Scene& scene)
 {
-    for (const Entry& entry : document.scene().items)
-        if (nameOf(entry.item) == name.toStdString())
-            return selection.set({entry.id});
+    for (const Entry& entry : scene.items)
+        if (!name.isEmpty() && nameOf(entry.item) == name.toStdString())
+            return {entry.id};
+    return {};
 }
 
 } // namespace
@@ -64,12 +66,14 @@ int main(int argc, char** argv)
         window.resize(*options->size);
     if (!options->scene.isEmpty())
         window.showScene();
+    if (options->viewOnly)
+        window.showViewOnly();
     window.viewport().setColorBy(options->colorBy);
-    select(options->select, document, selection);
+    selection.set(itemCalled(options->select, document.scene()));
     window.show();
 
     std::optional<Screenshot> screenshot;
     if (!stays)
-        screenshot.emplace(*options, window, player);
+        screenshot.emplace(*options, itemCalled(options->fit, document.scene()), window, player);
     return QApplication::exec();
 }

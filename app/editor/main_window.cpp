@@ -20,6 +20,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
@@ -89,7 +90,7 @@ void MainWindow::buildDocks()
     tabifyDockWidget(m_docks["plots"], m_docks["controls"]);
     tabifyDockWidget(m_docks["controls"], m_docks["problems"]);
     m_docks["plots"]->raise();
-    resizeDocks({m_docks["outline"], m_docks["inspector"]}, {230, 290}, Qt::Horizontal);
+    resizeDocks({m_docks["outline"], m_docks["inspector"]}, {250, 290}, Qt::Horizontal);
     resizeDocks({m_docks["plots"]}, {210}, Qt::Vertical);
 }
 
@@ -113,18 +114,18 @@ void MainWindow::buildActions()
 
 void MainWindow::buildToolBar()
 {
-    auto* bar = addToolBar(tr("Main"));
-    bar->setObjectName("main");
-    bar->setMovable(false);
-    bar->setIconSize(QSize(18, 18));
+    m_toolBar = addToolBar(tr("Main"));
+    m_toolBar->setObjectName("main");
+    m_toolBar->setMovable(false);
+    m_toolBar->setIconSize(QSize(18, 18));
     for (const char* id :
          {"open", "save", "", "undo", "redo", "", "fit", "home", "follow", "byStrain", "particles"})
         if (*id)
-            bar->addAction((*m_actions)[id]);
+            m_toolBar->addAction((*m_actions)[id]);
         else
-            bar->addSeparator();
-    bar->addSeparator();
-    bar->addWidget(m_transport);
+            m_toolBar->addSeparator();
+    m_toolBar->addSeparator();
+    m_toolBar->addWidget(m_transport);
 }
 
 void MainWindow::buildStatusBar()
@@ -186,6 +187,15 @@ void MainWindow::showScene()
     m_docks["plots"]->raise();
     m_viewport->setFocus();
     m_viewport->fit();
+}
+
+void MainWindow::showViewOnly()
+{
+    for (const auto& [id, dock] : m_docks)
+        dock->hide();
+    m_toolBar->hide();
+    menuBar()->hide();
+    statusBar()->hide();
 }
 
 void MainWindow::showStartPage()

@@ -42,6 +42,7 @@ public:
 
     void showScene();
     void showStartPage();
+    void showViewOnly(); // for pictures
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -74,6 +75,7 @@ private:
     ProblemList* m_problems;
     Transport* m_transport;
     Files* m_files;
+    QToolBar* m_toolBar = nullptr;
     Actions* m_actions = nullptr;
     std::map<QString, QDockWidget*> m_docks;
     std::set<QString> m_hidden; // docks that the user has closed

@@ -47,7 +47,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     const QCommandLineOption colorBy(
         "color-by", tr("Colour by material, strain, tension, speed or load."), "NAME", "material");
     const QCommandLineOption select("select", tr("Select the item of this name."), "NAME");
-    parser.addOptions({screenshot, after, frames, viewOnly, size, theme, colorBy, select});
+    const QCommandLineOption fit("fit", tr("Fill the picture with the item of this name."), "NAME");
+    parser.addOptions({screenshot, after, frames, viewOnly, size, theme, colorBy, select, fit});
     parser.process(arguments);
 
     Options options;
@@ -60,6 +61,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     options.screenshot = parser.value(screenshot);
     options.viewOnly = parser.isSet(viewOnly);
     options.select = parser.value(select);
+    options.fit = parser.value(fit);
 
     bool isNumber = false;
     options.after = parser.value(after).toDouble(&isNumber);

@@ -23,6 +23,7 @@ struct Options
     Appearance appearance = Appearance::Desktop;
     ColorBy colorBy = ColorBy::Material;
     QString select; // name of an item
+    QString fit;    // name of an item
 };
 
 // Nothing, and a sentence in `error`, when the arguments make no sense.

@@ -19,9 +19,11 @@ constexpr int settlingTurns = 6;      // of the event loop, until docks and view
 
 } // namespace
 
-Screenshot::Screenshot(const Options& options, MainWindow& window, Player& player)
+Screenshot::Screenshot(const Options& options, std::vector<Id> fitted, MainWindow& window,
+                       Player& player)
     : QObject(&window)
     , m_options(options)
+    , m_fitted(std::move(fitted))
     , m_window(window)
     , m_player(player)
 {
@@ -56,7 +58,7 @@ void Screenshot::save()
         file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))
                    .arg(m_picture, 4, 10, QChar('0'));
     if (m_picture == 0)
-        m_window.viewport().fitSelection();
+        m_window.viewport().fit(m_fitted);
     m_window.repaint();
     const QImage view = m_window.viewport().image();
     const QImage picture = m_options.viewOnly ? view : m_window.grab().toImage();

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "editor/options.h"
+#include "scene/id.h"
 
 #include <QObject>
 #include <QTimer>
+
+#include <vector>
 
 namespace ripstop {
 
@@ -17,7 +20,8 @@ class Screenshot final : public QObject
     Q_OBJECT
 
 public:
-    Screenshot(const Options& options, MainWindow& window, Player& player);
+    // `fitted` is what fills the pictures; nothing is the whole scene.
+    Screenshot(const Options& options, std::vector<Id> fitted, MainWindow& window, Player& player);
 
 private:
     void goOn();
@@ -25,6 +29,7 @@ private:
     void finish(int exitCode);
 
     Options m_options;
+    std::vector<Id> m_fitted;
     MainWindow& m_window;
     Player& m_player;
     QTimer m_timer;

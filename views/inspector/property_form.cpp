@@ -136,7 +136,7 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
 
     const bool isTall = field.widget->sizeHint().height() > 36; // px
     grid.addWidget(label, row, 0, isTall ? Qt::AlignTop : Qt::AlignVCenter);
-    label->setMinimumHeight(isTall ? field.focus[0]->sizeHint().height() : 0);
+    label->setMinimumHeight(isTall ? reset->sizeHint().height() : 0); // level with the first line
     grid.addWidget(field.widget, row, 1);
     grid.addWidget(reset, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
     grid.addWidget(complaint, row + 1, 1, 1, 2);

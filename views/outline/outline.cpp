@@ -290,7 +290,7 @@ bool Outline::eventFilter(QObject* watched, QEvent* event)
     if (watched == m_tree && event->type() == QEvent::Resize)
         m_tree->header()->resizeSection(
             OutlineModel::Detail,
-            std::min(detailWidth, static_cast<QResizeEvent*>(event)->size().width() * 2 / 5));
+            std::min(detailWidth, static_cast<QResizeEvent*>(event)->size().width() / 3));
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (watched == m_tree && key == Qt::Key_Delete) {

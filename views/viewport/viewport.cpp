@@ -285,11 +285,10 @@ void Viewport::fit()
     emit cameraChanged();
 }
 
-void Viewport::fitSelection()
+void Viewport::fit(const std::vector<Id>& ids)
 {
     const auto& frame = d->stage.frame();
-    const auto places =
-        frame ? placesOf(*frame, d->document.scene(), d->selection.ids()) : std::vector<Vec3>();
+    const auto places = frame ? placesOf(*frame, d->document.scene(), ids) : std::vector<Vec3>();
     if (places.empty())
         return fit();
     d->untouched = false;

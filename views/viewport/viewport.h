@@ -49,8 +49,8 @@ public:
     void setParticlesShown(bool shown);
     void setWindShown(bool shown);
 
-    void fit();          // everything that is shown
-    void fitSelection(); // what is selected; everything when nothing is
+    void fit();                           // everything that is shown
+    void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
     void setOrthographic(bool orthographic);
