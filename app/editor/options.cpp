@@ -40,7 +40,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         "frames",
         tr("Take N pictures at equal steps up to that time; %1 in FILE becomes the number."), "N",
         "1");
-    const QCommandLineOption viewOnly("view-only", tr("Only the 3D view, not the whole window."));
+    const QCommandLineOption viewOnly("view-only",
+                                      tr("Only the 3D view, without legend and compass."));
     const QCommandLineOption size("size", tr("Size of the window (1280x800)."), "WxH");
     const QCommandLineOption theme("theme", tr("Colours: desktop, light or dark."), "NAME",
                                    "desktop");

@@ -60,7 +60,7 @@ void Screenshot::save()
     if (m_picture == 0)
         m_window.viewport().fit(m_fitted);
     m_window.repaint();
-    const QImage view = m_window.viewport().image();
+    const QImage view = m_window.viewport().image(Viewport::Overlays::Without);
     const QImage picture = m_options.viewOnly ? view : m_window.grab().toImage();
     if (!picture.save(file)) {
         std::fprintf(stderr,

@@ -7,7 +7,7 @@ namespace {
 
 // A panel that rests on a sphere with its corners dips into it with its middle; drawn a little
 // smaller, the sphere does not show through.
-constexpr double drawnSize = 0.985;
+constexpr double drawnSize = 0.965;
 
 } // namespace
 

@@ -1,5 +1,7 @@
 #include "viewport/look.h"
 
+#include <map>
+
 #include <algorithm>
 #include <charconv>
 
@@ -65,10 +67,23 @@ Paint paintOf(const std::vector<std::pair<Id, Paint>>& paints, Id material)
     return found != paints.end() ? found->second : Paint{};
 }
 
+// From this share of the mass of its part on, a particle is drawn as a weight.
+constexpr double heavyShare = 0.2;
+
+double massOf(const Part& part)
+{
+    double sum = 0.0;
+    for (const Particle& particle : part.particles)
+        sum += particle.mass;
+    return sum;
+}
+
 void lookAtParticles(const Directory& directory, const Layout& layout, Look& look)
 {
     const std::size_t count = layout.particleId.size();
     look.particleShown.assign(count, 0);
+    look.isWeight.assign(count, 0);
+    std::map<const Part*, double> partMass;
     look.texture.assign(count, {0.0F, 0.0F});
     bool textured = false;
     for (std::size_t i = 0; i < count; ++i) {
@@ -77,6 +92,11 @@ void lookAtParticles(const Directory& directory, const Layout& layout, Look& loo
             continue;
         const Particle& particle = row->part->particles[row->index];
         look.particleShown[i] = row->part->shown;
+        const auto [mass, isNew] = partMass.try_emplace(row->part, 0.0);
+        if (isNew)
+            mass->second = massOf(*row->part);
+        look.isWeight[i] = !particle.pinned && particle.mass >= heavyShare * mass->second
+                           && row->part->particles.size() > 1;
         look.texture[i] = {float(particle.textureU), float(particle.textureV)};
         textured |= particle.textureU != 0.0 || particle.textureV != 0.0;
     }

@@ -15,6 +15,7 @@ using Color = std::array<std::uint8_t, 3>; // red, green, blue, 0 .. 255
 struct Look
 {
     std::vector<std::uint8_t> particleShown; // [particles]
+    std::vector<std::uint8_t> isWeight;      // [particles] free, and heavy for its part
     std::vector<std::uint8_t> linkShown;     // [links]
     std::vector<Color> linkColor;            // [links]
     std::vector<std::uint8_t> panelShown;    // [panels]

@@ -22,9 +22,10 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 8> Stage::layers()
+std::array<Layer*, 9> Stage::layers()
 {
-    return {&m_ground, &m_shadow, &m_colliders, &panels, &links, &particles, &m_highlight, &m_pins};
+    return {&m_ground,  &m_shadow,  &m_colliders, &panels, &links,
+            &particles, &m_weights, &m_highlight, &m_pins};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft

@@ -11,6 +11,7 @@
 #include "viewport/particle_layer.h"
 #include "viewport/shadow_layer.h"
 #include "viewport/turntable.h"
+#include "viewport/weight_layer.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkPoints.h>
@@ -62,9 +63,10 @@ private:
     void takeBounds(const Scene& scene);
     void takeRange();
     bool somethingBroke() const;
-    std::array<Layer*, 8> layers();
+    std::array<Layer*, 9> layers();
 
     PinLayer m_pins;
+    WeightLayer m_weights;
     HighlightLayer m_highlight;
     GroundLayer m_ground;
     ColliderLayer m_colliders;

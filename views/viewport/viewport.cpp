@@ -261,10 +261,10 @@ void Viewport::resizeEvent(QResizeEvent*)
     d->place();
 }
 
-QImage Viewport::image()
+QImage Viewport::image(Overlays overlays)
 {
     QImage picture = d->screen.grabFramebuffer();
-    if (picture.isNull())
+    if (picture.isNull() || overlays == Overlays::Without)
         return picture;
     picture.setDevicePixelRatio(d->screen.devicePixelRatioF());
     QPainter painter(&picture);

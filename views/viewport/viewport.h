@@ -59,8 +59,9 @@ public:
     // Also chosen by itself whenever the palette changes.
     void setTheme(const Theme& theme);
 
-    // The view as it is now, with legend and compass, in device pixels.
-    QImage image();
+    // The view as it is now, in device pixels.
+    enum class Overlays { With, Without }; // legend and compass
+    QImage image(Overlays overlays = Overlays::With);
 
     Id pick(QPointF place); // noId when nothing is there
 
