@@ -1,6 +1,7 @@
 // ripstop-cli bench: how fast the engine is on this machine, on three designs of known size.
 #include "builders/builder.h"
 #include "cli/commands.h"
+#include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/compile.h"
 #include "run/simulation.h"
@@ -224,7 +225,7 @@ void addBench(CLI::App& app, Command& chosen)
         ->capture_default_str()
         ->type_name("N");
     command->add_option("--seconds", options->seconds, "Wall time of a repetition, about, s")
-        ->check(CLI::Range(1e-3, 1e3))
+        ->check(numberBetween(1e-3, 1e3))
         ->capture_default_str()
         ->type_name("T");
     command->add_option("--threads", options->threads, "Threads")

@@ -70,17 +70,17 @@ void addExport(CLI::App& app, Command& chosen)
         ->required()
         ->type_name("TARGET");
     command->add_option("--fps", options->fps, "Frames per simulated second")
-        ->check(CLI::Range(1e-6, 1e6))
+        ->check(numberBetween(1e-6, 1e6))
         ->capture_default_str()
         ->type_name("F");
     command->add_option("--from", options->from, "Simulated time of the first frame, s")
-        ->check(CLI::Range(0.0, 1e9))
+        ->check(numberBetween(0.0, 1e9))
         ->type_name("T0");
     command
         ->add_option("--to", options->to,
                      "Simulated time of the last frame, s; by default 10 s after the first, and "
                      "for one moment the first itself")
-        ->check(CLI::Range(0.0, 1e9))
+        ->check(numberBetween(0.0, 1e9))
         ->type_name("T1");
     addSetOption(*command, options->scene.assignments);
     command->add_option("--threads", options->threads, "Threads; the result is the same for all")

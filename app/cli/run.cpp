@@ -170,7 +170,7 @@ void addRun(CLI::App& app, Command& chosen)
     addSceneOption(*command, options->scene);
     command->add_option("--seconds", options->seconds, "Simulated time, s")
         ->required()
-        ->check(CLI::Range(0.0, 1e9))
+        ->check(numberBetween(0.0, 1e9))
         ->type_name("T");
     addSetOption(*command, options->scene.assignments);
     command->add_option("--threads", options->threads, "Threads; the result is the same for all")

@@ -4,11 +4,28 @@
 #include "io/scene_file.h"
 #include "scene/path.h"
 
+#include <charconv>
+
 namespace ripstop {
 
 void addSceneOption(CLI::App& command, SceneInput& input)
 {
     command.add_option("SCENE", input.file, "Scene file, *.ripstop.json")->required();
+}
+
+CLI::Validator numberBetween(double low, double high)
+{
+    return CLI::Validator(
+        [low, high](std::string& text) -> std::string {
+            double value = 0.0;
+            const char* const last = text.data() + text.size();
+            const auto [end, error] = std::from_chars(text.data(), last, value);
+            if (error == std::errc() && end == last && value >= low && value <= high)
+                return {};
+            return "must be a number from " + shortNumber(low) + " to " + shortNumber(high)
+                   + ", not " + text;
+        },
+        "");
 }
 
 void addSetOption(CLI::App& command, std::vector<std::string>& assignments)

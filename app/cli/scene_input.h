@@ -18,6 +18,10 @@ struct SceneInput
 };
 
 void addSceneOption(CLI::App& command, SceneInput& input);
+
+// A finite number in a range; CLI::Range lets "nan" through.
+CLI::Validator numberBetween(double low, double high);
+
 void addSetOption(CLI::App& command, std::vector<std::string>& assignments);
 
 // The scene, or the exit code after a message.

@@ -75,13 +75,10 @@ std::optional<Failure> unwritable(const Scene& scene, const std::filesystem::pat
     std::optional<Failure> failure;
     const auto check = [&](Id id, const ConstRef& ref) {
         for (const Property& property : propertiesOf(kindOf(ref))) {
-            const Value value = property.get(ref);
-            const auto* number = std::get_if<double>(&value);
-            const auto* vector = std::get_if<Vec3>(&value);
-            if ((number && !std::isfinite(*number)) || (vector && !vector->allFinite()))
-                failure = Failure{file.string() + " was not saved: " + std::string(property.key)
-                                  + " of " + nameOfThing(id, kindOf(ref))
-                                  + " is not a finite number; correct it first."};
+            if (const auto reason = refusal(property, property.get(ref)))
+                failure =
+                    Failure{file.string() + " was not saved: " + std::string(property.key) + " of "
+                            + nameOfThing(id, kindOf(ref)) + " " + *reason + "; correct it first."};
         }
     };
     check(settingsId, &scene.settings);

@@ -103,6 +103,7 @@ private slots:
         row("no seconds",                 {"run", kite},                                            2, "seconds");
         row("negative seconds",           {"run", kite, "--seconds", "-1"},                         2, "seconds");
         row("seconds that are no number", {"run", kite, "--seconds", "ten"},                        2, "ten");
+        row("seconds not a number",       {"run", kite, "--seconds", "nan"},                        2, "must be a number from 0");
         row("no threads",                 {"run", kite, "--seconds", "1", "--threads", "0"},        2, "threads");
         row("unknown item in --set",      {"run", kite, "--seconds", "1", "--set", "wnd.velocity=1"}, 2, "did you mean \"wind\"?");
         row("unknown property in --set",  {"run", kite, "--seconds", "1", "--set", "settings.substep=1"}, 2, "did you mean \"substeps\"?");

@@ -327,17 +327,35 @@ private slots:
                  failure->message.c_str());
     }
 
-    // What cannot be read again must not replace a file that can.
-    void refusesToSaveWhatIsNotFinite()
+    void refusesToSaveWhatItCouldNotRead_data()
     {
+        QTest::addColumn<double>("mass");   // kg
+        QTest::addColumn<double>("height"); // m
+        QTest::addColumn<QString>("fragment");
+        QTest::newRow("not a number")
+            << 1.0 << std::nan("") << "position of particle 12 must be three finite numbers";
+        QTest::newRow("infinite mass")
+            << HUGE_VAL << 0.0 << "mass of particle 12 must be a finite number";
+        QTest::newRow("negative mass") << -1.0 << 0.0 << "mass of particle 12 must be at least 0";
+    }
+
+    // What cannot be read again must not replace a file that can.
+    void refusesToSaveWhatItCouldNotRead()
+    {
+        QFETCH(double, mass);
+        QFETCH(double, height);
+        QFETCH(QString, fragment);
         QTemporaryDir folder;
         const QString path = folder.filePath("wing.ripstop.json");
         write(path, "the old content");
         Scene scene = oneOfEach();
-        std::get<Part>(scene.items[0].item).particles[1].position.y() = std::nan("");
+        Particle& particle = std::get<Part>(scene.items[0].item).particles[1];
+        particle.mass = mass;
+        particle.position.y() = height;
         const std::optional<Failure> failure = saveScene(scene, path.toStdString());
         QVERIFY(failure);
-        QVERIFY(failure->message.find("position of particle 12") != std::string::npos);
+        QVERIFY2(failure->message.find(fragment.toStdString()) != std::string::npos,
+                 failure->message.c_str());
         QCOMPARE(contentOf(path), QByteArray("the old content"));
     }
 
