@@ -1,0 +1,243 @@
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/main_window.h"
+#include "editor/options.h"
+#include "viewport/viewport.h"
+
+#include "compile/compile.h"
+#include "measure/diagnostics.h"
+#include "scene/path.h"
+
+#include <QAction>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLineEdit>
+#include <QProcess>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+const QString samples = QStringLiteral(SCENES_DIR "/");
+
+struct Finished
+{
+    int exitCode = -1;
+    QString output;
+    QString error;
+};
+
+Finished run(const QString& program, const QStringList& arguments)
+{
+    QProcess process;
+    process.start(program, arguments);
+    if (!process.waitForFinished(120000))
+        return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+// The window of a person, without their remembered layout.
+struct Editor
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
+
+    explicit Editor(const QString& sample = {})
+    {
+        window.show();
+        QApplication::setActiveWindow(&window); // Xvfb has no window manager to do it
+        if (!sample.isEmpty())
+            window.files().open(samples + sample + ".ripstop.json");
+    }
+
+    bool isReady() const { return player.frame() != nullptr; }
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        QTest::keyClick(&window.viewport(), key, modifiers);
+    }
+};
+
+} // namespace
+
+class TestEditor : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void spacePlaysAndPauses()
+    {
+        Editor editor("delta_kite");
+        QVERIFY(QTest::qWaitForWindowExposed(&editor.window));
+        QTRY_VERIFY(editor.isReady());
+        editor.press(Qt::Key_Space);
+        QVERIFY(editor.player.isPlaying());
+        QTRY_VERIFY(editor.player.frame()->time > 0.1);
+        editor.press(Qt::Key_Space);
+        QVERIFY(!editor.player.isPlaying());
+        editor.press(Qt::Key_R, Qt::ControlModifier);
+        QTRY_COMPARE(editor.player.frame()->time, 0.0);
+    }
+
+    // The hand that holds the line goes back against the wind, which blows towards +x: Down is
+    // 0.25 m each time.
+    void keysDriveControls()
+    {
+        Editor editor("delta_kite");
+        QVERIFY(QTest::qWaitForWindowExposed(&editor.window));
+        QTRY_VERIFY(editor.isReady());
+        editor.player.play();
+        QTRY_VERIFY(editor.player.frame()->time > 0.0);
+        editor.press(Qt::Key_Down);
+        editor.press(Qt::Key_Down);
+        QTRY_COMPARE(editor.player.frame()->inputValue.at(0), 0.5);
+        QTRY_COMPARE(editor.player.frame()->inputValue.at(1), 0.0);
+        editor.press(Qt::Key_Up);
+        QTRY_COMPARE(editor.player.frame()->inputValue.at(0), 0.25);
+    }
+
+    void editsReachTheRunAndAreUndone()
+    {
+        Editor editor("delta_kite");
+        QTRY_VERIFY(editor.isReady());
+        QVERIFY(!editor.window.actions()["undo"]->isEnabled());
+        const Scene before = editor.document.scene();
+        editor.player.play();
+        QTRY_VERIFY(editor.player.frame()->time > 0.05);
+        const auto edit = assignment(before, "wind.velocity=9,0,0");
+        QVERIFY(edit);
+        const auto generation = editor.player.frame()->generation;
+        editor.document.push(*edit);
+        QTRY_VERIFY(editor.player.frame()->generation > generation);
+        QVERIFY(editor.player.frame()->time > 0.05); // not started over
+        QVERIFY(editor.window.actions()["undo"]->isEnabled());
+        QVERIFY(editor.window.isWindowModified());
+        editor.window.actions()["undo"]->trigger();
+        QVERIFY(editor.document.scene() == before);
+        QVERIFY(!editor.window.isWindowModified());
+        QVERIFY(editor.window.actions()["redo"]->isEnabled());
+    }
+
+    void deletesWhatIsSelectedAndBringsItBack()
+    {
+        Editor editor("cloth");
+        const Scene before = editor.document.scene();
+        QVERIFY(!editor.window.actions()["delete"]->isEnabled());
+        editor.window.actions()["selectAll"]->trigger();
+        editor.window.actions()["delete"]->trigger();
+        forEachPart(editor.document.scene(), [](Id, const Part& part) {
+            QVERIFY(part.particles.empty() && part.links.empty() && part.panels.empty());
+        });
+        editor.window.actions()["undo"]->trigger();
+        QVERIFY(editor.document.scene() == before);
+    }
+
+    void everyActionHasATextATipAndAKeyOfItsOwn()
+    {
+        Editor editor;
+        QSet<QString> keys;
+        for (const QAction* action : editor.window.actions().all()) {
+            QVERIFY(!action->text().isEmpty());
+            QVERIFY2(action->statusTip().endsWith('.'), qPrintable(action->text()));
+            const QString key = action->shortcut().toString();
+            QVERIFY2(key.isEmpty() || !keys.contains(key), qPrintable(key));
+            keys.insert(key);
+        }
+    }
+
+    void savesAndOpensAgain()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("my kite.ripstop.json");
+        Editor editor("delta_kite");
+        const Scene before = editor.document.scene();
+        QVERIFY(!editor.document.save(file));
+        Editor other;
+        QVERIFY(other.window.files().open(file));
+        QVERIFY(other.document.scene() == before);
+        QCOMPARE(other.window.windowTitle(), QString("my kite.ripstop.json[*] – Ripstop"));
+    }
+
+    // Same scene, same seconds: the window ends in the same bits as the command line.
+    void windowAndCommandLineAgree_data()
+    {
+        QTest::addColumn<QString>("sample");
+        for (const char* name : {"delta_kite", "hang_glider", "cloth", "pendulum"})
+            QTest::newRow(name) << QString(name);
+    }
+
+    void windowAndCommandLineAgree()
+    {
+        QFETCH(QString, sample);
+        const QString file = samples + sample + ".ripstop.json";
+        Editor editor(sample);
+        editor.player.playUntil(0.7);
+        QTRY_VERIFY_WITH_TIMEOUT(editor.isReady() && !editor.player.isPlaying(), 60000);
+
+        const Finished done = run(CLI_PROGRAM, {"run", file, "--seconds", "0.7", "--json"});
+        QCOMPARE(done.exitCode, 0);
+        const QJsonObject json = QJsonDocument::fromJson(done.output.toUtf8()).object();
+        QCOMPARE(QString::fromStdString(hashText(editor.player.frame()->hash)),
+                 json["hash"].toString());
+    }
+
+    void takesPicturesFromTheCommandLine()
+    {
+        QTemporaryDir folder;
+        const QString picture = folder.filePath("kite.png");
+        const Finished done =
+            run(EDITOR_PROGRAM, {samples + "delta_kite.ripstop.json", "--screenshot", picture,
+                                 "--after", "0.5", "--size", "900x600", "--theme", "dark"});
+        QVERIFY2(done.exitCode == 0, qPrintable(done.error));
+        QVERIFY(done.output.contains("step 120"));
+        const QImage image(picture);
+        QCOMPARE(image.size(), QSize(900, 600));
+    }
+
+    void refusesWhatItCannotDo_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("exitCode");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("no such file")
+            << QStringList{"nowhere.ripstop.json"} << 1 << QString("nowhere.ripstop.json");
+        QTest::newRow("not a scene")
+            << QStringList{SOURCE_DIR "/LICENSE"} << 1 << QString("LICENSE");
+        QTest::newRow("bad time") << QStringList{"--after", "soon"} << 2 << QString("--after");
+        QTest::newRow("bad size") << QStringList{"--size", "big"} << 2 << QString("--size");
+        QTest::newRow("two scenes") << QStringList{"a", "b"} << 2 << QString("one scene");
+        QTest::newRow("bad theme") << QStringList{"--theme", "pink"} << 2 << QString("--theme");
+        QTest::newRow("picture nowhere")
+            << QStringList{"--screenshot", "/nowhere/a.png"} << 1 << QString("/nowhere/a.png");
+    }
+
+    void refusesWhatItCannotDo()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, exitCode);
+        QFETCH(QString, message);
+        const Finished done = run(EDITOR_PROGRAM, arguments);
+        QCOMPARE(done.exitCode, exitCode);
+        QVERIFY2(done.error.contains(message), qPrintable(done.error));
+    }
+};
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format); // before the application exists
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("RipstopTest");
+    TestEditor test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_editor.moc"

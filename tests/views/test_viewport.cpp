@@ -1,0 +1,189 @@
+#include "viewport/viewport.h"
+
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "run/simulation.h"
+#include "viewport/steady_range.h"
+
+#include <Eigen/Geometry>
+#include <QSurfaceFormat>
+#include <QtTest>
+
+#include <numbers>
+
+using namespace ripstop;
+
+namespace {
+
+// One red panel that fills the middle of a picture taken from the front. Ids: part 1, particles
+// 2, 3, 4, panel 5, material 6.
+Scene redPanel()
+{
+    Scene scene;
+    Part part;
+    part.particles.push_back({.id = Id{2}, .position = Vec3(-1, -1, 0), .pinned = true});
+    part.particles.push_back({.id = Id{3}, .position = Vec3(1, -1, 0), .pinned = true});
+    part.particles.push_back({.id = Id{4}, .position = Vec3(0, 1, 0), .pinned = true});
+    part.panels.push_back({Id{5}, Id{2}, Id{3}, Id{4}, Id{6}});
+    Material material;
+    material.color = "#ff0000";
+    scene.items = {{Id{1}, part}, {Id{6}, material}};
+    scene.nextId = Id{7};
+    return scene;
+}
+
+bool isReddish(const QColor& color)
+{
+    return color.red() > 2 * color.green() && color.red() > 2 * color.blue();
+}
+
+struct View
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    Viewport viewport{document, selection, player};
+
+    explicit View(Scene scene)
+    {
+        viewport.resize(400, 300);
+        document.replace(std::move(scene));
+        static_cast<QWidget&>(viewport).show();
+        viewport.view(PresetView::Front);
+    }
+
+    QColor middle() { return viewport.image().pixelColor(200, 160); }
+};
+
+} // namespace
+
+class TestViewport : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void panelsAreDrawnInTheColourOfTheirMaterial()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        QVERIFY(isReddish(view.middle()));
+        view.viewport.setPanelsShown(false);
+        QVERIFY(!isReddish(view.middle()));
+    }
+
+    void panelsFollowFrames()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        view.viewport.setFollow(false);
+        auto moved = std::make_shared<Frame>(*view.player.frame());
+        for (Vec3& place : moved->position)
+            place.x() += 5.0;
+        view.viewport.show(moved);
+        QVERIFY(!isReddish(view.middle()));
+        view.viewport.show(view.player.frame());
+        QVERIFY(isReddish(view.middle()));
+    }
+
+    void whatIsTornAwayVanishes()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        auto torn = std::make_shared<Frame>(*view.player.frame());
+        torn->gone[0] = 1;
+        view.viewport.show(torn);
+        QVERIFY(!isReddish(view.middle()));
+    }
+
+    // In steps of one frame at 11 m/s, a following camera must keep the panel where it was.
+    void aFollowingCameraKeepsTheFabricInPlace()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        auto moving = std::make_shared<Frame>(*view.player.frame());
+        for (int i = 0; i < 60; ++i) {
+            moving = std::make_shared<Frame>(*moving);
+            for (Vec3& place : moving->position)
+                place.x() += 11.0 / 60.0;
+            view.viewport.show(moving);
+        }
+        QVERIFY(isReddish(view.middle()));
+    }
+
+    void clicksSelect()
+    {
+        View view(redPanel());
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        QCOMPARE(view.viewport.pick({200, 160}), Id{5});
+        QCOMPARE(view.viewport.pick({2, 2}), noId);
+        QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, {200, 160});
+        QCOMPARE(view.selection.ids(), std::vector{Id{5}});
+        QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, {2, 2});
+        QVERIFY(view.selection.ids().empty());
+    }
+
+    // Whatever is done to it, the camera never rolls: its right stays level and its up upwards.
+    void theHorizonStaysLevel()
+    {
+        Turntable camera;
+        for (int i = 0; i < 200; ++i) {
+            camera.orbit(37.0 * (i % 5) - 60.0, 23.0 * (i % 7) - 70.0);
+            QVERIFY(std::abs(camera.right().y()) < 1e-12);
+            QVERIFY(camera.up().y() >= 0.0);
+            QVERIFY(std::abs(camera.elevation) <= 0.5 * std::numbers::pi);
+        }
+    }
+
+    void zoomKeepsThePointUnderTheCursor()
+    {
+        Turntable camera;
+        camera.distance = 10.0;
+        const double aspect = 4.0 / 3.0;
+        const double x = 0.5;
+        const double y = -0.25;
+        const auto under = [&](const Turntable& c) -> Vec3 {
+            return c.focus + c.halfHeight() * (aspect * x * c.right() + y * c.up());
+        };
+        const Vec3 before = under(camera);
+        camera.zoom(0.5, x, y, aspect);
+        QCOMPARE(camera.distance, 5.0);
+        QVERIFY((under(camera) - before).norm() < 1e-12);
+    }
+
+    void everyBuilderFitsThePicture()
+    {
+        for (const Builder& builder : allBuilders()) {
+            View view(*build(builder, {}));
+            QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+            QTRY_VERIFY(view.player.frame());
+            view.viewport.fit();
+            const Eigen::Matrix4d projection = view.viewport.camera().projection(4.0 / 3.0);
+            for (const Vec3& place : view.player.frame()->position) {
+                const Eigen::Vector4d seen = projection * place.homogeneous();
+                QVERIFY2(std::abs(seen.x()) <= seen.w() && std::abs(seen.y()) <= seen.w(),
+                         builder.name.data());
+            }
+        }
+    }
+};
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format); // before the application exists
+    QApplication application(argc, argv);
+    TestViewport test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_viewport.moc"
