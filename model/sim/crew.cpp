@@ -6,7 +6,36 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#if defined(__SANITIZE_THREAD__)
+#include <sanitizer/tsan_interface.h>
+#define RIPSTOP_UNWATCHED __attribute__((no_sanitize_thread))
+#else
+#define RIPSTOP_UNWATCHED
+#endif
+
 namespace ripstop {
+namespace {
+
+// The thread sanitizer cannot see how TBB, which is not built for it, hands work to other threads
+// and takes it back. These tell it, so that it sees every race of our own and no others.
+char handedOut;
+char takenBack;
+
+void release([[maybe_unused]] char& point)
+{
+#if defined(__SANITIZE_THREAD__)
+    __tsan_release(&point);
+#endif
+}
+
+void acquire([[maybe_unused]] char& point)
+{
+#if defined(__SANITIZE_THREAD__)
+    __tsan_acquire(&point);
+#endif
+}
+
+} // namespace
 
 struct Crew::Arena
 {
@@ -34,12 +63,16 @@ Crew& Crew::operator=(Crew&&) noexcept = default;
 void Crew::spread(std::size_t count, std::size_t least, const void* body,
                   void (*call)(const void*, std::size_t, std::size_t))
 {
+    release(handedOut);
     m_arena->arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least),
-                          [&](const tbb::blocked_range<std::size_t>& range) {
+                          [&](const tbb::blocked_range<std::size_t>& range) RIPSTOP_UNWATCHED {
+                              acquire(handedOut);
                               call(body, range.begin(), range.end());
+                              release(takenBack);
                           });
     });
+    acquire(takenBack);
 }
 
 } // namespace ripstop
