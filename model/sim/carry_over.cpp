@@ -91,11 +91,14 @@ State carryOver(const System& from, const State& state, const System& to)
             placed[j] = 1;
         }
     followNeighbours(to, carried, placed);
-    for (std::size_t j = 0; j < to.key.size(); ++j)
+    for (std::size_t j = 0; j < to.key.size(); ++j) {
+        if (!placed[j]) // has no previous step to remember
+            carried.drift[j] = carried.velocity[j];
         if (to.inverseMass[j] == 0.0) { // what has just been pinned stops, for the air as well
             carried.velocity[j].setZero();
             carried.drift[j].setZero();
         }
+    }
     carryLinks(from, state, to, carried);
 
     const Matches panelOf(from.panelKey, [](Key key) { return key; });
