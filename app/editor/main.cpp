@@ -75,5 +75,7 @@ int main(int argc, char** argv)
     std::optional<Screenshot> screenshot;
     if (!stays)
         screenshot.emplace(*options, itemCalled(options->fit, document.scene()), window, player);
+    else if (options->play)
+        player.play();
     return QApplication::exec();
 }

@@ -32,6 +32,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument("scene", tr("Scene file to open (*.ripstop.json)."), "[SCENE]");
+    const QCommandLineOption play("play", tr("Start the simulation at once."));
     const QCommandLineOption screenshot(
         "screenshot", tr("Save a picture of the window as FILE (PNG) and quit."), "FILE");
     const QCommandLineOption after(
@@ -49,7 +50,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         "color-by", tr("Colour by material, strain, tension, speed or load."), "NAME", "material");
     const QCommandLineOption select("select", tr("Select the item of this name."), "NAME");
     const QCommandLineOption fit("fit", tr("Fill the picture with the item of this name."), "NAME");
-    parser.addOptions({screenshot, after, frames, viewOnly, size, theme, colorBy, select, fit});
+    parser.addOptions(
+        {play, screenshot, after, frames, viewOnly, size, theme, colorBy, select, fit});
     parser.process(arguments);
 
     Options options;
@@ -59,6 +61,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         return std::nullopt;
     }
     options.scene = files.value(0);
+    options.play = parser.isSet(play);
     options.screenshot = parser.value(screenshot);
     options.viewOnly = parser.isSet(viewOnly);
     options.select = parser.value(select);

@@ -15,6 +15,7 @@ namespace ripstop {
 struct Options
 {
     QString scene;      // empty: the start page
+    bool play = false;  // at once
     QString screenshot; // empty: stay open
     double after = 0.0; // s, simulated time at which the picture is taken
     int frames = 1;     // pictures, at equal steps up to `after`

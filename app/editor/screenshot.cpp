@@ -57,8 +57,7 @@ void Screenshot::save()
     if (m_options.frames > 1 || file.contains("%1"))
         file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))
                    .arg(m_picture, 4, 10, QChar('0'));
-    if (m_picture == 0)
-        m_window.viewport().fit(m_fitted);
+    m_window.viewport().fit(m_fitted); // each time: what flies leaves the first picture
     m_window.repaint();
     const QImage view = m_window.viewport().image(Viewport::Overlays::Without);
     const QImage picture = m_options.viewOnly ? view : m_window.grab().toImage();
