@@ -195,21 +195,21 @@ int bench(const Options& options)
             continue;
         const auto system = systemOf(benchmark);
         if (!system)
-            return fail(badInput, system.message());
+            return fail(BadInput, system.message());
         const std::vector<double> times = measure(*system, options);
         if (interrupted())
-            return fail(interruptedRun, "Interrupted.");
+            return fail(Interrupted, "Interrupted.");
         if (times.empty())
-            return fail(diverged, std::string(benchmark.name) + " diverged.");
+            return fail(Diverged, std::string(benchmark.name) + " diverged.");
         results.push_back(resultOf(benchmark, **system, times));
         if (!options.json)
             printRow(results.back());
     }
     if (results.empty())
-        return fail(wrongUsage, "No case has \"" + options.filter + "\" in its name.");
+        return fail(WrongUsage, "No case has \"" + options.filter + "\" in its name.");
     if (options.json)
         print({{"machine", where}, {"cases", std::move(results)}});
-    return done;
+    return Done;
 }
 
 } // namespace

@@ -24,7 +24,7 @@ const Builder* chooseBuilder(const std::string& name)
 {
     if (const Builder* builder = findBuilder(name))
         return builder;
-    fail(wrongUsage, "There is no builder \"" + name + "\"; there are " + names(", ") + ".");
+    fail(WrongUsage, "There is no builder \"" + name + "\"; there are " + names(", ") + ".");
     return nullptr;
 }
 
@@ -60,18 +60,18 @@ int buildScene(const BuildOptions& options)
 {
     const Builder* builder = chooseBuilder(options.builder);
     if (!builder)
-        return wrongUsage;
+        return WrongUsage;
     const Result<Parameters> parameters = parametersFrom(options.parameters);
     if (!parameters)
-        return fail(wrongUsage, parameters.message());
+        return fail(WrongUsage, parameters.message());
     Result<Scene> scene = build(*builder, *parameters);
     if (!scene)
-        return fail(wrongUsage, scene.message());
+        return fail(WrongUsage, scene.message());
     if (const auto failure = assign(*scene, options.assignments))
-        return fail(wrongUsage, failure->message);
+        return fail(WrongUsage, failure->message);
     if (const auto failure = saveScene(*scene, options.output))
-        return fail(badInput, failure->message);
-    return done;
+        return fail(BadInput, failure->message);
+    return Done;
 }
 
 Json jsonOf(const Builder& builder)
@@ -121,12 +121,12 @@ int listBuilders(const BuildersOptions& options)
     if (!options.name.empty()) {
         const Builder* builder = chooseBuilder(options.name);
         if (!builder)
-            return wrongUsage;
+            return WrongUsage;
         if (options.json)
             print(jsonOf(*builder));
         else
             describe(*builder);
-        return done;
+        return Done;
     }
     Json list = Json::array();
     for (const Builder& builder : allBuilders()) {
@@ -136,7 +136,7 @@ int listBuilders(const BuildersOptions& options)
     }
     if (options.json)
         print({{"builders", std::move(list)}});
-    return done;
+    return Done;
 }
 
 } // namespace

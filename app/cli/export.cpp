@@ -36,7 +36,7 @@ int exportScene(const Options& options)
         return loaded.exitCode;
     const auto system = compile(*loaded.scene);
     if (!system)
-        return fail(badInput, options.scene.file + ": " + system.message());
+        return fail(BadInput, options.scene.file + ": " + system.message());
 
     Simulation simulation(*system, options.threads);
     ExportRange range{options.from, 0.0, options.fps};
@@ -49,10 +49,10 @@ int exportScene(const Options& options)
         return !interrupted();
     });
     if (!failure)
-        return done;
-    return fail(simulation.trouble() ? diverged
-                : interrupted()      ? interruptedRun
-                                     : badInput,
+        return Done;
+    return fail(simulation.trouble() ? Diverged
+                : interrupted()      ? Interrupted
+                                     : BadInput,
                 failure->message);
 }
 

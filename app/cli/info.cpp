@@ -180,7 +180,7 @@ int info(const Options& options)
         print(description);
     else
         printTable(description);
-    return done;
+    return Done;
 }
 
 } // namespace

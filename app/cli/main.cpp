@@ -24,13 +24,8 @@ std::optional<std::string> unknownCommand(const CLI::App& app, const std::string
                            : "did you mean \"" + std::string(near) + "\"?");
 }
 
-} // namespace
-} // namespace ripstop
-
-int main(int argc, char** argv)
+int call(int argc, char** argv)
 {
-    using namespace ripstop;
-
     CLI::App app("Ripstop without a window: build, inspect, fly and export fabric that flies.",
                  "ripstop-cli");
     app.set_version_flag("--version", "ripstop-cli " RIPSTOP_VERSION);
@@ -55,15 +50,26 @@ int main(int argc, char** argv)
 
     if (argc > 1 && argv[1][0] != '-')
         if (const auto message = unknownCommand(app, argv[1]))
-            return fail(wrongUsage, *message);
+            return fail(WrongUsage, *message);
     try {
         app.parse(argc, argv);
-        return chosen();
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? done : wrongUsage;
+        return app.exit(error) == 0 ? Done : WrongUsage;
+    }
+    return chosen();
+}
+
+} // namespace
+} // namespace ripstop
+
+int main(int argc, char** argv)
+{
+    using namespace ripstop;
+    try {
+        return call(argc, argv);
     } catch (const std::bad_alloc&) {
-        return fail(badInput, "There is not enough memory for this.");
+        return fail(BadInput, "There is not enough memory for this.");
     } catch (const std::exception& error) {
-        return fail(badInput, error.what());
+        return fail(BadInput, error.what());
     }
 }

@@ -156,7 +156,7 @@ void addProperties(CLI::App& app, Command& chosen)
                 print(table());
             else
                 std::cout << manual();
-            return int(done);
+            return int(Done);
         };
     });
 }

@@ -114,7 +114,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
     if (!options.csv.empty()) {
         Result<CsvWriter> opened = CsvWriter::open(options.csv, *simulation.frame()->layout);
         if (!opened)
-            return fail(badInput, opened.message());
+            return fail(BadInput, opened.message());
         table = std::move(*opened);
     }
     catchInterrupt();
@@ -123,10 +123,10 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
 
     if (table)
         if (const auto failure = table->close())
-            return fail(badInput, failure->message);
+            return fail(BadInput, failure->message);
     if (!options.finalScene.empty())
         if (const auto failure = saveScene(finalScene(scene, simulation), options.finalScene))
-            return fail(badInput, failure->message);
+            return fail(BadInput, failure->message);
 
     const Json result = report(simulation, wallSeconds);
     if (options.json)
@@ -134,10 +134,10 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
     else
         printTable(result, *simulation.frame()->layout);
     if (simulation.trouble())
-        return fail(diverged, simulation.trouble()->message);
+        return fail(Diverged, simulation.trouble()->message);
     if (interrupted())
-        return fail(interruptedRun, "Interrupted; the results are those up to then.");
-    return done;
+        return fail(Interrupted, "Interrupted; the results are those up to then.");
+    return Done;
 }
 
 int run(const Options& options)
@@ -150,12 +150,12 @@ int run(const Options& options)
         Result<std::vector<ControlCommand>> read =
             readControlTrack(options.controls, *loaded.scene);
         if (!read)
-            return fail(badInput, read.message());
+            return fail(BadInput, read.message());
         track = std::move(*read);
     }
     const auto system = compile(*loaded.scene);
     if (!system)
-        return fail(badInput, options.scene.file + ": " + system.message());
+        return fail(BadInput, options.scene.file + ": " + system.message());
     Simulation simulation(*system, options.threads);
     return flyAndReport(*loaded.scene, simulation, options, std::move(track));
 }

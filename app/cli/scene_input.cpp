@@ -15,17 +15,16 @@ void addSceneOption(CLI::App& command, SceneInput& input)
 
 CLI::Validator numberBetween(double low, double high)
 {
-    return CLI::Validator(
-        [low, high](std::string& text) -> std::string {
-            double value = 0.0;
-            const char* const last = text.data() + text.size();
-            const auto [end, error] = std::from_chars(text.data(), last, value);
-            if (error == std::errc() && end == last && value >= low && value <= high)
-                return {};
-            return "must be a number from " + shortNumber(low) + " to " + shortNumber(high)
-                   + ", not " + text;
-        },
-        "");
+    return {[low, high](std::string& text) -> std::string {
+                double value = 0.0;
+                const char* const last = text.data() + text.size();
+                const auto [end, error] = std::from_chars(text.data(), last, value);
+                if (error == std::errc() && end == last && value >= low && value <= high)
+                    return {};
+                return "must be a number from " + shortNumber(low) + " to " + shortNumber(high)
+                       + ", not " + text;
+            },
+            ""};
 }
 
 void addSetOption(CLI::App& command, std::vector<std::string>& assignments)
@@ -54,10 +53,10 @@ SceneOutcome loadScene(const SceneInput& input)
 {
     Result<Scene> scene = readScene(input.file);
     if (!scene)
-        return {std::nullopt, fail(badInput, scene.message())};
+        return {std::nullopt, fail(BadInput, scene.message())};
     if (const auto failure = assign(*scene, input.assignments))
-        return {std::nullopt, fail(wrongUsage, failure->message)};
-    return {std::move(*scene), done};
+        return {std::nullopt, fail(WrongUsage, failure->message)};
+    return {std::move(*scene), Done};
 }
 
 } // namespace ripstop

@@ -9,7 +9,7 @@
 
 namespace ripstop {
 
-enum ExitCode { done = 0, badInput = 1, wrongUsage = 2, diverged = 3, interruptedRun = 130 };
+enum ExitCode { Done = 0, BadInput = 1, WrongUsage = 2, Diverged = 3, Interrupted = 130 };
 
 // Keys in the order in which they were added.
 using Json = nlohmann::ordered_json;

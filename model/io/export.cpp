@@ -159,7 +159,7 @@ std::optional<Failure> exportSeries(Simulation& simulation, const ExportRange& r
             written.push_back(folder / name);
             index += "<DataSet timestep=\"";
             appendNumber(index, frame.time);
-            index += "\" part=\"0\" file=\"" + xmlText(stem) + "/" + xmlText(name) + "\"/>\n";
+            index += R"(" part="0" file=")" + xmlText(stem) + "/" + xmlText(name) + "\"/>\n";
             return writeVtp(frame, written.back());
         });
     if (!failure)

@@ -94,6 +94,7 @@ struct Handler
         return visit({.type = type, .text = text, .end = end});
     }
 
+    // NOLINTBEGIN(readability-identifier-naming)
     bool null() { return tell(Type::Null); }
     bool boolean(bool value)
     {
@@ -115,6 +116,7 @@ struct Handler
         tellText(Type::Error, explanation(source, end, error.what()));
         return false;
     }
+    // NOLINTEND(readability-identifier-naming)
 };
 
 } // namespace

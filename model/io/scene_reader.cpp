@@ -175,7 +175,7 @@ private:
         if (event.type == Token::EndArray)
             return leave();
         if (event.type != Token::BeginObject)
-            return flaw("must be an object: {\"type\": ..., \"id\": ...}");
+            return flaw(R"(must be an object: {"type": ..., "id": ...})");
 
         // The type decides what the other keys mean, wherever it stands among them.
         const std::size_t begin = event.end - 1;

@@ -52,13 +52,13 @@ private:
         for (const Link& link : part.links) {
             checkThing(link.id, &link);
             if (link.from == noId || link.to == noId || link.from == link.to)
-                note(link.id, {}, 0, "needs two different particles as its \"from\" and \"to\"");
+                note(link.id, {}, 0, R"(needs two different particles as its "from" and "to")");
         }
         for (const Panel& panel : part.panels) {
             checkThing(panel.id, &panel);
             if (panel.a == noId || panel.b == noId || panel.c == noId || panel.a == panel.b
                 || panel.b == panel.c || panel.a == panel.c)
-                note(panel.id, {}, 0, "needs three different particles as its \"a\", \"b\", \"c\"");
+                note(panel.id, {}, 0, R"(needs three different particles as its "a", "b", "c")");
         }
     }
 

@@ -40,7 +40,7 @@ void addArray(std::string& text, std::string_view name, std::string_view type, i
     std::string bytes(sizeof size + size, '\0');
     std::memcpy(bytes.data(), &size, sizeof size);
     if (size > 0)
-        std::memcpy(bytes.data() + sizeof size, values.data(), size);
+        std::memcpy(bytes.data() + sizeof size, static_cast<const void*>(values.data()), size);
     text.append("<DataArray type=\"").append(type).append("\" Name=\"").append(name);
     text.append("\" NumberOfComponents=\"").append(std::to_string(components)).append("\" ");
     text.append(more).append("format=\"binary\">");
@@ -158,8 +158,8 @@ std::optional<Failure> writeVtp(const Frame& frame, const std::filesystem::path&
     text += "\">\n<PolyData>\n<FieldData>\n";
     addArray(text, "TimeValue", "Float64", 1, std::vector{frame.time}, "NumberOfTuples=\"1\" ");
     text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(frame.position.size())
-            + "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(whole.links.size())
-            + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(whole.panels.size())
+            + R"(" NumberOfVerts="0" NumberOfLines=")" + std::to_string(whole.links.size())
+            + R"(" NumberOfStrips="0" NumberOfPolys=")" + std::to_string(whole.panels.size())
             + "\">\n<PointData Vectors=\"velocity (m/s)\">\n";
     addVectors(text, "velocity (m/s)", frame.velocity);
     addNumbers(text, "torn links (1)", tearsAt(frame));
