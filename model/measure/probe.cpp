@@ -1,7 +1,5 @@
 #include "measure/probe.h"
 
-#include "measure/diagnostics.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -90,8 +88,38 @@ std::string_view unitOf(Quantity quantity)
     return "";
 }
 
-double valueOf(const ProbeSpec& probe, const System& system, const State& state)
+const std::vector<double>& Readings::strain()
 {
+    if (!m_strain)
+        m_strain = strains(m_system, m_state);
+    return *m_strain;
+}
+
+const std::vector<double>& Readings::tension()
+{
+    if (!m_tension)
+        m_tension = tensions(m_system, m_state);
+    return *m_tension;
+}
+
+const std::vector<Vec3>& Readings::panelLoad()
+{
+    if (!m_panelLoad)
+        m_panelLoad = panelLoads(m_system, m_state);
+    return *m_panelLoad;
+}
+
+const Energies& Readings::energy()
+{
+    if (!m_energy)
+        m_energy = energies(m_system, m_state);
+    return *m_energy;
+}
+
+double Readings::value(const ProbeSpec& probe)
+{
+    const System& system = m_system;
+    const State& state = m_state;
     const auto position = [&] { return mean(probe, system, state.position); };
     const auto velocity = [&] { return mean(probe, system, state.velocity); };
     const auto line = [&]() -> Vec3 {
@@ -112,10 +140,10 @@ double valueOf(const ProbeSpec& probe, const System& system, const State& state)
         return -velocity().y();
     case Quantity::Tension:
     case Quantity::MaxTension:
-        return ofLinks(probe, tensions(system, state));
+        return ofLinks(probe, tension());
     case Quantity::Strain:
     case Quantity::MaxStrain:
-        return ofLinks(probe, strains(system, state));
+        return ofLinks(probe, strain());
     case Quantity::Distance:
         return line().norm();
     case Quantity::Elevation: {
@@ -128,19 +156,18 @@ double valueOf(const ProbeSpec& probe, const System& system, const State& state)
         return glideRatio(position() - mean(probe, system, system.start.position));
     case Quantity::AirForce: {
         Vec3 sum = Vec3::Zero();
-        const std::vector<Vec3> loads = panelLoads(system, state);
         for (const int panel : probe.panels)
-            sum += loads[std::size_t(panel)];
+            sum += panelLoad()[std::size_t(panel)];
         return sum.norm();
     }
     case Quantity::KineticEnergy:
-        return energies(system, state).kinetic;
+        return energy().kinetic;
     case Quantity::PotentialEnergy:
-        return energies(system, state).potential;
+        return energy().potential;
     case Quantity::ElasticEnergy:
-        return energies(system, state).elastic;
+        return energy().elastic;
     case Quantity::TotalEnergy:
-        return energies(system, state).total();
+        return energy().total();
     case Quantity::TornLinks:
         return tornCount(probe, system, state);
     }

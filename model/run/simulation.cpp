@@ -94,18 +94,21 @@ std::shared_ptr<const Frame> Simulation::frame() const
     frame->hash = stateHash(m_state);
     frame->position = m_state.position;
     frame->velocity = m_state.velocity;
-    frame->strain = strains(*m_system, m_state);
-    frame->tension = tensions(*m_system, m_state);
     for (const LinkPlace& link : m_system->links)
         frame->torn.push_back(link.kind == LinkKind::Rod
                                   ? m_state.rodTorn[std::size_t(link.index)]
                                   : m_state.springTorn[std::size_t(link.index)]);
-    frame->panelLoad = panelLoads(*m_system, m_state);
     frame->gone = m_state.panelGone;
     frame->inputCommand = m_state.inputCommand;
     frame->inputValue = m_state.inputValue;
+
+    Readings readings(*m_system, m_state);
+    frame->strain = readings.strain();
+    frame->tension = readings.tension();
+    frame->panelLoad = readings.panelLoad();
     for (const ProbeSpec& probe : m_system->probes)
-        frame->probe.push_back(valueOf(probe, *m_system, m_state));
+        frame->probe.push_back(readings.value(probe));
+
     for (const State::Tear& tear : m_state.tears)
         frame->tears.push_back(
             {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place});

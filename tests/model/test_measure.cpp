@@ -135,7 +135,7 @@ private slots:
         QFETCH(double, expected);
         QFETCH(QString, unit);
         const System system = known();
-        const double got = valueOf(spec, system, system.start);
+        const double got = Readings(system, system.start).value(spec);
         QVERIFY2(isNear(got, expected, 1e-12 * std::max(1.0, std::abs(expected))),
                  told(got, expected));
         const std::string_view name = unitOf(spec.quantity);
@@ -155,7 +155,7 @@ private slots:
     {
         QFETCH(ProbeSpec, spec);
         const System system = known();
-        QVERIFY(std::isnan(valueOf(spec, system, system.start)));
+        QVERIFY(std::isnan(Readings(system, system.start).value(spec)));
     }
 
     // From the start on: 12 m over the ground for 4 m of height.
@@ -164,7 +164,7 @@ private slots:
         const System system = known();
         State state = system.start;
         state.position[1] += Vec3(0.0, -4.0, -12.0);
-        const double got = valueOf(probe(Quantity::MeanGlideRatio, {1}), system, state);
+        const double got = Readings(system, state).value(probe(Quantity::MeanGlideRatio, {1}));
         QVERIFY2(isNear(got, 3.0, 1e-12), told(got, 3.0));
     }
 
