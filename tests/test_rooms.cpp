@@ -23,7 +23,7 @@ static const QList<Room> namedRooms = {
     {"model/base",     {},                                                           {"Eigen/"},  {}},
     {"model/scene",    {"base"},                                                     {"Eigen/"},  {}},
     {"model/builders", {"base", "scene"},                                            {"Eigen/"},  {}},
-    {"model/sim",      {"base"},                                                     {"Eigen/"},  {"oneapi/", "tbb/"}},
+    {"model/sim",      {"base"},                                                     {"Eigen/"},  {"oneapi/", "tbb/", "sanitizer/"}},
     {"model/measure",  {"base", "sim"},                                              {"Eigen/"},  {}},
     {"model/compile",  {"base", "scene", "sim"},                                     {"Eigen/"},  {}},
     {"model/run",      {"base", "scene", "sim", "compile", "measure"},               {"Eigen/"},  {}},
