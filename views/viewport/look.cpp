@@ -10,30 +10,36 @@ namespace {
 
 constexpr Color unknownColor{150, 150, 150};
 
-// Where the elements of the scene are, by id. Ids come from one counter, so a plain array is
-// both small and fast.
-struct Directory
+// Where the elements of the scene are, by id. Not an array indexed by id: a file may number its
+// three particles in the billions.
+class Directory
 {
+public:
     struct Row
     {
-        const Part* part = nullptr;
-        std::uint32_t index = 0; // in the table of its kind
+        std::uint32_t id;
+        std::uint32_t index; // in the table of its kind
+        const Part* part;
     };
-    std::vector<Row> rows;
 
     explicit Directory(const Scene& scene)
-        : rows(std::size_t(scene.nextId))
     {
         forEachPart(scene, [this](Id, const Part& part) {
             add(part, part.particles);
             add(part, part.links);
             add(part, part.panels);
         });
+        if (!std::ranges::is_sorted(m_rows, {}, &Row::id))
+            std::ranges::sort(m_rows, {}, &Row::id);
     }
 
-    const Row* find(std::uint32_t id) const
+    const Row* find(std::uint32_t id)
     {
-        return id < rows.size() && rows[id].part ? &rows[id] : nullptr;
+        // A layout is in the order of the tables: what is asked for mostly follows the last answer.
+        if (m_next >= m_rows.size() || m_rows[m_next].id != id)
+            m_next =
+                std::size_t(std::ranges::lower_bound(m_rows, id, {}, &Row::id) - m_rows.begin());
+        return m_next < m_rows.size() && m_rows[m_next].id == id ? &m_rows[m_next++] : nullptr;
     }
 
 private:
@@ -41,9 +47,11 @@ private:
     void add(const Part& part, const std::vector<Element>& table)
     {
         for (std::uint32_t i = 0; i < table.size(); ++i)
-            if (const auto id = std::uint32_t(table[i].id); id < rows.size())
-                rows[id] = {&part, i};
+            m_rows.push_back({std::uint32_t(table[i].id), i, &part});
     }
+
+    std::vector<Row> m_rows; // ascending ids
+    std::size_t m_next = 0;
 };
 
 struct Paint
@@ -78,7 +86,7 @@ double massOf(const Part& part)
     return sum;
 }
 
-void lookAtParticles(const Directory& directory, const Layout& layout, Look& look)
+void lookAtParticles(Directory& directory, const Layout& layout, Look& look)
 {
     const std::size_t count = layout.particleId.size();
     look.particleShown.assign(count, 0);
@@ -108,7 +116,7 @@ void lookAtParticles(const Directory& directory, const Layout& layout, Look& loo
 
 Look lookOf(const Scene& scene, const Layout& layout)
 {
-    const Directory directory(scene);
+    Directory directory(scene);
     const auto paints = paintsOf(scene);
     Look look;
     lookAtParticles(directory, layout, look);
