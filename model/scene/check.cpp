@@ -86,8 +86,7 @@ private:
                 continue;
             const auto check = [&](Id id) {
                 const auto found = m_kinds.find(id);
-                if (id != noId
-                    && (found == m_kinds.end() || !property.pointsAt.contains(found->second)))
+                if (found == m_kinds.end() || !property.pointsAt.contains(found->second))
                     add("dangling", Severity::Error,
                         named(kindOf(ref), holder) + ": " + std::string(property.key)
                             + " points at " + std::to_string(std::uint32_t(id))
@@ -97,10 +96,10 @@ private:
                         holder);
             };
             const Value value = property.get(ref);
-            if (const Id* id = std::get_if<Id>(&value))
+            if (const Id* id = std::get_if<Id>(&value); id && *id != noId)
                 check(*id);
-            else if (const auto* ids = std::get_if<std::vector<Id>>(&value))
-                for (const Id member : *ids)
+            if (const auto* ids = std::get_if<std::vector<Id>>(&value))
+                for (const Id member : *ids) // a list has no place for nothing
                     check(member);
         }
     }
