@@ -230,10 +230,12 @@ void Player::halt()
 
 bool Player::refuse()
 {
+    // What was wrong before the newest edit may have been cured by it.
+    const bool current = !m_dirty && m_compiled == m_generation;
     const bool stands = m_frame && m_frame->run == m_run && m_frame->generation == m_generation;
-    if (!m_problem.isEmpty() && !m_dirty)
+    if (current && !m_problem.isEmpty())
         emit stopped(m_problem, m_culprit);
-    else if (stands && !m_dirty && !m_frame->stopped.empty())
+    else if (current && stands && !m_frame->stopped.empty())
         emit stopped(QString::fromStdString(m_frame->stopped), m_frame->culprit);
     else
         return false;
@@ -249,10 +251,10 @@ void Player::poll()
 void Player::takeCompiled()
 {
     const auto outcome = m_compiler->take();
-    if (!outcome)
-        return;
+    if (!outcome || outcome->run != m_run)
+        return; // of a design that has changed since; a newer one is under way
     m_compiled = outcome->generation;
-    if (outcome->system && outcome->run == m_run) {
+    if (outcome->system) {
         m_runner.load(outcome->system);
         if (!m_started)
             m_runner.command(m_commands); // a new run starts with its controls at zero
