@@ -235,9 +235,15 @@ void PlotPanel::tick(QTreeWidgetItem* item)
     const bool plotted = item->checkState(0) == Qt::Checked;
     if (plotted == probe.plotted)
         return;
-    const Property* property = findProperty(Kind::Probe, "plotted");
-    m_document.push({(plotted ? "Plot " : "Do not plot ") + probe.name,
-                     {SetValues{property, {entry.id}, {plotted}}}});
+    // Not at once: the edit makes the list anew, and with it the item that is still speaking.
+    const auto push = [this, id = entry.id, plotted] {
+        const auto* ticked = findItem<Probe>(m_document.scene(), id);
+        const Property* property = findProperty(Kind::Probe, "plotted");
+        if (ticked && ticked->plotted != plotted)
+            m_document.push({(plotted ? "Plot " : "Do not plot ") + ticked->name,
+                             {SetValues{property, {id}, {plotted}}}});
+    };
+    QMetaObject::invokeMethod(this, push, Qt::QueuedConnection);
 }
 
 void PlotPanel::changeEvent(QEvent* event)
