@@ -126,7 +126,7 @@ void Runner::run(const std::stop_token& stop)
     Pace pace;
 
     const auto show = [&] {
-        auto frame = std::make_shared<Frame>(*simulation->frame());
+        auto frame = simulation->frame();
         frame->realTimeRatio = pace.update(frame->time);
         m_frames.put(std::move(frame));
         framed = Clock::now();

@@ -83,7 +83,7 @@ bool Simulation::runUntil(double time)
     return true;
 }
 
-std::shared_ptr<const Frame> Simulation::frame() const
+std::shared_ptr<Frame> Simulation::frame() const
 {
     auto frame = std::make_shared<Frame>();
     frame->generation = m_system->generation;

@@ -41,7 +41,7 @@ public:
     const State& state() const { return m_state; }
     const std::optional<Trouble>& trouble() const { return m_trouble; }
 
-    std::shared_ptr<const Frame> frame() const;
+    std::shared_ptr<Frame> frame() const; // a new one, the caller's own
 
 private:
     std::shared_ptr<const System> m_system;
