@@ -181,9 +181,10 @@ void MainWindow::restoreLayout()
 
 void MainWindow::showScene()
 {
+    if (m_middle->currentWidget() == m_start)
+        for (const auto& [id, dock] : m_docks)
+            dock->setVisible(!m_hidden.contains(id));
     m_middle->setCurrentWidget(m_viewport);
-    for (const auto& [id, dock] : m_docks)
-        dock->setVisible(!m_hidden.contains(id));
     m_docks["plots"]->raise();
     m_viewport->setFocus();
     m_viewport->fit();
