@@ -185,12 +185,10 @@ void ExportDialog::watch()
         return;
     m_watch.stop();
     const QString failure = m_work.get();
-    if (m_cancelled)
-        end(tr("Cancelled; nothing was kept."));
-    else if (!failure.isEmpty())
-        end(failure);
+    if (failure.isEmpty())
+        accept(); // also when it was done before it saw that it should stop
     else
-        accept();
+        end(m_cancelled ? tr("Cancelled; nothing was kept.") : failure);
 }
 
 void ExportDialog::end(const QString& failure)
