@@ -34,17 +34,17 @@ double fly(Simulation& simulation, const Options& options, ControlPlayer& contro
            CsvWriter* table)
 {
     ProgressLine progress(options.scene.file);
-    const auto steps = std::llround(options.seconds / simulation.system().timeStep);
+    const double timeStep = simulation.system().timeStep;
     const auto start = std::chrono::steady_clock::now();
     if (table)
         table->add(*simulation.frame());
-    for (long long i = 0; i < steps && !interrupted(); ++i) {
+    while (!hasReached(simulation.state().time, options.seconds, timeStep) && !interrupted()) {
         controls.giveTo(simulation);
         if (!simulation.step())
             break;
         if (table)
             table->add(*simulation.frame());
-        progress.show(double(i + 1) / double(steps));
+        progress.show(simulation.state().time / options.seconds);
     }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
