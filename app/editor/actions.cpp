@@ -7,7 +7,7 @@
 #include "editor/files.h"
 #include "icons/icon.h"
 #include "outline/outline.h"
-#include "scene/edit.h"
+#include "scene/scene.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
@@ -50,14 +50,6 @@ std::vector<Id> everyElement(const Scene& scene)
             ids.push_back(row.id);
     });
     return ids;
-}
-
-void removeSelected(Document& document, const Selection& selection)
-{
-    std::vector<Id> ids = selection.ids();
-    std::erase(ids, settingsId); // always there
-    if (!ids.empty())
-        document.push(removal(document.scene(), ids));
 }
 
 void about(QWidget* window)
@@ -110,7 +102,7 @@ std::vector<Row> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Edit", "undo",       tr("&Undo"),               "undo",    QKeySequence::Undo,   tr("Take back the last edit."), [&document] { document.history().undo(); }},
         {"&Edit", "redo",       tr("&Redo"),               "redo",    QKeySequence("Ctrl+Shift+Z"), tr("Make the last edit again that was taken back."), [&document] { document.history().redo(); }},
         line,
-        {"&Edit", "delete",     tr("&Delete"),             "delete",  QKeySequence::Delete, tr("Remove what is selected, and all that hangs on it."), [&document, &selection] { removeSelected(document, selection); }},
+        {"&Edit", "delete",     tr("&Delete"),             "delete",  QKeySequence::Delete, tr("Remove what is selected, and all that hangs on it."), [&outline = bench.outline] { outline.removeSelected(); }},
         {"&Edit", "selectAll",  tr("Select &all"),         "select-all", QKeySequence::SelectAll, tr("Select all particles, links and panels."), [&document, &selection] { selection.set(everyElement(document.scene())); }},
         {"&Edit", "deselect",   tr("D&eselect"),           "deselect", QKeySequence("Esc"), tr("Select nothing; the inspector then shows the settings."), [&selection] { selection.clear(); }},
         {"&Edit", "find",       tr("&Find in outline"),    "search",  QKeySequence::Find,   tr("Search the outline by name."), [&bench = bench.outline] { bench.focusSearch(); }},
