@@ -59,7 +59,7 @@ struct Frame
 
     double time = 0.0;          // s
     std::int64_t step = 0;      // time steps since the start
-    std::uint64_t hash = 0; // of the whole state; equal for equal bits only
+    std::uint64_t hash = 0;     // of the state, as stateHash() has it
     double realTimeRatio = 0.0; // simulated seconds per second of the clock, lately
     std::vector<Vec3> position; // [particles] m
     std::vector<Vec3> velocity; // [particles] m/s

@@ -24,9 +24,9 @@ public:
     void load(std::shared_ptr<const System> system);
 
     void setPlaying(bool playing);
-    void
-    setSpeed(double ratio); // simulated seconds per second of the clock; 0 is as fast as it can
-    void stepOnce();        // one time step, playing or not
+    // Simulated seconds per second of the clock; 0 is as fast as it can.
+    void setSpeed(double ratio);
+    void stepOnce();                 // one time step, playing or not
     void playUntil(double time);     // s; plays unpaced and stops exactly there
     void command(Commands commands); // all commands so far; the newest value of each control
 

@@ -99,7 +99,7 @@ struct Property
     Value initial;                             // the default; its type is the type of the property
     bool optional;                             // may be absent
     Value (*get)(const ConstRef&);
-    void (*set)(const Ref&, const Value&); // a value that accepts() has let through
+    void (*set)(const Ref&, const Value&); // a value that refusal() has let through
 };
 
 std::span<const Property> allProperties();

@@ -3,10 +3,9 @@
 // A panel is one triangle of fabric with area A and unit normal n; w is its apparent wind, the
 // wind at the panel less the mean velocity of its corners.
 //
-//     paper          F = 1/2 rho C A |n.w| (n.w) n    Beaudry, Egli and Patenaude 2005,
-//     section 5.2,
-//                                                     with the sign and the factor it lacks; its
-//                                                     own strength is C = 4
+//     paper          F = 1/2 rho C A |n.w| (n.w) n    Beaudry, Egli and Patenaude 2005, 5.2, with
+//                                                     the sign and the factor it lacks; its own
+//                                                     strength is C = 4
 //     linear normal  F = 1/2 rho C A |w| (n.w) n      flat plate, C_N = C sin(alpha); C = 2: Moore,
 //                                                     Cory and Tedrake 2014
 //

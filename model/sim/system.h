@@ -89,7 +89,7 @@ struct Input
 };
 
 // A rod whose rest length follows the weight shift of one of its ends:
-// L = |anchor - sum of (value x axis) over the inputs that shift `weight`|.
+// it is scaled by |anchor - sum of (value x axis) over the inputs that shift `weight`| / |anchor|.
 struct ShiftedRod
 {
     int rod;

@@ -35,11 +35,12 @@ public:
     void play();
     void pause();
     void toggle();
-    void step();  // one time step; pauses
-    void reset(); // back to the design; controls return to zero
-    void
-    setSpeed(double ratio); // simulated seconds per second of the clock; 0 is as fast as it can
+    void step();                 // one time step; pauses
+    void reset();                // back to the design; controls return to zero
     void playUntil(double time); // s; as fast as it can, then pauses exactly there
+
+    // Simulated seconds per second of the clock; 0 is as fast as it can.
+    void setSpeed(double ratio);
 
     // Moves the command of a control by whole steps, within its limit.
     void nudge(Id control, int steps);

@@ -5,7 +5,6 @@
 #include "icons/icon.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -165,7 +164,5 @@ void Transport::refreshBadge()
                                     "design; properties can be edited in both.")
                                : tr("Edit: what you see is the design. Play starts from here."));
 }
-
-void Transport::changeEvent(QEvent* event) { QWidget::changeEvent(event); }
 
 } // namespace ripstop

@@ -20,9 +20,6 @@ class Transport final : public QWidget
 public:
     Transport(Document& document, Player& player, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QToolButton* button(const char* name, const QString& text, const QString& toolTip);
     void fillSpeeds();
