@@ -98,6 +98,12 @@ private slots:
             c.targets.push_back(Id{21});
             addItem(s, c);
         });
+        row("control of no id", error, 40, "targets points at 0, which does not exist",
+            [](Scene& s) {
+                Control c = control();
+                c.targets.push_back(noId);
+                addItem(s, c);
+            });
         row("probe of nothing", error, 40, "target points at 99", [](Scene& s) {
             addItem(s, Probe{"p", Quantity::PositionY, Id{99}});
         });

@@ -8,7 +8,6 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-
 using namespace ripstop;
 
 namespace {
@@ -239,6 +238,25 @@ private slots:
         player.play();
         QTRY_VERIFY(player.frame()->step > step); // it goes on where it was
         player.playUntil(0.3);
+    }
+
+    // The problem of before the cure does not refuse what is asked for while the cure compiles.
+    void playsAtOnceAfterTheCure()
+    {
+        Document document;
+        Player player(document);
+        document.replace(fallingPair());
+        document.push(setValue(document.scene(), Id{3}, "mass", 0.0));
+        QTRY_VERIFY(!player.problem().isEmpty());
+
+        QSignalSpy stops(&player, &Player::stopped);
+        document.history().undo();
+        QCoreApplication::sendPostedEvents(&player); // the compile is on its way
+        player.play();
+        QVERIFY(player.isPlaying());
+        QTRY_VERIFY(player.frame() && player.frame()->step > 2);
+        QVERIFY(player.isPlaying());
+        QCOMPARE(stops.count(), 0);
     }
 
     // An explicit spring far above its stable time step explodes; the run stops and says so once.
