@@ -21,7 +21,6 @@ namespace ripstop {
 namespace {
 
 using Four = double __attribute__((vector_size(32)));
-using Lanes = long long __attribute__((vector_size(32)));
 
 #define RIPSTOP_INLINE inline __attribute__((always_inline))
 
@@ -245,13 +244,13 @@ RIPSTOP_INLINE void projectFour(const double* rest, const double* pullA, const d
     const Four d0 = b0 - a0, d1 = b1 - a1, d2 = b2 - a2, d3 = b3 - a3;
 
     // from four separations to four x, four y and four z
-    const Four xz01 = __builtin_shuffle(d0, d1, Lanes{0, 4, 2, 6});
-    const Four xz23 = __builtin_shuffle(d2, d3, Lanes{0, 4, 2, 6});
-    const Four yw01 = __builtin_shuffle(d0, d1, Lanes{1, 5, 3, 7});
-    const Four yw23 = __builtin_shuffle(d2, d3, Lanes{1, 5, 3, 7});
-    const Four x = __builtin_shuffle(xz01, xz23, Lanes{0, 1, 4, 5});
-    const Four y = __builtin_shuffle(yw01, yw23, Lanes{0, 1, 4, 5});
-    const Four z = __builtin_shuffle(xz01, xz23, Lanes{2, 3, 6, 7});
+    const Four xz01 = __builtin_shufflevector(d0, d1, 0, 4, 2, 6);
+    const Four xz23 = __builtin_shufflevector(d2, d3, 0, 4, 2, 6);
+    const Four yw01 = __builtin_shufflevector(d0, d1, 1, 5, 3, 7);
+    const Four yw23 = __builtin_shufflevector(d2, d3, 1, 5, 3, 7);
+    const Four x = __builtin_shufflevector(xz01, xz23, 0, 1, 4, 5);
+    const Four y = __builtin_shufflevector(yw01, yw23, 0, 1, 4, 5);
+    const Four z = __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7);
 
     const Four square = x * x + y * y + z * z;
     Four length;
@@ -277,14 +276,14 @@ RIPSTOP_INLINE void projectFour(const double* rest, const double* pullA, const d
 
     const Four pa = perLength * four(pullA);
     const Four pb = perLength * four(pullB);
-    four(a[0]) = a0 + d0 * __builtin_shuffle(pa, Lanes{0, 0, 0, 0});
-    four(a[1]) = a1 + d1 * __builtin_shuffle(pa, Lanes{1, 1, 1, 1});
-    four(a[2]) = a2 + d2 * __builtin_shuffle(pa, Lanes{2, 2, 2, 2});
-    four(a[3]) = a3 + d3 * __builtin_shuffle(pa, Lanes{3, 3, 3, 3});
-    four(b[0]) = b0 - d0 * __builtin_shuffle(pb, Lanes{0, 0, 0, 0});
-    four(b[1]) = b1 - d1 * __builtin_shuffle(pb, Lanes{1, 1, 1, 1});
-    four(b[2]) = b2 - d2 * __builtin_shuffle(pb, Lanes{2, 2, 2, 2});
-    four(b[3]) = b3 - d3 * __builtin_shuffle(pb, Lanes{3, 3, 3, 3});
+    four(a[0]) = a0 + d0 * __builtin_shufflevector(pa, pa, 0, 0, 0, 0);
+    four(a[1]) = a1 + d1 * __builtin_shufflevector(pa, pa, 1, 1, 1, 1);
+    four(a[2]) = a2 + d2 * __builtin_shufflevector(pa, pa, 2, 2, 2, 2);
+    four(a[3]) = a3 + d3 * __builtin_shufflevector(pa, pa, 3, 3, 3, 3);
+    four(b[0]) = b0 - d0 * __builtin_shufflevector(pb, pb, 0, 0, 0, 0);
+    four(b[1]) = b1 - d1 * __builtin_shufflevector(pb, pb, 1, 1, 1, 1);
+    four(b[2]) = b2 - d2 * __builtin_shufflevector(pb, pb, 2, 2, 2, 2);
+    four(b[3]) = b3 - d3 * __builtin_shufflevector(pb, pb, 3, 3, 3, 3);
 }
 
 RIPSTOP_INLINE double* at(void* rows, std::uint32_t bytes)
