@@ -1,16 +1,18 @@
 #include "editor/export_dialog.h"
 
 #include "compile/compile.h"
+#include "editor/ask_file.h"
 #include "io/export.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
@@ -140,14 +142,18 @@ void ExportDialog::browse()
 {
     const QString extension = m_format->currentData().toString();
     const QString file =
-        QFileDialog::getSaveFileName(this, tr("Export as"), m_target->text(), "*" + extension);
-    if (!file.isEmpty())
-        m_target->setText(QFileInfo(file).suffix().isEmpty() ? file + extension : file);
+        askWhereToSave(this, tr("Export as"), m_target->text(), "*" + extension, extension.mid(1));
+    if (file.isEmpty())
+        return;
+    m_target->setText(file);
+    m_mayReplace = file; // the file dialog has asked
 }
 
 void ExportDialog::start()
 {
     if (m_work.valid())
+        return;
+    if (!mayWrite())
         return;
     const std::filesystem::path file = m_target->text().toStdString();
     if (formats[m_format->currentIndex()].moment) {
@@ -176,6 +182,17 @@ void ExportDialog::start()
         return failure ? QString::fromStdString(failure->message) : QString();
     });
     m_watch.start(50);
+}
+
+bool ExportDialog::mayWrite()
+{
+    const QString file = m_target->text();
+    if (!QFileInfo::exists(file) || file == m_mayReplace)
+        return true;
+    const auto answer = QMessageBox::question(
+        this, tr("Replace the file?"),
+        tr("%1 exists already. Replace it?").arg(QDir::toNativeSeparators(file)));
+    return answer == QMessageBox::Yes;
 }
 
 void ExportDialog::watch()

@@ -40,12 +40,14 @@ private:
     void chooseFormat();
     void browse();
     void start();
+    bool mayWrite(); // asks before it replaces a file
     void watch();
     void end(const QString& failure);
 
     const Scene m_scene;
     const std::shared_ptr<const Frame> m_now;
     const QString m_stem;
+    QString m_mayReplace; // a file that the user has agreed to lose
 
     QComboBox* m_format;
     QLineEdit* m_target;

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/player.h"
+#include "editor/ask_file.h"
 #include "editor/export_dialog.h"
 #include "start/builder_dialog.h"
 #include "viewport/viewport.h"
@@ -79,13 +80,10 @@ bool Files::save() { return m_document.file().isEmpty() ? saveAs() : write(m_doc
 
 bool Files::saveAs()
 {
-    QString file = QFileDialog::getSaveFileName(&m_window, tr("Save the scene as"),
-                                                suggestedFile(".ripstop.json"), sceneFilter());
-    if (file.isEmpty())
-        return false;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += ".ripstop.json";
-    return write(file);
+    const QString file =
+        askWhereToSave(&m_window, tr("Save the scene as"), suggestedFile(".ripstop.json"),
+                       sceneFilter(), "ripstop.json");
+    return !file.isEmpty() && write(file);
 }
 
 bool Files::write(const QString& file)
@@ -110,13 +108,10 @@ void Files::exportRun()
 void Files::savePicture()
 {
     const QImage picture = m_viewport.image(); // of now, not of when the dialog closes
-    QString file =
-        QFileDialog::getSaveFileName(&m_window, tr("Save the view as a picture"),
-                                     suggestedFile(".png"), tr("Pictures (*.png *.jpg)"));
+    const QString file = askWhereToSave(&m_window, tr("Save the view as a picture"),
+                                        suggestedFile(".png"), tr("Pictures (*.png *.jpg)"), "png");
     if (file.isEmpty())
         return;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += ".png";
     if (picture.save(file))
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     else

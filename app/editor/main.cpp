@@ -57,6 +57,9 @@ int main(int argc, char** argv)
     if (!options->scene.isEmpty())
         if (const auto failure = document.open(options->scene))
             return refuse(QString::fromStdString(failure->message), 1);
+    for (const QString& name : {options->select, options->fit})
+        if (!name.isEmpty() && itemCalled(name, document.scene()).empty())
+            return refuse(QString("no item of the scene is called \"%1\"").arg(name), 1);
     Selection selection(document);
     Player player(document);
     const bool stays = options->screenshot.isEmpty();

@@ -37,7 +37,8 @@ Screenshot::Screenshot(const Options& options, std::vector<Id> fitted, MainWindo
 
 void Screenshot::goOn()
 {
-    if (m_player.isPlaying())
+    const bool isReady = m_player.frame() || !m_player.problem().isEmpty();
+    if (m_player.isPlaying() || !isReady)
         return;
     if (++m_settling < settlingTurns)
         return;

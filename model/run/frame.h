@@ -23,6 +23,8 @@ struct Layout
         int a; // particle indices
         int b;
         double restLength; // m
+
+        friend bool operator==(const Link&, const Link&) = default;
     };
     struct Probe
     {
@@ -30,6 +32,8 @@ struct Layout
         std::string name;
         std::string unit;
         bool plotted;
+
+        friend bool operator==(const Probe&, const Probe&) = default;
     };
 
     std::vector<std::uint32_t> particleId; // [particles]
@@ -39,6 +43,8 @@ struct Layout
     std::vector<std::array<int, 3>> panelCorners;
     std::vector<std::uint32_t> inputId; // [inputs] ids of the controls
     std::vector<Probe> probes;
+
+    friend bool operator==(const Layout&, const Layout&) = default;
 };
 
 struct Tear

@@ -91,9 +91,11 @@ void Runner::setSpeed(double ratio)
 
 void Runner::stepOnce()
 {
-    ++m_stepsAsked;
+    ++m_stepsLeft;
     wake();
 }
+
+void Runner::cancelSteps() { m_stepsLeft = 0; }
 
 void Runner::playUntil(double time)
 {
@@ -119,7 +121,6 @@ void Runner::wake()
 void Runner::run(const std::stop_token& stop)
 {
     std::optional<Simulation> simulation;
-    std::int64_t stepsDone = 0;
     Timetable timetable;
     auto framed = Clock::time_point();
     bool fresh = false; // there is something that no frame has shown
@@ -146,25 +147,27 @@ void Runner::run(const std::stop_token& stop)
             simulation->command(*commands);
         timetable.setPlaying(m_playing);
         if (simulation && simulation->trouble())
-            stepsDone = m_stepsAsked; // steps that cannot be made are not made up for
+            m_stepsLeft = 0; // steps that cannot be made are not made up for
 
         double until = m_until;
         const double timeStep = simulation ? simulation->system().timeStep : 0.0;
         const bool catchingUp =
             simulation && !hasReached(simulation->state().time, until, timeStep);
-        const bool asked = simulation && stepsDone < m_stepsAsked.load();
+        int stepsLeft = m_stepsLeft;
+        const bool asked = simulation && stepsLeft > 0;
         const bool onTime = timetable.isDue();
         if (simulation && !simulation->trouble() && (catchingUp || asked || onTime)) {
             fresh = simulation->step();
             // unless another time has been asked for meanwhile
             if (catchingUp && hasReached(simulation->state().time, until, timeStep))
                 m_until.compare_exchange_strong(until, -std::numeric_limits<double>::infinity());
-            if (asked)
-                ++stepsDone;
+            while (asked && stepsLeft > 0 // unless they have been cancelled meanwhile
+                   && !m_stepsLeft.compare_exchange_weak(stepsLeft, stepsLeft - 1)) {
+            }
             if (onTime)
                 timetable.stepped(timeStep, m_speed);
             // Views take a frame every 16 ms; making more would only cost time.
-            if (asked || simulation->trouble() || Clock::now() - framed > 8ms)
+            if (asked || simulation->trouble() || Clock::now() - framed > 15ms)
                 show();
             continue;
         }

@@ -27,6 +27,7 @@ public:
     // Simulated seconds per second of the clock; 0 is as fast as it can.
     void setSpeed(double ratio);
     void stepOnce();                 // one time step, playing or not
+    void cancelSteps();              // those asked for that have not been made
     void playUntil(double time);     // s; plays unpaced and stops exactly there
     void command(Commands commands); // all commands so far; the newest value of each control
 
@@ -42,7 +43,7 @@ private:
     LatestValue<Frame> m_frames;
     std::atomic<bool> m_playing = false;
     std::atomic<double> m_speed = 1.0;
-    std::atomic<std::int64_t> m_stepsAsked = 0;
+    std::atomic<int> m_stepsLeft = 0;
     std::atomic<double> m_until = -std::numeric_limits<double>::infinity();
     std::mutex m_mutex;
     bool m_woken = false; // guarded by m_mutex

@@ -50,7 +50,9 @@ void Simulation::load(std::shared_ptr<const System> system)
 {
     m_state = system->run == m_system->run ? carryOver(*m_system, m_state, *system) : system->start;
     m_system = std::move(system);
-    m_layout = layoutOf(*m_system);
+    // Views build what they draw from the layout; most edits change numbers and leave it as it is.
+    if (auto layout = layoutOf(*m_system); *layout != *m_layout)
+        m_layout = std::move(layout);
     m_trouble.reset(); // the edit may have cured it
 }
 

@@ -37,7 +37,12 @@ int Document::beginGesture() { return ++m_gesture; }
 
 void Document::replace(Scene scene, const QString& suggestedName)
 {
+    const bool isWork = !scene.items.empty();
     show(std::move(scene), {}, suggestedName);
+    if (isWork) { // it stands in no file yet
+        m_history.resetClean();
+        emit fileChanged();
+    }
 }
 
 std::optional<Failure> Document::open(const QString& file)

@@ -159,6 +159,7 @@ void Player::changed(const Edit& applied)
 void Player::startOver()
 {
     halt();
+    m_runner.cancelSteps();
     m_started = false;
     m_stuck = false;
     m_commands.clear();
