@@ -85,14 +85,12 @@ QString nameOf(const Scene& scene, Id id)
 QString compactNumber(double value)
 {
     const QString exact = QString::number(value, 'g', QLocale::FloatingPointShortest);
-    const QString rounded = QString::number(value, 'g', 7);
+    const QString rounded = QString::number(value, 'g', 6);
     return exact.size() <= rounded.size() ? exact : rounded;
 }
 
 QString describe(const Scene& scene, const std::vector<Id>& ids)
 {
-    if (ids.size() == 1)
-        return nameOf(scene, ids.front());
     const Census all = census(scene, ids);
     QStringList kinds;
     Id part = noId;
@@ -108,7 +106,9 @@ QString describe(const Scene& scene, const std::vector<Id>& ids)
             part = one.part;
         }
     }
-    const QString text = kinds.join(QStringLiteral(", "));
+    QString text = kinds.join(QStringLiteral(", "));
+    if (ids.size() == 1)
+        text = nameOf(scene, ids.front());
     if (kinds.isEmpty() || !elementsOfOnePart)
         return text;
     //: "3 particles of kite"

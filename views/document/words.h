@@ -18,10 +18,11 @@ QString choiceLabel(std::string_view choice); // "Semi implicit Euler"
 // "kite", "particle 17", "Settings"; "#17" when there is no such thing.
 QString nameOf(const Scene& scene, Id id);
 
-// A number as short as it can be shown: seven digits, or exact when that is shorter.
+// A number as short as it can be shown: six digits, or exact when that is shorter.
 QString compactNumber(double value);
 
-// "kite", "3 particles of kite", "5 particles, 4 links". `ids` are in ascending order.
+// "kite", "particle 17 of kite", "3 particles of kite", "5 particles, 4 links". `ids` are in
+// ascending order.
 QString describe(const Scene& scene, const std::vector<Id>& ids);
 
 } // namespace ripstop

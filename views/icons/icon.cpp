@@ -9,10 +9,7 @@
 #include <QSvgRenderer>
 
 // Resources of a static library are only linked in when they are asked for; outside any namespace.
-static void loadResources()
-{
-    Q_INIT_RESOURCE(ripstop);
-}
+static void loadResources() { Q_INIT_RESOURCE(ripstop); }
 
 namespace ripstop {
 namespace {
@@ -84,8 +81,8 @@ private:
         QSvgRenderer renderer(drawing);
         QPainter painter(&picture);
         const int side = std::min(size.width(), size.height());
-        renderer.render(&painter, QRectF((size.width() - side) / 2.0,
-                                         (size.height() - side) / 2.0, side, side));
+        renderer.render(&painter, QRectF((size.width() - side) / 2.0, (size.height() - side) / 2.0,
+                                         side, side));
         painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
         painter.fillRect(picture.rect(), ink);
         return picture;
@@ -96,10 +93,7 @@ private:
 
 } // namespace
 
-QIcon icon(const QString& name)
-{
-    return QIcon(new InkEngine(name));
-}
+QIcon icon(const QString& name) { return QIcon(new InkEngine(name)); }
 
 QIcon applicationIcon()
 {

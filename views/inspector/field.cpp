@@ -153,6 +153,7 @@ Field notesField(const FieldPlace& place)
             place.subject.edit(place.property, setTo(text.toStdString()));
     });
     edit->setTabChangesFocus(true);
+    edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     edit->setFixedHeight(4 * edit->fontMetrics().lineSpacing() + 10);
     edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // else its row takes all room
     return {edit, {edit}, [edit](const Common& common) {

@@ -88,6 +88,8 @@ PropertyForm::PropertyForm(Subject& subject, Kind kind, QWidget* parent)
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
+    grid->setColumnMinimumWidth(0,
+                                fontMetrics().horizontalAdvance(QStringLiteral("Skin friction")));
     for (const Property& property : propertiesOf(kind))
         addRow(*grid, property);
     grid->setRowStretch(grid->rowCount(), 1);

@@ -17,6 +17,8 @@ QString quantity(double value, const char* unit)
     return QString::number(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
 }
 
+QString whole(qsizetype count) { return QLocale().toString(count); }
+
 QString joined(const QStringList& facts) { return facts.join(QStringLiteral(" \u00b7 ")); }
 
 // Sums over elements, whatever tables they come from.
@@ -65,10 +67,10 @@ struct Sums
         if (particles > 0)
             facts << quantity(mass, "kg");
         if (pins > 0)
-            facts << words("%1 pinned").arg(QLocale().toString(pins));
+            facts << words("%1 pinned").arg(whole(pins));
         if (springs > 0 && rods > 0)
-            facts << words("%1 springs, %2 rods")
-                         .arg(QLocale().toString(springs), QLocale().toString(rods));
+            facts << (springs == 1 ? words("1 spring") : words("%1 springs").arg(whole(springs)))
+                  << (rods == 1 ? words("1 rod") : words("%1 rods").arg(whole(rods)));
         if (springs + rods > 0)
             facts << words("%1 long").arg(quantity(length, "m"));
         if (panels > 0)

@@ -5,8 +5,10 @@
 #include "document/selection.h"
 #include "icons/icon.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QStackedLayout>
 
 #include <algorithm>
@@ -15,6 +17,23 @@ namespace ripstop {
 namespace {
 
 constexpr int patience = 250; // ms after the last edit
+
+// The icon in a colour that can be told on light and on dark.
+QIcon signOf(Severity severity)
+{
+    const bool isError = severity == Severity::Error;
+    const QSize side(20, 20); // px
+    QPixmap picture = icon(isError ? QStringLiteral("error") : QStringLiteral("warning"))
+                          .pixmap(side, qApp->devicePixelRatio());
+    QPainter painter(&picture);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    painter.fillRect(QRect(QPoint(), side),
+                     isError ? QColor(0xd6, 0x3b, 0x3b) : QColor(0xd9, 0x8e, 0x1f));
+    painter.end();
+    QIcon sign(picture);
+    sign.addPixmap(picture, QIcon::Selected);
+    return sign;
+}
 
 std::vector<Problem> problemsIn(const Scene& scene) { return problemsOf(scene); }
 
@@ -94,9 +113,8 @@ void ProblemList::rebuild()
     m_list->clear();
     for (const Problem& problem : all) {
         const bool isError = problem.severity == Severity::Error;
-        auto* item =
-            new QListWidgetItem(icon(isError ? QStringLiteral("error") : QStringLiteral("warning")),
-                                QString::fromStdString(problem.message), m_list);
+        auto* item = new QListWidgetItem(signOf(problem.severity),
+                                         QString::fromStdString(problem.message), m_list);
         item->setData(Qt::UserRole, std::uint32_t(problem.culprit));
         item->setData(Qt::AccessibleTextRole,
                       (isError ? tr("Error: %1") : tr("Warning: %1")).arg(item->text()));

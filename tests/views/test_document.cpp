@@ -1,0 +1,265 @@
+#include "document/document.h"
+#include "document/selection.h"
+#include "document/words.h"
+#include "io/scene_file.h"
+#include "small_scenes.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+// The names of an edit and a function that makes it from the scene as it is.
+struct Case
+{
+    const char* name;
+    Edit (*make)(const Scene& scene);
+};
+
+Edit addRowsEdit(const Scene& scene)
+{
+    const Id first = scene.nextId;
+    const Id second{std::uint32_t(first) + 1};
+    const Id third{std::uint32_t(first) + 2};
+    Particle particle;
+    particle.id = first;
+    Panel panel;
+    panel.id = third;
+    panel.a = Id{2};
+    panel.b = Id{3};
+    panel.c = first;
+    return {"Add", {AddRows{Id{1}, {particle}, {rod(second, Id{2}, first, Id{9})}, {panel}}}};
+}
+
+Edit addItemEdit(const Scene& scene) { return {"Add", {AddItem{2, {scene.nextId, Wind{"gust"}}}}}; }
+
+const Case cases[] = {
+    {"one value", [](const Scene& s) { return setValue(s, Id{3}, "mass", 0.7); }},
+    {"one value for many",
+     [](const Scene&) {
+         return Edit{
+             "Set",
+             {SetValues{findProperty(Kind::Particle, "mass"), {Id{2}, Id{3}, Id{4}}, {0.7}}}};
+     }},
+    {"a value for each",
+     [](const Scene&) {
+         return Edit{"Set",
+                     {SetValues{findProperty(Kind::Particle, "mass"), {Id{2}, Id{4}}, {0.1, 0.2}}}};
+     }},
+    {"a setting", [](const Scene& s) { return setValue(s, settingsId, "sweeps", 31); }},
+    {"an absent value", [](const Scene& s) { return setValue(s, Id{6}, "stiffness", 12.0); }},
+    {"add an item", addItemEdit},
+    {"add rows", addRowsEdit},
+    {"remove a particle and what hangs on it", [](const Scene& s) { return removal(s, {Id{3}}); }},
+    {"remove a link", [](const Scene& s) { return removal(s, {Id{6}}); }},
+    {"remove a material in use", [](const Scene& s) { return removal(s, {Id{9}}); }},
+    {"remove a part", [](const Scene& s) { return removal(s, {Id{1}}); }},
+    {"remove everything",
+     [](const Scene& s) {
+         std::vector<Id> all;
+         for (const Entry& entry : s.items)
+             all.push_back(entry.id);
+         return removal(s, all);
+     }},
+};
+
+double massOf(const Document& document, Id id)
+{
+    return std::get<const Particle*>(*find(document.scene(), id))->mass;
+}
+
+} // namespace
+
+class TestDocument : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void gestureUndoesInOneStep()
+    {
+        Document document;
+        document.replace(oneOfEverything());
+        const int gesture = document.beginGesture();
+        for (const double mass : {0.02, 0.03, 0.04})
+            document.drag(setValue(document.scene(), Id{3}, "mass", mass), gesture);
+        QCOMPARE(document.history().count(), 1);
+        QCOMPARE(massOf(document, Id{3}), 0.04);
+
+        const int next = document.beginGesture(); // the same slider, pressed again
+        document.drag(setValue(document.scene(), Id{3}, "mass", 0.05), next);
+        QCOMPARE(document.history().count(), 2);
+        document.history().undo();
+        QCOMPARE(massOf(document, Id{3}), 0.04);
+        document.history().undo();
+        QCOMPARE(massOf(document, Id{3}), 0.01);
+        document.history().redo();
+        QCOMPARE(massOf(document, Id{3}), 0.04);
+        document.history().redo();
+        QCOMPARE(massOf(document, Id{3}), 0.05);
+        QVERIFY(!document.history().canRedo());
+    }
+
+    void everyEditHasItsWayBack_data()
+    {
+        QTest::addColumn<int>("index");
+        for (int i = 0; i < int(std::size(cases)); ++i)
+            QTest::newRow(cases[i].name) << i;
+    }
+
+    void everyEditHasItsWayBack()
+    {
+        QFETCH(int, index);
+        Document document;
+        document.replace(oneOfEverything());
+        const Scene before = document.scene();
+        document.push(cases[index].make(before));
+        const Scene after = document.scene();
+        QVERIFY(after.items != before.items || after.settings != before.settings);
+        for (int round = 0; round < 2; ++round) {
+            document.history().undo();
+            QVERIFY(document.scene().items == before.items);
+            QVERIFY(document.scene().settings == before.settings);
+            QVERIFY(document.scene().nextId >= before.nextId); // ids are never used twice
+            document.history().redo();
+            QVERIFY(document.scene() == after);
+        }
+    }
+
+    // All of them behind each other, and all the way back.
+    void longHistoryGoesBackToTheStart()
+    {
+        Document document;
+        document.replace(oneOfEverything());
+        std::vector<Scene> scenes{document.scene()};
+        for (const int index : {0, 1, 2, 3, 4, 5, 6, 8, 7, 9, 11}) {
+            document.push(cases[index].make(document.scene()));
+            scenes.push_back(document.scene());
+        }
+        for (std::size_t i = scenes.size() - 1; i-- > 0;) {
+            document.history().undo();
+            QVERIFY(document.scene().items == scenes[i].items);
+        }
+        for (std::size_t i = 1; i < scenes.size(); ++i) {
+            document.history().redo();
+            QVERIFY(document.scene().items == scenes[i].items); // ids that were used stay used
+        }
+    }
+
+    void changesAreTold()
+    {
+        Document document;
+        document.replace(oneOfEverything());
+        std::vector<std::string> told;
+        connect(&document, &Document::changed, this,
+                [&](const Edit& edit) { told.push_back(edit.label); });
+        document.push({"nothing", {}});
+        QVERIFY(told.empty());
+        QCOMPARE(document.history().count(), 0);
+        document.push(setValue(document.scene(), Id{3}, "mass", 1.0));
+        document.history().undo();
+        QCOMPARE(told, (std::vector<std::string>{"Set Mass", "Set Mass"}));
+    }
+
+    void filesRememberWhatIsSaved()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("sail \u00e9t\u00e9.ripstop.json");
+        Document document;
+        QSignalSpy fileChanges(&document, &Document::fileChanged);
+        document.replace(oneOfEverything(), "sail");
+        QCOMPARE(document.displayName(), QString("sail"));
+        QVERIFY(document.file().isEmpty());
+        QVERIFY(document.isModified()); // a design that stands in no file yet
+        document.replace(Scene{});
+        QVERIFY(!document.isModified());
+
+        document.replace(oneOfEverything(), "sail");
+        document.push(setValue(document.scene(), Id{3}, "mass", 0.25));
+        QVERIFY(document.isModified());
+        QVERIFY(!document.save(file));
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.displayName(), QString("sail \u00e9t\u00e9.ripstop.json"));
+        document.history().undo();
+        QVERIFY(document.isModified());
+        document.history().redo();
+        QVERIFY(!document.isModified());
+        QVERIFY(fileChanges.count() >= 5);
+
+        Document other;
+        QSignalSpy replacements(&other, &Document::replaced);
+        QVERIFY(!other.open(file));
+        QCOMPARE(replacements.count(), 1);
+        QVERIFY(other.scene() == document.scene());
+        QCOMPARE(other.file(), document.file());
+    }
+
+    void aBadFileChangesNothing()
+    {
+        const QTemporaryDir folder;
+        const QString bad = folder.filePath("bad.ripstop.json");
+        QFile file(bad);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{ \"format\": \"ripstop-scene\", \"version\": 1, ");
+        file.close();
+
+        Document document;
+        document.replace(oneOfEverything(), "sail");
+        document.push(setValue(document.scene(), Id{3}, "mass", 0.25));
+        const Scene before = document.scene();
+        QSignalSpy replacements(&document, &Document::replaced);
+        for (const QString& name : {bad, folder.filePath("missing.ripstop.json")}) {
+            const auto failure = document.open(name);
+            QVERIFY(failure && !failure->message.empty());
+        }
+        QCOMPARE(replacements.count(), 0);
+        QVERIFY(document.scene() == before);
+        QVERIFY(document.isModified() && document.history().canUndo());
+
+        QVERIFY(document.save(folder.filePath("no/such/folder/x.ripstop.json")));
+        QVERIFY(document.isModified()); // a failed save saves nothing
+    }
+
+    void selectionKeepsToWhatExists()
+    {
+        Document document;
+        document.replace(oneOfEverything());
+        Selection selection(document);
+        QSignalSpy changes(&selection, &Selection::changed);
+        selection.set({Id{6}, Id{3}, Id{3}, Id{99}, Id{9}});
+        QCOMPARE(selection.ids(), (std::vector<Id>{Id{3}, Id{6}, Id{9}}));
+        QCOMPARE(changes.count(), 1);
+        selection.set({Id{9}, Id{6}, Id{3}});
+        QCOMPARE(changes.count(), 1); // the same
+
+        selection.toggle(Id{6});
+        QVERIFY(!selection.contains(Id{6}) && selection.contains(Id{3}));
+        selection.toggle(Id{6});
+        QVERIFY(selection.contains(Id{6}));
+
+        document.push(removal(document.scene(), {Id{3}})); // the link 6 hangs on it
+        QCOMPARE(selection.ids(), (std::vector<Id>{Id{9}}));
+        document.replace(Scene{});
+        QVERIFY(selection.ids().empty());
+    }
+
+    void thingsAreNamed()
+    {
+        const Scene scene = oneOfEverything();
+        QCOMPARE(describe(scene, {Id{2}, Id{3}, Id{4}}), QString("3 particles of sail"));
+        QCOMPARE(describe(scene, {Id{5}}), QString("link 5 of sail"));
+        QCOMPARE(describe(scene, {Id{9}}), QString("thread"));
+        QCOMPARE(describe(scene, {Id{9}, Id{10}}), QString("2 materials"));
+        QCOMPARE(describe(scene, {Id{2}, Id{5}, Id{6}, Id{13}}),
+                 QString("1 particle, 2 links, 1 wind"));
+        QCOMPARE(nameOf(scene, Id{77}), QString("#77"));
+        QCOMPARE(compactNumber(1.0 / 240.0), QString("0.00416667"));
+        QCOMPARE(compactNumber(0.1), QString("0.1"));
+        QCOMPARE(compactNumber(-9.80665), QString("-9.80665"));
+        QCOMPARE(choiceLabel("semi_implicit_euler"), QString("Semi implicit Euler"));
+    }
+};
+
+QTEST_MAIN(TestDocument)
+#include "test_document.moc"

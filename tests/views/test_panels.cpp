@@ -1,0 +1,225 @@
+// The panels around the view: transport, controls, plots, outline, problems, start page, builders.
+#include "builders/builder.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "outline/outline.h"
+#include "plots/plot_panel.h"
+#include "problems/problem_list.h"
+#include "small_scenes.h"
+#include "start/builder_dialog.h"
+#include "start/samples.h"
+#include "start/start_page.h"
+#include "transport/control_strip.h"
+#include "transport/transport.h"
+
+#include <QBuffer>
+#include <QDialogButtonBox>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <QTreeView>
+#include <QTreeWidget>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+struct Bench
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+
+    explicit Bench(Scene scene) { document.replace(std::move(scene)); }
+    bool isReady() const { return player.frame() != nullptr; }
+};
+
+Scene measuredPair()
+{
+    Scene scene = fallingPair();
+    Probe height;
+    height.name = "height";
+    height.target = Id{2};
+    Probe speed;
+    speed.name = "speed";
+    speed.quantity = Quantity::Speed;
+    speed.target = Id{2};
+    scene.items.push_back({Id{8}, height});
+    scene.items.push_back({Id{9}, speed});
+    scene.nextId = Id{10};
+    return scene;
+}
+
+QToolButton* buttonNamed(QWidget& widget, const QString& part)
+{
+    for (QToolButton* button : widget.findChildren<QToolButton*>())
+        if (button->accessibleName().contains(part, Qt::CaseInsensitive)
+            || button->text().contains(part, Qt::CaseInsensitive)
+            || button->toolTip().contains(part, Qt::CaseInsensitive))
+            return button;
+    return nullptr;
+}
+
+} // namespace
+
+class TestPanels : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void transportPlaysStepsAndResets()
+    {
+        Bench bench(fallingPair());
+        Transport transport(bench.document, bench.player);
+        transport.show();
+        QTRY_VERIFY(bench.isReady());
+        buttonNamed(transport, "play")->click();
+        QVERIFY(bench.player.isPlaying());
+        QTRY_VERIFY(bench.player.frame()->step > 3);
+        buttonNamed(transport, "pause")->click();
+        QVERIFY(!bench.player.isPlaying());
+        QTest::qWait(50);
+        const auto step = bench.player.frame()->step;
+        buttonNamed(transport, "step")->click();
+        QTRY_COMPARE(bench.player.frame()->step, step + 1);
+        buttonNamed(transport, "reset")->click();
+        QTRY_COMPARE(bench.player.frame()->step, std::int64_t(0));
+    }
+
+    // The control of the scene moves 0.1 m each time, 0.25 m at most.
+    void controlButtonsNudgeWithinTheLimit()
+    {
+        Bench bench(fallingPair());
+        bench.document.push(
+            setValue(bench.document.scene(), Id{7}, "keyMore", std::string("Right")));
+        ControlStrip strip(bench.document, bench.player);
+        strip.show();
+        QTRY_VERIFY(bench.isReady());
+        bench.player.play();
+        QToolButton* more = buttonNamed(strip, "right");
+        QVERIFY(more);
+        more->click();
+        QTRY_COMPARE(bench.player.frame()->inputCommand.at(0), 0.1);
+        more->click();
+        more->click();
+        QTRY_COMPARE(bench.player.frame()->inputCommand.at(0), 0.25);
+    }
+
+    // Falling from 10 m: the curve must be the law of free fall, y = 10 - g t^2 / 2, up to the
+    // g t h / 2 by which semi-implicit Euler falls ahead (h = 0.01 s).
+    void plotsFollowTheRun()
+    {
+        Bench bench(measuredPair());
+        PlotPanel plots(bench.document, bench.player);
+        plots.resize(600, 300);
+        plots.show();
+        QTRY_VERIFY(bench.isReady());
+        for (double time = 0.1; time < 0.95; time += 0.1) {
+            bench.player.playUntil(time);
+            QTRY_VERIFY(!bench.player.isPlaying());
+        }
+        QCOMPARE(plots.chart().stripCount(), 2); // one for m, one for m/s
+        QBuffer table;
+        table.open(QIODevice::ReadWrite);
+        plots.writeCsv(table);
+        const QStringList rows = QString::fromUtf8(table.data()).split('\n', Qt::SkipEmptyParts);
+        QVERIFY(rows.first().contains("height (m)") && rows.first().contains("speed (m/s)"));
+        QVERIFY(rows.size() >= 9);
+        for (qsizetype i = 1; i < rows.size(); ++i) {
+            const double t = rows[i].section(',', 0, 0).toDouble();
+            const double y = rows[i].section(',', 1, 1).toDouble();
+            QVERIFY2(std::abs(y - (10.0 - 0.5 * 9.80665 * t * (t + 0.01))) < 1e-4,
+                     qPrintable(rows[i]));
+        }
+        bench.player.reset();
+        QTRY_VERIFY(bench.player.frame()->step == 0);
+        QBuffer empty;
+        empty.open(QIODevice::ReadWrite);
+        plots.writeCsv(empty);
+        QVERIFY(QString::fromUtf8(empty.data()).split('\n', Qt::SkipEmptyParts).size() <= 2);
+    }
+
+    void tickingAProbeIsAnEdit()
+    {
+        Bench bench(measuredPair());
+        PlotPanel plots(bench.document, bench.player);
+        plots.show();
+        QTRY_VERIFY(bench.isReady());
+        auto* list = plots.findChild<QTreeWidget*>();
+        list->topLevelItem(1)->setCheckState(0, Qt::Unchecked);
+        QTRY_VERIFY(!findItem<Probe>(bench.document.scene(), Id{9})->plotted);
+        bench.document.history().undo();
+        QVERIFY(findItem<Probe>(bench.document.scene(), Id{9})->plotted);
+        QTRY_COMPARE(list->topLevelItem(1)->checkState(0), Qt::Checked);
+    }
+
+    void outlineAndSelectionFollowEachOther()
+    {
+        Bench bench(oneOfEverything());
+        Outline outline(bench.document, bench.selection);
+        outline.show();
+        auto* tree = outline.findChild<QTreeView*>();
+        bench.selection.set({Id{13}});
+        QCOMPARE(tree->selectionModel()->selectedRows().size(), 1);
+        QCOMPARE(tree->selectionModel()->selectedRows().first().data().toString(),
+                 QString::fromStdString(findItem<Wind>(bench.document.scene(), Id{13})->name));
+        outline.removeSelected();
+        QVERIFY(!findItem(bench.document.scene(), Id{13}));
+        QVERIFY(bench.selection.ids().empty());
+        bench.document.history().undo();
+        QVERIFY(findItem(bench.document.scene(), Id{13}));
+        const auto actions = outline.addMenu()->actions();
+        const auto items = bench.document.scene().items.size();
+        actions.first()->trigger();
+        QCOMPARE(bench.document.scene().items.size(), items + 1);
+    }
+
+    void problemsLeadToTheirCulprit()
+    {
+        Bench bench(fallingPair());
+        ProblemList problems(bench.document, bench.selection, bench.player);
+        problems.show();
+        QTRY_COMPARE(problems.errorCount(), 0);
+        bench.document.push(setValue(bench.document.scene(), Id{3}, "mass", 0.0));
+        QTRY_COMPARE(problems.errorCount(), 1);
+        auto* list = problems.findChild<QListWidget*>();
+        const QRect row = list->visualItemRect(list->item(0));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row.center());
+        QCOMPARE(bench.selection.ids(), std::vector{Id{3}});
+        bench.document.history().undo();
+        QTRY_COMPARE(problems.errorCount(), 0);
+    }
+
+    void theStartPageOffersEverySampleAndBuilder()
+    {
+        QVERIFY(!sampleFiles().empty());
+        StartPage page;
+        page.resize(1000, 700);
+        page.show();
+        QSignalSpy opened(&page, &StartPage::openRequested);
+        QSignalSpy built(&page, &StartPage::builderRequested);
+        for (QAbstractButton* button : page.findChildren<QAbstractButton*>())
+            if (button->isEnabled())
+                button->click();
+        QCOMPARE(opened.size(), qsizetype(sampleFiles().size()));
+        QCOMPARE(built.size(), qsizetype(allBuilders().size()));
+    }
+
+    void theBuilderDialogBuildsWhatItSays()
+    {
+        BuilderDialog dialog("delta_kite");
+        dialog.show();
+        auto* buttons = dialog.findChild<QDialogButtonBox*>();
+        QTRY_VERIFY(buttons->button(QDialogButtonBox::Ok)->isEnabled());
+        std::size_t particles = 0;
+        forEachPart(dialog.scene(),
+                    [&](Id, const Part& part) { particles += part.particles.size(); });
+        QCOMPARE(particles, std::size_t(152)); // validation 1.5
+    }
+};
+
+QTEST_MAIN(TestPanels)
+#include "test_panels.moc"
