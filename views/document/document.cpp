@@ -77,8 +77,8 @@ void Document::show(Scene scene, const QString& file, const QString& suggestedNa
     m_scene = std::move(scene);
     m_file = file;
     m_suggestedName = suggestedName;
-    m_history.clear();
-    m_history.setClean(); // clear() forgets to when the history is empty // its commands belong to the scene that is gone
+    m_history.clear();    // its commands belong to the scene that is gone
+    m_history.setClean(); // clear() leaves this out when there are no commands
     emit replaced();
     emit fileChanged();
 }
