@@ -1,5 +1,6 @@
 #include "scene/check.h"
 
+#include "base/step_limit.h"
 #include "scene/property.h"
 
 #include <algorithm>
@@ -205,7 +206,7 @@ private:
         std::snprintf(
             text, sizeof text,
             "The substep of %.3g s is above the %.3g s that the springs at particle %u may "
-            "need: shorten the time step, add substeps, or lower the stiffness.",
+            "need: shorten the time step, add substeps, or lower stiffness and damping.",
             h, limit->timeStep, unsigned(limit->particle));
         add("step", Severity::Warning, text, limit->particle);
     }
@@ -233,25 +234,33 @@ bool hasErrors(const std::vector<Problem>& problems)
 
 std::optional<StepLimit> stepLimit(const Scene& scene)
 {
-    std::unordered_map<Id, double> stiffness;
+    struct Sums
+    {
+        double stiffness = 0.0; // N/m
+        double damping = 0.0;   // N s/m
+    };
+    std::unordered_map<Id, Sums> springsAt;
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Link& link : part.links) {
             if (link.kind != LinkKind::Spring)
                 continue;
             const Material* material = findItem<Material>(scene, link.material);
-            const double k = link.stiffness.value_or(material ? material->stiffness : 0.0);
-            stiffness[link.from] += k;
-            stiffness[link.to] += k;
+            for (const Id end : {link.from, link.to}) {
+                Sums& sums = springsAt[end];
+                sums.stiffness += link.stiffness.value_or(material ? material->stiffness : 0.0);
+                sums.damping += link.damping.value_or(material ? material->damping : 0.0);
+            }
         }
     });
     std::optional<StepLimit> limit;
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& particle : part.particles) {
-            const auto k = stiffness.find(particle.id);
-            if (particle.pinned || k == stiffness.end() || !(k->second > 0.0))
+            const auto sums = springsAt.find(particle.id);
+            if (particle.pinned || sums == springsAt.end())
                 continue;
-            const double h = std::sqrt(2.0 * particle.mass / k->second);
-            if (!limit || h < limit->timeStep)
+            const double h =
+                springStepLimit(particle.mass, sums->second.stiffness, sums->second.damping);
+            if (std::isfinite(h) && (!limit || h < limit->timeStep))
                 limit = StepLimit{h, particle.id};
         }
     });

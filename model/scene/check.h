@@ -23,8 +23,7 @@ struct Problem
 std::vector<Problem> problemsOf(const Scene& scene, std::size_t most = 20);
 
 // The longest substep at which the springs of a scene are sure to be stable, and the particle that
-// asks for it: h < sqrt(2 m / sum k), the Gershgorin bound of the largest frequency. Nothing when
-// there are no springs.
+// asks for it (base/step_limit.h). Nothing when there are no springs.
 struct StepLimit
 {
     double timeStep; // s

@@ -1,5 +1,7 @@
 #include "sim/watchdog.h"
 
+#include "base/step_limit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,15 +16,19 @@ std::string format(const char* pattern, auto... values)
     return text;
 }
 
-double stiffnessAt(const System& system, const State& state, std::size_t particle)
+// s; without end when there are no springs.
+double springLimitAt(const System& system, const State& state, std::size_t particle)
 {
-    double sum = 0.0;
+    double stiffness = 0.0; // N/m
+    double damping = 0.0;   // N s/m
     for (int k = system.springsAt.start[particle]; k < system.springsAt.start[particle + 1]; ++k) {
         const auto spring = std::size_t(system.springsAt.items[std::size_t(k)]);
-        if (!state.springTorn[spring])
-            sum += system.springs[spring].stiffness;
+        if (state.springTorn[spring])
+            continue;
+        stiffness += system.springs[spring].stiffness;
+        damping += system.springs[spring].damping;
     }
-    return sum;
+    return springStepLimit(1.0 / system.inverseMass[particle], stiffness, damping);
 }
 
 double largestMassRatio(const System& system, std::size_t particle)
@@ -42,15 +48,12 @@ double largestMassRatio(const System& system, std::size_t particle)
 std::string causeAt(const System& system, const State& before, std::size_t particle)
 {
     const double h = system.timeStep / system.substeps;
-    const double stiffness = stiffnessAt(system, before, particle);
-    if (stiffness > 0.0) {
-        const double limit = std::sqrt(2.0 / (system.inverseMass[particle] * stiffness));
-        if (h > limit)
-            return format("the substep of %.3g s is above the %.3g s that its springs allow; "
-                          "shorten the time step, add substeps or lower the stiffness",
-                          h, limit);
-    }
-    if (system.integrator == Integrator::ExplicitEuler && stiffness > 0.0)
+    const double limit = springLimitAt(system, before, particle);
+    if (h > limit)
+        return format("the substep of %.3g s is above the %.3g s that its springs allow; "
+                      "shorten the time step, add substeps, or lower stiffness and damping",
+                      h, limit);
+    if (system.integrator == Integrator::ExplicitEuler && std::isfinite(limit))
         return "explicit Euler gains energy from springs at any time step; choose another "
                "integrator or add damping";
     if (const double ratio = largestMassRatio(system, particle); ratio > 1000.0)

@@ -1,6 +1,8 @@
 // Problems: each is found once, points at its culprit, and says what to do.
 #include "scene/check.h"
 
+#include "base/step_limit.h"
+
 #include "scene/edit.h"
 
 #include <QtTest>
@@ -272,6 +274,25 @@ private slots:
         Scene scene = sound();
         (void)apply(scene, removal(scene, {Id{12}}));
         QVERIFY(!hasErrors(problemsOf(scene)));
+    }
+
+    // T-S2: (w h)^2 + 2 c h < 4; a particle of 1 kg with w = 10 1/s has K = w^2 / 2, N = c / 2.
+    void dampingShortensTheLimit_data()
+    {
+        QTest::addColumn<double>("c");     // 1/s
+        QTest::addColumn<double>("limit"); // s
+        QTest::newRow("S2 undamped") << 0.0 << 0.200000;
+        QTest::newRow("S2 c = 1") << 1.0 << 0.190250;
+        QTest::newRow("S2 c = 5") << 5.0 << 0.156155;
+        QTest::newRow("S2 c = 20") << 20.0 << 0.082843;
+    }
+
+    void dampingShortensTheLimit()
+    {
+        QFETCH(double, c);
+        QFETCH(double, limit);
+        QVERIFY(std::abs(springStepLimit(1.0, 50.0, 0.5 * c) - limit) < 1e-6);
+        QCOMPARE(springStepLimit(1.0, 0.0, 0.5), 2.0); // a damper alone: h < 2 / c
     }
 
     void noLimitWithoutSprings() { QVERIFY(!stepLimit(sound())); }
