@@ -187,7 +187,6 @@ void MainWindow::showScene()
     m_middle->setCurrentWidget(m_viewport);
     m_docks["plots"]->raise();
     m_viewport->setFocus();
-    m_viewport->fit();
 }
 
 void MainWindow::showViewOnly()

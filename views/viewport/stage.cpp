@@ -123,6 +123,25 @@ std::vector<Vec3> Stage::shownPoints(const Scene& scene) const
     return points;
 }
 
+std::vector<Vec3> Stage::subjectPoints(const Scene& scene) const
+{
+    std::vector<Vec3> points;
+    const auto add = [&](int particle) {
+        if (const Vec3& place = m_frame->position[std::size_t(particle)]; place.allFinite())
+            points.push_back(place);
+    };
+    for (std::size_t i = 0; m_frame && i < m_look.panelShown.size(); ++i)
+        if (m_look.panelShown[i] && !m_frame->gone[i])
+            for (const int corner : m_layout->panelCorners[i])
+                add(corner);
+    if (points.empty())
+        return shownPoints(scene);
+    for (std::size_t i = 0; i < m_look.isWeight.size(); ++i)
+        if (m_look.isWeight[i] && m_look.particleShown[i])
+            add(int(i));
+    return points;
+}
+
 void Stage::takeBounds(const Scene& scene)
 {
     m_bounds.setEmpty();

@@ -47,6 +47,9 @@ public:
 
     // As of the last prepare().
     const std::shared_ptr<const Frame>& frame() const { return m_frame; }
+    // What a designer looks at first: the fabric and what it carries. Everything when there is
+    // none.
+    std::vector<Vec3> subjectPoints(const Scene& scene) const;
     const Look& look() const { return m_look; }
     const Eigen::AlignedBox3d& bounds() const { return m_bounds; }
     const Theme& theme() const { return m_theme; }

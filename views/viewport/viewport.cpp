@@ -87,7 +87,8 @@ public:
     Compass compass;
 
     Pickable pickable{.particles = true, .links = true, .panels = true};
-    bool untouched = true;        // the camera still shows everything, as nobody has moved it
+    bool untouched = true;        // the camera still shows all it should, as nobody has moved it
+    bool wholeScene = false;      // should show: everything, or the fabric and what it carries
     bool following = true;        // the camera goes with the fabric
     std::optional<Vec3> followed; // m, where the middle was in the last frame
     QPointF pressed;
@@ -106,6 +107,7 @@ void Viewport::Private::showDesign()
 void Viewport::Private::sceneReplaced()
 {
     untouched = true;
+    wholeScene = false;
     followed.reset();
     camera.look(PresetView::Iso);
     showDesign();
@@ -151,8 +153,10 @@ void Viewport::Private::moveWith(const Frame& frame)
 void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
-    camera.fit(stage.shownPoints(document.scene()), aspect());
-    if (followed && stage.frame())
+    camera.fit(wholeScene ? stage.shownPoints(document.scene())
+                          : stage.subjectPoints(document.scene()),
+               aspect());
+    if (following && stage.frame())
         followed = middleOf(*stage.frame());
     screen.update();
 }
@@ -281,6 +285,7 @@ const Turntable& Viewport::camera() const { return d->camera; }
 void Viewport::fit()
 {
     d->untouched = true;
+    d->wholeScene = true;
     d->fitNow();
     emit cameraChanged();
 }
@@ -300,7 +305,9 @@ void Viewport::fit(const std::vector<Id>& ids)
 void Viewport::view(PresetView preset)
 {
     d->camera.look(preset);
-    fit();
+    d->untouched = true;
+    d->fitNow();
+    emit cameraChanged();
 }
 
 void Viewport::setFollow(bool follow)

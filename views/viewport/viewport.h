@@ -49,7 +49,8 @@ public:
     void setParticlesShown(bool shown);
     void setWindShown(bool shown);
 
-    void fit();                           // everything that is shown
+    // A scene that is opened shows its fabric and what that carries; this shows everything.
+    void fit();
     void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
