@@ -1,245 +1,105 @@
-// ripstop-cli bench: how fast the engine is on this machine, on three designs of known size.
-#include "builders/builder.h"
+// ripstop-cli bench: how fast the engine is on this machine.
+#include "cli/bench_quality.h"
+#include "cli/bench_races.h"
+#include "cli/bench_report.h"
+#include "cli/bench_targets.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
-#include "compile/compile.h"
-#include "run/simulation.h"
 
 #include <algorithm>
-#include <chrono>
-#include <fstream>
 #include <iostream>
 #include <thread>
 
 namespace ripstop {
 namespace {
 
-struct Case
+struct Race
 {
     const char* name;
-    const char* builder;
-    Parameters parameters;
-    bool rods; // turn every spring into a rod of the same stiffness
-    const char* what;
+    std::optional<Json> (*run)(const BenchOptions&);
 };
 
-const std::vector<Case>& allCases()
-{
-    static const std::vector<Case> cases{
-        {"hang_glider", "hang_glider", {}, false, "the paper's wing with its pilot"},
-        {"delta_kite", "delta_kite", {}, false, "the paper's kite on its line"},
-        {"cloth_rods",
-         "cloth",
-         {{"columns", 100}, {"rows", 100}, {"sphere", 0}},
-         true,
-         "100 x 100 cells of cloth, tied by rods"},
-        {"cloth_springs",
-         "cloth",
-         {{"columns", 100}, {"rows", 100}, {"sphere", 0}},
-         false,
-         "the same cloth, tied by springs"},
-    };
-    return cases;
-}
+constexpr Race races[]{
+    {"projection", projectionRace}, {"quality", qualityRace}, {"growth", growthRace}};
 
-struct Options
+int bench(const BenchOptions& options, const std::string& only)
 {
-    std::string filter;
-    int repetitions = 5;
-    double seconds = 1.0; // s of wall time per repetition, about
-    int threads = 1;
-    bool json = false;
-};
-
-void tieByRods(Scene& scene)
-{
-    for (Entry& entry : scene.items)
-        if (Part* part = std::get_if<Part>(&entry.item))
-            for (Link& link : part->links) {
-                const Material* material = findItem<Material>(scene, link.material);
-                const double stiffness =
-                    link.stiffness.value_or(material ? material->stiffness : 0.0);
-                link.kind = LinkKind::Rod;
-                link.compliance = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
-            }
-}
-
-Result<std::shared_ptr<const System>> systemOf(const Case& benchmark)
-{
-    const Builder* builder = findBuilder(benchmark.builder);
-    if (!builder)
-        return Failure{"The builder " + std::string(benchmark.builder) + " is missing."};
-    Result<Scene> scene = build(*builder, benchmark.parameters);
-    if (!scene)
-        return scene.failure();
-    if (benchmark.rods)
-        tieByRods(*scene);
-    return compile(*scene);
-}
-
-double wallSeconds(Simulation& simulation, long steps)
-{
-    const auto start = std::chrono::steady_clock::now();
-    for (long i = 0; i < steps; ++i)
-        if (!simulation.step())
-            return 0.0;
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Wall time of one time step in s, for each repetition. All of them fly the same stretch of time
-// from the design. Empty when the simulation diverged.
-std::vector<double> measure(const std::shared_ptr<const System>& system, const Options& options)
-{
-    // the first flights warm caches up and tell how many steps fit
-    long steps = 1;
-    for (bool enough = false; !enough && !interrupted();) {
-        Simulation trial(system, options.threads);
-        const double taken = wallSeconds(trial, steps);
-        if (trial.trouble())
-            return {};
-        enough = taken > 0.1 * options.seconds;
-        steps = enough ? std::max(1L, long(double(steps) * options.seconds / taken)) : 2 * steps;
-    }
-    std::vector<double> times;
-    for (int i = 0; i < options.repetitions && !interrupted(); ++i) {
-        Simulation simulation(system, options.threads);
-        times.push_back(wallSeconds(simulation, steps) / double(steps));
-        if (simulation.trouble())
-            return {};
-    }
-    std::sort(times.begin(), times.end());
-    return times;
-}
-
-Json resultOf(const Case& benchmark, const System& system, const std::vector<double>& times)
-{
-    const double median = times[times.size() / 2];
-    const double least = times.front();
-    const double projections =
-        double(system.rods.size()) * double(system.substeps) * double(system.sweeps);
-    const double springVisits = double(system.springs.size()) * double(system.substeps);
-    const auto perProjection = [&](double time) {
-        return projections > 0.0 ? Json(1e9 * time / projections) : Json();
-    };
-    return {{"name", benchmark.name},
-            {"what", benchmark.what},
-            {"particles", system.key.size()},
-            {"rods", system.rods.size()},
-            {"springs", system.springs.size()},
-            {"panels", system.panels.size()},
-            {"time_step", system.timeStep},
-            {"substeps", system.substeps},
-            {"sweeps", system.sweeps},
-            {"repetitions", times.size()},
-            {"steps_per_second", 1.0 / median},
-            {"best_steps_per_second", 1.0 / least},
-            {"real_time_ratio", system.timeStep / median},
-            {"ns_per_rod_projection", perProjection(median)},
-            {"best_ns_per_rod_projection", perProjection(least)},
-            {"ns_per_spring", springVisits > 0.0 ? Json(1e9 * median / springVisits) : Json()}};
-}
-
-std::string processor()
-{
-    std::ifstream in("/proc/cpuinfo");
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("model name"))
-            return line.substr(line.find(':') + 2);
-    return "unknown processor";
-}
-
-Json machine(const Options& options)
-{
-    return {{"processor", processor()},   {"cores", std::thread::hardware_concurrency()},
-            {"threads", options.threads}, {"compiler", "g++ " __VERSION__},
-#ifdef NDEBUG
-            {"build", "optimised"},
-#else
-            {"build", "with checks: figures mean little"},
-#endif
-            {"version", RIPSTOP_VERSION}};
-}
-
-void printRow(const Json& result)
-{
-    const auto cell = [](const std::string& text, std::size_t width) {
-        std::cout << text << std::string(width - std::min(text.size(), width - 1), ' ');
-    };
-    cell(result["name"], 16);
-    cell(std::to_string(result["rods"].get<long>()), 10);
-    cell(std::to_string(result["springs"].get<long>()), 10);
-    cell(shortNumber(result["steps_per_second"]), 14);
-    cell(shortNumber(result["real_time_ratio"]), 14);
-    const Json& median = result["ns_per_rod_projection"];
-    const Json& least = result["best_ns_per_rod_projection"];
-    std::cout << (median.is_null() ? "no rods"
-                                   : shortNumber(median) + " (best " + shortNumber(least) + ")")
-              << std::endl;
-}
-
-int bench(const Options& options)
-{
-    Json results = Json::array();
-    const Json where = machine(options);
+    Json results{{"machine", machine()}, {"threads", options.threads}};
     if (!options.json)
-        std::cout << where["processor"].get<std::string>() << ", "
-                  << where["compiler"].get<std::string>() << ", "
-                  << where["build"].get<std::string>() << ", " << options.threads
-                  << " thread(s); median of " << options.repetitions << "\n\n"
-                  << "case            rods      springs   steps/s       x real time   "
-                     "ns per rod projection\n";
+        std::cout << machineText(results["machine"]) << '\n';
     catchInterrupt();
-    for (const Case& benchmark : allCases()) {
-        if (std::string_view(benchmark.name).find(options.filter) == std::string_view::npos)
+    for (const Race& race : races) {
+        if (!only.empty() && only != race.name)
             continue;
-        const auto system = systemOf(benchmark);
-        if (!system)
-            return fail(BadInput, system.message());
-        const std::vector<double> times = measure(*system, options);
-        if (interrupted())
+        std::optional<Json> rows = race.run(options);
+        if (!rows)
             return fail(Interrupted, "Interrupted.");
-        if (times.empty())
-            return fail(Diverged, std::string(benchmark.name) + " diverged.");
-        results.push_back(resultOf(benchmark, **system, times));
-        if (!options.json)
-            printRow(results.back());
+        results.update(*rows);
     }
-    if (results.empty())
-        return fail(WrongUsage, "No case has \"" + options.filter + "\" in its name.");
+    results["targets"] = judgedTargets(results);
     if (options.json)
-        print({{"machine", where}, {"cases", std::move(results)}});
+        print(results);
+    else
+        printTargets(results["targets"]);
     return Done;
 }
 
 } // namespace
 
+bool isWanted(const BenchOptions& options, const std::string& network)
+{
+    return network.find(options.filter) != std::string::npos;
+}
+
 void addBench(CLI::App& app, Command& chosen)
 {
     CLI::App* command = app.add_subcommand("bench", "Measure the speed of the engine.");
-    const auto options = std::make_shared<Options>();
-    command->add_option("--filter", options->filter, "Only cases with this in their name")
+    const auto options = std::make_shared<BenchOptions>();
+    const auto only = std::make_shared<std::string>();
+    const auto make = std::make_shared<bool>(false);
+    options->threads = std::clamp(int(std::thread::hardware_concurrency()), 1, 2);
+    options->references = REFERENCE_FOLDER;
+    command->add_option("--race", *only, "projection, quality or growth; all of them without")
+        ->check(CLI::IsMember({"projection", "quality", "growth"}))
+        ->type_name("NAME");
+    command->add_option("--filter", options->filter, "Only networks with this in their name")
         ->type_name("TEXT");
-    command->add_option("--repeat", options->repetitions, "Repetitions of each case")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str()
-        ->type_name("N");
-    command->add_option("--seconds", options->seconds, "Wall time of a repetition, about, s")
-        ->check(numberBetween(1e-3, 1e3))
-        ->capture_default_str()
+    command->add_option("--seconds", options->seconds, "Wall time for each network, about, s")
+        ->check(numberBetween(1e-3, 1e4))
         ->type_name("T");
-    command->add_option("--threads", options->threads, "Threads")
+    command->add_option("--threads", options->threads, "Threads that are compared with one")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str()
         ->type_name("N");
+    command->add_flag("--quick", options->quick, "Short, and without the largest networks");
+    command->add_flag("--thorough", options->thorough, "Search however long it takes");
     command->add_flag("--json", options->json, "Print one JSON object");
-    command->footer("Examples:\n"
-                    "  ripstop-cli bench\n"
-                    "  ripstop-cli bench --filter cloth --threads 4 --json\n"
-                    "\n"
-                    "A rod projection is one visit of the solver to one rod: the time of a step,\n"
-                    "all stages included, is divided by substeps x sweeps x rods.");
-    command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
+    command->add_option("--references", options->references, "Folder of converged trajectories")
+        ->type_name("FOLDER");
+    command->add_flag("--make-references", *make, "Compute those trajectories again, and end");
+    command->footer(
+        "Examples:\n"
+        "  ripstop-cli bench\n"
+        "  ripstop-cli bench --race projection --filter cloth --threads 2 --json\n"
+        "\n"
+        "The first race is the cost of a projection, the visit of a solver to a rod: the time of\n"
+        "a step, all stages included, divided by substeps x sweeps x rods. The second is the time\n"
+        "to quality: steps of 10 ms per second at which no rod is stretched by more than a limit\n"
+        "and the mass centre goes where it should. The third is the growth of cost with size.\n"
+        "All things compared run in turn, in blocks of 3 ms. Quiet is the 10th percentile of\n"
+        "the blocks, slow the 90th.");
+    command->callback([options, only, make, &chosen] {
+        chosen = [options, only, make]() -> int {
+            if (!*make)
+                return bench(*options, *only);
+            catchInterrupt();
+            return makeReferences(options->references)
+                       ? Done
+                       : fail(interrupted() ? Interrupted : BadInput,
+                              "The references could not be written to " + options->references
+                                  + ".");
+        };
+    });
 }
 
 } // namespace ripstop

@@ -1,0 +1,34 @@
+// The races of ripstop-cli bench. Each prints its rows as they come, unless asked for JSON, and
+// returns an array of them; nothing when interrupted.
+#pragma once
+
+#include "cli/bench_timing.h"
+#include "cli/terminal.h"
+
+#include <optional>
+
+namespace ripstop {
+
+struct BenchOptions
+{
+    std::string filter;    // only networks with this in their name
+    double seconds = 0.0;  // s of wall time for each network; 0 as each race likes it
+    int threads = 2;       // compared with one
+    bool quick = false;    // only small networks, and short
+    bool thorough = false; // search for the least effort however long it takes
+    bool json = false;
+    std::string references; // folder
+};
+
+bool isWanted(const BenchOptions& options, const std::string& network);
+
+// Cost of a projection, steps of craft in air, memory of the largest cloth.
+std::optional<Json> projectionRace(const BenchOptions& options);
+
+// Time to quality.
+std::optional<Json> qualityRace(const BenchOptions& options);
+
+// Cost of a sweep against the number of particles.
+std::optional<Json> growthRace(const BenchOptions& options);
+
+} // namespace ripstop
