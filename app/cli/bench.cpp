@@ -36,6 +36,9 @@ int bench(const BenchOptions& options, const std::string& only)
             return fail(Interrupted, "Interrupted.");
         results.update(*rows);
     }
+    if (std::all_of(results.begin(), results.end(),
+                    [](const Json& part) { return !part.is_array() || part.empty(); }))
+        return fail(WrongUsage, "No case has \"" + options.filter + "\" in its name.");
     results["targets"] = judgedTargets(results);
     if (options.json)
         print(results);

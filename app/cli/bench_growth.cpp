@@ -56,6 +56,8 @@ std::optional<Json> growthRace(const BenchOptions& options)
         for (const int side : {10, 18, 32, 56, 100, 178, 316, 562, 1000}) {
             if (options.quick && side > 100)
                 break;
+            if (!isWanted(options, "cloth_" + std::to_string(side)))
+                continue;
             const Network network = clothNetwork(side);
             std::vector<Runner> runners;
             for (const Choice& choice : choices)
@@ -82,6 +84,8 @@ std::optional<Json> growthRace(const BenchOptions& options)
             }
         }
     }
+    if (rows.empty())
+        return Json::object();
     Json exponents = Json::array();
     Table table("Exponent of the cost of a sweep against particles, least squares in log-log",
                 {{"solver", -16}, {"from 100", 8}, {"from 1000", 9}, {"from 1000, quiet", 16}},
