@@ -9,9 +9,15 @@
 
 namespace ripstop {
 
+class ElementIndex;
+
 // Fails with the first problem that keeps the scene from running (check.h lists them all).
 // `generation` counts compiles and `run` counts resets; see System.
 Result<std::shared_ptr<const System>> compile(const Scene& scene, std::uint64_t generation = 1,
                                               std::uint64_t run = 1);
+
+// The same for a scene without errors, with its index.
+std::shared_ptr<const System> compileSound(const Scene& scene, const ElementIndex& index,
+                                           std::uint64_t generation, std::uint64_t run);
 
 } // namespace ripstop

@@ -71,10 +71,22 @@ Runner::Runner()
     : m_thread([this](const std::stop_token& stop) { run(stop); })
 {}
 
-void Runner::load(std::shared_ptr<const System> system)
+void Runner::load(Update update)
 {
-    m_systems.put(std::move(system));
+    std::vector<Update> replaced; // dies after the lock is released
+    {
+        const std::lock_guard lock(m_mutex);
+        if (update.system)
+            m_updates.swap(replaced);
+        m_updates.push_back(std::move(update));
+    }
     wake();
+}
+
+std::vector<Update> Runner::takeUpdates()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_updates, {});
 }
 
 void Runner::setPlaying(bool playing)
@@ -135,25 +147,31 @@ void Runner::run(const std::stop_token& stop)
     };
 
     while (!stop.stop_requested()) {
-        if (auto next = m_systems.take()) {
-            if (simulation)
-                simulation->load(std::move(next));
-            else
-                simulation.emplace(std::move(next));
+        // What was asked for before the updates were taken, and still is after it, is asked for in
+        // the scene that they make: who loads and then plays is not shown a step of the old one.
+        const bool wasPlaying = m_playing;
+        const int stepsBefore = m_stepsLeft;
+        const double untilBefore = m_until;
+        if (auto updates = takeUpdates(); !updates.empty()) {
+            for (Update& update : updates)
+                if (simulation)
+                    simulation->load(std::exchange(update, {}));
+                else
+                    simulation.emplace(std::move(update.system));
             timetable.restart();
             show();
         }
         if (const auto commands = simulation ? m_commands.take() : nullptr)
             simulation->command(*commands);
-        timetable.setPlaying(m_playing);
+        timetable.setPlaying(wasPlaying && m_playing);
         if (simulation && simulation->trouble())
             m_stepsLeft = 0; // steps that cannot be made are not made up for
 
-        double until = m_until;
+        double until = std::min(untilBefore, m_until.load());
         const double timeStep = simulation ? simulation->system().timeStep : 0.0;
         const bool catchingUp =
             simulation && !hasReached(simulation->state().time, until, timeStep);
-        int stepsLeft = m_stepsLeft;
+        int stepsLeft = std::min(stepsBefore, m_stepsLeft.load());
         const bool asked = simulation && stepsLeft > 0;
         const bool onTime = timetable.isDue();
         if (simulation && !simulation->trouble() && (catchingUp || asked || onTime)) {

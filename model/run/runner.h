@@ -12,16 +12,20 @@ namespace ripstop {
 
 // Runs a simulation on a thread of its own, paced to the clock.
 //
-// Both directions are one-slot mailboxes of immutable values, so neither side ever waits for the
-// other and nothing is shared that can change. A slot may skip values, so what it carries must be
-// a state and never an event: a reset is a system with another run number, not a message.
+// Both directions are mailboxes of immutable values, so neither side ever waits for the other and
+// nothing is shared that can change. Frames and commands have one slot, which may skip values, so
+// what it carries must be a state and never an event: a reset is a system with another run number,
+// not a message. Updates build on each other: what waits are the newest system and the patches
+// since.
 class Runner
 {
 public:
     Runner();
 
-    // Takes effect at the next step boundary. The motion carries over unless `run` differs.
-    void load(std::shared_ptr<const System> system);
+    // Takes effect at the next step boundary. The motion carries over unless `run` differs. The
+    // first update is a system.
+    void load(Update update);
+    void load(std::shared_ptr<const System> system) { load(Update{std::move(system), nullptr}); }
 
     void setPlaying(bool playing);
     // Simulated seconds per second of the clock; 0 is as fast as it can.
@@ -38,7 +42,9 @@ private:
     void run(const std::stop_token& stop);
     void wake();
 
-    LatestValue<System> m_systems;
+    std::vector<Update> takeUpdates();
+
+    std::vector<Update> m_updates; // guarded by m_mutex
     LatestValue<Commands> m_commands;
     LatestValue<Frame> m_frames;
     std::atomic<bool> m_playing = false;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -48,27 +49,93 @@ Simulation::Simulation(std::shared_ptr<const System> system, int threads)
 
 void Simulation::load(std::shared_ptr<const System> system)
 {
-    m_state = system->run == m_system->run ? carryOver(*m_system, m_state, *system) : system->start;
+    m_atStart = system->run != m_system->run;
+    m_state = m_atStart ? system->start : carryOver(*m_system, m_state, *system);
     m_system = std::move(system);
-    // Views build what they draw from the layout; most edits change numbers and leave it as it is.
+    m_layoutIsStale = true;
+    m_trouble.reset(); // the edit may have cured it
+}
+
+void Simulation::load(const Update& update)
+{
+    if (update.system)
+        load(update.system);
+    if (update.patch)
+        apply(*update.patch);
+}
+
+void Simulation::apply(const Patch& patch)
+{
+    const bool again = patch.run != m_system->run;
+    const Integrator integrator = m_system->integrator;
+    const double substep = m_system->timeStep / m_system->substeps;
+
+    System& system = ownSystem();
+    m_layoutIsStale |= ripstop::apply(patch, system);
+    m_trouble.reset();
+    if (again)
+        return reset(patch);
+
+    // what carryOver() does, for what can differ
+    m_state.started &=
+        integrator == system.integrator && substep == system.timeStep / system.substeps;
+    for (const auto& [i, values] : patch.particles) {
+        m_atStart = false;
+        if (values.inverseMass == 0.0) {
+            m_state.velocity[std::size_t(i)].setZero();
+            m_state.drift[std::size_t(i)].setZero();
+        }
+    }
+}
+
+// A new run begins with the patch. While a design at rest is edited there is little to put back.
+void Simulation::reset(const Patch& patch)
+{
+    const State& start = m_system->start;
+    if (!std::exchange(m_atStart, true)) {
+        m_state = start;
+        return;
+    }
+    for (const auto& particle : patch.particles) {
+        const auto i = std::size_t(particle.first);
+        m_state.position[i] = start.position[i];
+        m_state.velocity[i] = start.velocity[i];
+    }
+}
+
+System& Simulation::ownSystem()
+{
+    // Whoever compiled it gave it away; it was not made const. Others only hold it in tests.
+    if (m_system.use_count() > 1)
+        m_system = std::make_shared<const System>(*m_system);
+    return const_cast<System&>(*m_system);
+}
+
+// Views build what they draw from the layout; most edits change numbers and leave it as it is.
+void Simulation::refreshLayout() const
+{
+    if (!std::exchange(m_layoutIsStale, false))
+        return;
     if (auto layout = layoutOf(*m_system); *layout != *m_layout)
         m_layout = std::move(layout);
-    m_trouble.reset(); // the edit may have cured it
 }
 
 void Simulation::command(const Commands& commands)
 {
     for (std::size_t i = 0; i < m_system->inputs.size(); ++i)
         if (const auto found = commands.find(m_system->inputs[i].key);
-            found != commands.end() && std::isfinite(found->second))
+            found != commands.end() && std::isfinite(found->second)) {
+            m_atStart = false;
             m_state.inputCommand[i] =
                 std::clamp(found->second, -m_system->inputs[i].limit, m_system->inputs[i].limit);
+        }
 }
 
 bool Simulation::step()
 {
     if (m_trouble)
         return false;
+    m_atStart = false;
     m_lastGood = m_state;
     m_stepper.step(*m_system, m_state);
     m_trouble = findTrouble(*m_system, m_lastGood, m_state);
@@ -87,6 +154,7 @@ bool Simulation::runUntil(double time)
 
 std::shared_ptr<Frame> Simulation::frame() const
 {
+    refreshLayout();
     auto frame = std::make_shared<Frame>();
     frame->generation = m_system->generation;
     frame->run = m_system->run;

@@ -2,6 +2,7 @@
 // and the exporters all drive one of these, so that they get the same bits.
 #pragma once
 
+#include "compile/live_system.h"
 #include "run/frame.h"
 #include "sim/stepper.h"
 #include "sim/watchdog.h"
@@ -28,6 +29,10 @@ public:
     // Goes on with an edited system. The motion carries over unless its run number differs.
     void load(std::shared_ptr<const System> system);
 
+    // Goes on after an edit. A patch changes the system in place and leaves it with the same bits
+    // as loading the compiled scene; the system is copied first if anyone else holds it.
+    void load(const Update& update);
+
     void command(const Commands& commands);
 
     // One time step. False, and the last good state stays, when the next one would be broken;
@@ -44,10 +49,17 @@ public:
     std::shared_ptr<Frame> frame() const; // a new one, the caller's own
 
 private:
+    void apply(const Patch& patch);
+    void reset(const Patch& patch);
+    System& ownSystem();
+    void refreshLayout() const;
+
     std::shared_ptr<const System> m_system;
-    std::shared_ptr<const Layout> m_layout;
+    mutable std::shared_ptr<const Layout> m_layout; // of the system unless stale
+    mutable bool m_layoutIsStale = false;
     State m_state;
     State m_lastGood;
+    bool m_atStart = true; // the state is the system's start
     Stepper m_stepper;
     std::optional<Trouble> m_trouble;
 };

@@ -1,14 +1,15 @@
 #include "scene/check.h"
 
 #include "base/step_limit.h"
-#include "scene/property.h"
+#include "scene/element_index.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <unordered_map>
-#include <unordered_set>
+#include <map>
+#include <numeric>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -21,23 +22,88 @@ std::string named(Kind kind, Id id)
     return id == settingsId ? name : name + " " + std::to_string(std::uint32_t(id));
 }
 
+std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
+{
+    struct Sums
+    {
+        double stiffness = 0.0; // N/m
+        double damping = 0.0;   // N s/m
+        bool springs = false;
+    };
+    std::vector<Sums> at;
+    forEachPart(scene, [&](Id, const Part& part) { at.resize(at.size() + part.particles.size()); });
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Link& link : part.links) {
+            if (link.kind != LinkKind::Spring)
+                continue;
+            const int place = index.material(link.material);
+            const Material* material =
+                place < 0 ? nullptr : &std::get<Material>(scene.items[std::size_t(place)].item);
+            for (const Id end : {link.from, link.to}) {
+                const int particle = index.particle(end);
+                if (particle < 0)
+                    continue;
+                Sums& sums = at[std::size_t(particle)];
+                sums.stiffness += link.stiffness.value_or(material ? material->stiffness : 0.0);
+                sums.damping += link.damping.value_or(material ? material->damping : 0.0);
+                sums.springs = true;
+            }
+        }
+    });
+    std::optional<StepLimit> limit;
+    std::size_t i = 0;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles) {
+            const Sums& sums = at[i++];
+            if (particle.pinned || !sums.springs)
+                continue;
+            const double h = springStepLimit(particle.mass, sums.stiffness, sums.damping);
+            if (std::isfinite(h) && (!limit || h < limit->timeStep))
+                limit = StepLimit{h, particle.id};
+        }
+    });
+    return limit;
+}
+
+bool isSound(const Particle& row) { return row.pinned || row.mass > 0.0; }
+
+bool hasEnds(const Link& row) { return row.from != noId && row.to != noId && row.from != row.to; }
+
+bool hasCorners(const Panel& row)
+{
+    return row.a != noId && row.b != noId && row.c != noId && row.a != row.b && row.b != row.c
+           && row.a != row.c;
+}
+
+bool isMaterial(const ElementIndex& index, Id id) { return id == noId || index.material(id) >= 0; }
+
+bool isSound(const Link& row, const ElementIndex& index)
+{
+    return hasEnds(row) && index.particle(row.from) >= 0 && index.particle(row.to) >= 0
+           && isMaterial(index, row.material);
+}
+
+bool isSound(const Panel& row, const ElementIndex& index)
+{
+    return hasCorners(row) && index.particle(row.a) >= 0 && index.particle(row.b) >= 0
+           && index.particle(row.c) >= 0 && isMaterial(index, row.material);
+}
+
 class Checker
 {
 public:
-    Checker(const Scene& scene, std::size_t most)
+    Checker(const Scene& scene, const ElementIndex& index, std::size_t most)
         : m_scene(scene)
+        , m_index(index)
         , m_most(most)
     {}
 
     std::vector<Problem> run()
     {
-        index();
-        references();
-        masses();
-        shapes();
+        errors();
         duplicates();
         stability();
-        if (m_particles.empty())
+        if (!m_hasParticles)
             add("empty", Severity::Warning,
                 "The scene has no particles: insert a part or import a mesh.", noId);
         std::stable_sort(
@@ -46,38 +112,45 @@ public:
         return std::move(m_problems);
     }
 
+    std::optional<Problem> firstError()
+    {
+        errors();
+        return first();
+    }
+
+    std::optional<Problem> firstErrorOfItems()
+    {
+        for (const Entry& entry : m_scene.items)
+            std::visit([&](const auto& item) { pointing(entry.id, &item); }, entry.item);
+        shapes();
+        return first();
+    }
+
 private:
-    void add(const char* sort, Severity severity, std::string message, Id culprit)
+    void errors()
     {
-        if (++m_count[sort] <= m_most)
-            m_problems.push_back({severity, std::move(message), culprit});
-    }
-
-    void index()
-    {
-        for (const Entry& entry : m_scene.items) {
-            note(entry.id,
-                 std::visit([](const auto& i) { return kindOf(ConstRef(&i)); }, entry.item));
-            if (const Part* part = std::get_if<Part>(&entry.item)) {
-                for (const Particle& row : part->particles) {
-                    note(row.id, Kind::Particle);
-                    m_particles.emplace(row.id, &row);
-                }
-                for (const Link& row : part->links)
-                    note(row.id, Kind::Link);
-                for (const Panel& row : part->panels)
-                    note(row.id, Kind::Panel);
-            }
-        }
-    }
-
-    void note(Id id, Kind kind)
-    {
-        if (!m_kinds.emplace(id, kind).second)
+        for (const Id id : m_index.repeated())
             add("twice", Severity::Error,
                 "The id " + std::to_string(std::uint32_t(id))
                     + " is used twice; give one of the two another id.",
                 id);
+        references();
+        masses();
+        shapes();
+    }
+
+    std::optional<Problem> first() const
+    {
+        for (const Problem& problem : m_problems)
+            if (problem.severity == Severity::Error)
+                return problem;
+        return std::nullopt;
+    }
+
+    void add(const char* sort, Severity severity, std::string message, Id culprit)
+    {
+        if (++m_count[sort] <= m_most)
+            m_problems.push_back({severity, std::move(message), culprit});
     }
 
     void pointing(Id holder, const ConstRef& ref)
@@ -86,14 +159,13 @@ private:
             if (property.pointsAt.empty())
                 continue;
             const auto check = [&](Id id) {
-                const auto found = m_kinds.find(id);
-                if (found == m_kinds.end() || !property.pointsAt.contains(found->second))
+                const std::optional<Kind> found = m_index.kindOf(id);
+                if (!found || !property.pointsAt.contains(*found))
                     add("dangling", Severity::Error,
                         named(kindOf(ref), holder) + ": " + std::string(property.key)
                             + " points at " + std::to_string(std::uint32_t(id))
-                            + (found == m_kinds.end()
-                                   ? ", which does not exist; choose another or remove it."
-                                   : ", which is a " + std::string(kindName(found->second)) + "."),
+                            + (found ? ", which is a " + std::string(kindName(*found)) + "."
+                                     : ", which does not exist; choose another or remove it."),
                         holder);
             };
             const Value value = property.get(ref);
@@ -111,17 +183,20 @@ private:
             std::visit([&](const auto& item) { pointing(entry.id, &item); }, entry.item);
             if (const Part* part = std::get_if<Part>(&entry.item)) {
                 for (const Link& row : part->links) {
+                    if (isSound(row, m_index))
+                        continue;
                     pointing(row.id, &row);
-                    if (row.from == noId || row.to == noId || row.from == row.to)
+                    if (!hasEnds(row))
                         add("ends", Severity::Error,
                             named(Kind::Link, row.id)
                                 + " needs two different particles as its ends; remove it.",
                             row.id);
                 }
                 for (const Panel& row : part->panels) {
+                    if (isSound(row, m_index))
+                        continue;
                     pointing(row.id, &row);
-                    if (row.a == noId || row.b == noId || row.c == noId || row.a == row.b
-                        || row.b == row.c || row.a == row.c)
+                    if (!hasCorners(row))
                         add("corners", Severity::Error,
                             named(Kind::Panel, row.id)
                                 + " needs three different particles as its corners; remove it.",
@@ -136,7 +211,7 @@ private:
         for (const Entry& entry : m_scene.items)
             if (const Part* part = std::get_if<Part>(&entry.item))
                 for (const Particle& row : part->particles)
-                    if (!row.pinned && !(row.mass > 0.0))
+                    if (!isSound(row))
                         add("massless", Severity::Error,
                             named(Kind::Particle, row.id) + " of " + part->name
                                 + " is free and has no mass: give it a mass or pin it.",
@@ -171,34 +246,92 @@ private:
 
     void duplicates()
     {
-        std::unordered_set<std::uint64_t> seen;
-        std::unordered_set<Id> tied;
-        for (const Entry& entry : m_scene.items)
-            if (const Part* part = std::get_if<Part>(&entry.item))
-                for (const Link& row : part->links) {
-                    tied.insert(row.from);
-                    tied.insert(row.to);
-                    const auto low = std::uint64_t(std::min(row.from, row.to));
-                    const auto high = std::uint64_t(std::max(row.from, row.to));
-                    if (!seen.insert(low << 32 | high).second)
-                        add("double", Severity::Warning,
-                            named(Kind::Link, row.id) + " of " + part->name
-                                + " joins two particles that are joined already.",
-                            row.id);
+        // Links sorted by their lower end, by counting: those that join the same two particles
+        // are found where the lists of one end name the other end again.
+        struct Tie
+        {
+            int high; // particle
+            int link; // number of the row
+        };
+        const auto particles = std::size_t(particleCount());
+        m_hasParticles = particles > 0;
+        std::vector<std::uint8_t> tied(particles, 0);
+        std::vector<int> first(particles + 1, 0);
+        const auto eachTie = [&](auto visit) {
+            int link = -1;
+            forEachPart(m_scene, [&](Id, const Part& part) {
+                for (const Link& row : part.links) {
+                    ++link;
+                    const int from = m_index.particle(row.from);
+                    const int to = m_index.particle(row.to);
+                    if (from >= 0 && to >= 0)
+                        visit(std::size_t(std::min(from, to)), Tie{std::max(from, to), link});
                 }
-        for (const Entry& entry : m_scene.items)
-            if (const Part* part = std::get_if<Part>(&entry.item))
-                for (const Particle& row : part->particles)
-                    if (!tied.contains(row.id) && !row.pinned && !part->links.empty())
-                        add("loose", Severity::Warning,
-                            named(Kind::Particle, row.id) + " of " + part->name
-                                + " has no links and will fly by itself.",
-                            row.id);
+            });
+        };
+        eachTie([&](std::size_t low, const Tie& tie) {
+            tied[low] = tied[std::size_t(tie.high)] = 1;
+            ++first[low + 1];
+        });
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        std::vector<Tie> ties(std::size_t(first.back()));
+        std::vector<int> next(first.begin(), first.end() - 1);
+        eachTie([&](std::size_t low, const Tie& tie) { ties[std::size_t(next[low]++)] = tie; });
+
+        std::vector<int> again; // links
+        std::vector<int> lastLow(particles, -1);
+        for (std::size_t low = 0; low < particles; ++low)
+            for (int k = first[low]; k < first[low + 1]; ++k) {
+                const Tie& tie = ties[std::size_t(k)];
+                if (std::exchange(lastLow[std::size_t(tie.high)], int(low)) == int(low))
+                    again.push_back(tie.link);
+            }
+        std::sort(again.begin(), again.end());
+        reportDoubles(again);
+        reportLoose(tied);
+    }
+
+    void reportDoubles(const std::vector<int>& again)
+    {
+        int start = 0;
+        auto link = again.begin();
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            const int end = start + int(part.links.size());
+            for (; link != again.end() && *link < end; ++link)
+                add("double", Severity::Warning,
+                    named(Kind::Link, part.links[std::size_t(*link - start)].id) + " of "
+                        + part.name + " joins two particles that are joined already.",
+                    part.links[std::size_t(*link - start)].id);
+            start = end;
+        });
+    }
+
+    void reportLoose(const std::vector<std::uint8_t>& tied)
+    {
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            if (part.links.empty())
+                return;
+            for (const Particle& row : part.particles) {
+                const int place = m_index.particle(row.id);
+                if (place >= 0 && !tied[std::size_t(place)] && !row.pinned)
+                    add("loose", Severity::Warning,
+                        named(Kind::Particle, row.id) + " of " + part.name
+                            + " has no links and will fly by itself.",
+                        row.id);
+            }
+        });
+    }
+
+    int particleCount() const
+    {
+        std::size_t count = 0;
+        forEachPart(m_scene, [&](Id, const Part& part) { count += part.particles.size(); });
+        return int(count);
     }
 
     void stability()
     {
-        const std::optional<StepLimit> limit = stepLimit(m_scene);
+        const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
         const double h = m_scene.settings.timeStep / m_scene.settings.substeps;
         if (!limit || h <= limit->timeStep)
             return;
@@ -212,10 +345,10 @@ private:
     }
 
     const Scene& m_scene;
+    const ElementIndex& m_index;
     std::size_t m_most;
-    std::unordered_map<Id, Kind> m_kinds;
-    std::unordered_map<Id, const Particle*> m_particles;
-    std::unordered_map<std::string, std::size_t> m_count;
+    bool m_hasParticles = false;
+    std::map<std::string_view, std::size_t> m_count;
     std::vector<Problem> m_problems;
 };
 
@@ -223,7 +356,29 @@ private:
 
 std::vector<Problem> problemsOf(const Scene& scene, std::size_t most)
 {
-    return Checker(scene, most).run();
+    const ElementIndex index(scene);
+    return Checker(scene, index, most).run();
+}
+
+std::optional<Problem> firstError(const Scene& scene, const ElementIndex& index)
+{
+    return Checker(scene, index, 1).firstError();
+}
+
+std::optional<Problem> firstErrorOfItems(const Scene& scene, const ElementIndex& index)
+{
+    return Checker(scene, index, 1).firstErrorOfItems();
+}
+
+bool isSound(const ConstRef& ref, const ElementIndex& index)
+{
+    if (const auto* particle = std::get_if<const Particle*>(&ref))
+        return isSound(**particle);
+    if (const auto* link = std::get_if<const Link*>(&ref))
+        return isSound(**link, index);
+    if (const auto* panel = std::get_if<const Panel*>(&ref))
+        return isSound(**panel, index);
+    return true;
 }
 
 bool hasErrors(const std::vector<Problem>& problems)
@@ -234,37 +389,7 @@ bool hasErrors(const std::vector<Problem>& problems)
 
 std::optional<StepLimit> stepLimit(const Scene& scene)
 {
-    struct Sums
-    {
-        double stiffness = 0.0; // N/m
-        double damping = 0.0;   // N s/m
-    };
-    std::unordered_map<Id, Sums> springsAt;
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Link& link : part.links) {
-            if (link.kind != LinkKind::Spring)
-                continue;
-            const Material* material = findItem<Material>(scene, link.material);
-            for (const Id end : {link.from, link.to}) {
-                Sums& sums = springsAt[end];
-                sums.stiffness += link.stiffness.value_or(material ? material->stiffness : 0.0);
-                sums.damping += link.damping.value_or(material ? material->damping : 0.0);
-            }
-        }
-    });
-    std::optional<StepLimit> limit;
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& particle : part.particles) {
-            const auto sums = springsAt.find(particle.id);
-            if (particle.pinned || sums == springsAt.end())
-                continue;
-            const double h =
-                springStepLimit(particle.mass, sums->second.stiffness, sums->second.damping);
-            if (std::isfinite(h) && (!limit || h < limit->timeStep))
-                limit = StepLimit{h, particle.id};
-        }
-    });
-    return limit;
+    return limitOf(scene, ElementIndex(scene));
 }
 
 } // namespace ripstop

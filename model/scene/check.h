@@ -1,7 +1,7 @@
 // Problems of a scene: what keeps it from running, and what will run but hardly as meant.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/property.h"
 
 #include <optional>
 #include <string>
@@ -21,6 +21,15 @@ struct Problem
 // Errors first. At most `most` problems of each sort, so that a broken table of a million rows
 // stays readable.
 std::vector<Problem> problemsOf(const Scene& scene, std::size_t most = 20);
+
+class ElementIndex;
+
+// The first error, without looking for warnings. `index` is that of the scene as it is.
+std::optional<Problem> firstError(const Scene& scene, const ElementIndex& index);
+std::optional<Problem> firstErrorOfItems(const Scene& scene, const ElementIndex& index);
+
+// Whether an element has no error of its own: what is left to check when only its values changed.
+bool isSound(const ConstRef& element, const ElementIndex& index);
 
 // The longest substep at which the springs of a scene are sure to be stable, and the particle that
 // asks for it (base/step_limit.h). Nothing when there are no springs.

@@ -1,34 +1,29 @@
 #include "sim/carry_over.h"
 
-#include <unordered_map>
+#include "base/key_index.h"
+
+#include <algorithm>
 
 namespace ripstop {
 namespace {
 
-class Matches // index in `from` of a key, or -1
+// Place of each item by its key.
+template <typename Items, typename KeyOf>
+KeyIndex indexOf(const Items& items, KeyOf keyOf)
 {
-public:
-    template <typename Items, typename KeyOf>
-    Matches(const Items& items, KeyOf keyOf)
-    {
-        m_index.reserve(items.size());
-        for (std::size_t i = 0; i < items.size(); ++i)
-            m_index.emplace(keyOf(items[i]), int(i));
-    }
-    int operator()(Key key) const
-    {
-        const auto found = m_index.find(key);
-        return found == m_index.end() ? -1 : found->second;
-    }
-
-private:
-    std::unordered_map<Key, int> m_index;
-};
+    KeyIndex index(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i)
+        index.add(keyOf(items[i]), int(i));
+    return index;
+}
 
 // Spreads the motion of known particles along links until every tied particle has one.
 void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t>& placed)
 {
+    if (std::find(placed.begin(), placed.end(), 0) == placed.end())
+        return;
     std::vector<std::size_t> known;
+    known.reserve(placed.size());
     for (std::size_t i = 0; i < placed.size(); ++i)
         if (placed[i])
             known.push_back(i);
@@ -54,7 +49,7 @@ void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t
 
 void carryLinks(const System& from, const State& state, const System& to, State& carried)
 {
-    const Matches linkOf(from.links, [](const LinkPlace& link) { return link.key; });
+    const KeyIndex linkOf = indexOf(from.links, [](const LinkPlace& link) { return link.key; });
     for (const LinkPlace& link : to.links) {
         const int match = linkOf(link.key);
         if (match < 0)
@@ -81,7 +76,7 @@ State carryOver(const System& from, const State& state, const System& to)
     carried.started = state.started && from.integrator == to.integrator
                       && from.timeStep / from.substeps == to.timeStep / to.substeps;
 
-    const Matches particleOf(from.key, [](Key key) { return key; });
+    const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);
     for (std::size_t j = 0; j < to.key.size(); ++j)
         if (const int match = particleOf(to.key[j]); match >= 0) {
@@ -101,12 +96,12 @@ State carryOver(const System& from, const State& state, const System& to)
     }
     carryLinks(from, state, to, carried);
 
-    const Matches panelOf(from.panelKey, [](Key key) { return key; });
+    const KeyIndex panelOf = indexOf(from.panelKey, [](Key key) { return key; });
     for (std::size_t j = 0; j < to.panelKey.size(); ++j)
         if (const int match = panelOf(to.panelKey[j]); match >= 0)
             carried.panelGone[j] = state.panelGone[std::size_t(match)];
 
-    const Matches inputOf(from.inputs, [](const Input& input) { return input.key; });
+    const KeyIndex inputOf = indexOf(from.inputs, [](const Input& input) { return input.key; });
     for (std::size_t j = 0; j < to.inputs.size(); ++j)
         if (const int match = inputOf(to.inputs[j].key); match >= 0) {
             carried.inputCommand[j] = state.inputCommand[std::size_t(match)];

@@ -58,7 +58,8 @@ bool isPlain(const Rod& rod) { return rod.compliance == 0.0 && rod.resists == Re
 
 void ColouredSweeps::project(const RodTask& task, Crew& crew)
 {
-    if (task.system.serial != m_serial || task.h != m_h)
+    if (task.system.serial != m_serial || task.system.valuesSerial != m_valuesSerial
+        || task.h != m_h)
         cook(task);
     update(task);
 
@@ -94,6 +95,7 @@ void ColouredSweeps::cook(const RodTask& task)
 {
     const System& system = task.system;
     m_serial = system.serial;
+    m_valuesSerial = system.valuesSerial;
     m_h = task.h;
     m_batches.clear();
     m_runs.clear();

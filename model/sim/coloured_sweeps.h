@@ -70,6 +70,7 @@ private:
                           Multipliers* multiplier);
 
     std::uint64_t m_serial = 0; // of the system that is cooked
+    std::uint64_t m_valuesSerial = 0;
     double m_h = 0.0;           // s, for which it is cooked
     std::vector<Batch> m_batches;
     std::vector<Softness> m_softness; // [batches], or empty when every rod is plain

@@ -1,9 +1,11 @@
 #include "sim/rod_order.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
-#include <tuple>
+#include <span>
+#include <unordered_map>
 
 namespace ripstop {
 namespace {
@@ -13,36 +15,58 @@ class ColorSets
 {
 public:
     explicit ColorSets(std::size_t things)
-        : m_words(things)
+        : m_low(things, 0)
     {}
 
     template <typename Things>
     int take(const Things& things)
     {
-        std::size_t word = 0;
         std::uint64_t taken = 0;
-        for (;; ++word) {
-            taken = 0;
-            for (const int thing : things)
-                if (const auto& words = m_words[std::size_t(thing)]; word < words.size())
-                    taken |= words[word];
-            if (~taken != 0)
-                break;
-        }
+        for (const int thing : things)
+            taken |= m_low[std::size_t(thing)];
+        if (~taken == 0)
+            return takeHigh(things);
         const int bit = std::countr_one(taken);
-        for (const int thing : things) {
-            auto& words = m_words[std::size_t(thing)];
-            if (words.size() <= word)
-                words.resize(word + 1, 0);
-            words[word] |= std::uint64_t(1) << bit;
-        }
-        return int(word) * 64 + bit;
+        for (const int thing : things)
+            m_low[std::size_t(thing)] |= std::uint64_t(1) << bit;
+        return bit;
     }
 
-    void clear(int thing) { m_words[std::size_t(thing)].clear(); }
+    bool isUntouched(int thing) const { return m_low[std::size_t(thing)] == 0; }
+
+    void clear(int thing)
+    {
+        if (!m_high.empty())
+            m_high.erase(thing);
+        m_low[std::size_t(thing)] = 0;
+    }
 
 private:
-    std::vector<std::vector<std::uint64_t>> m_words;
+    // Colours from 64 on, which only hubs need. Things that have fewer than 64 have some too, when
+    // they are tied to a hub.
+    template <typename Things>
+    int takeHigh(const Things& things)
+    {
+        for (std::size_t word = 0;; ++word) {
+            std::uint64_t taken = 0;
+            for (const int thing : things)
+                if (const auto high = m_high.find(thing);
+                    high != m_high.end() && word < high->second.size())
+                    taken |= high->second[word];
+            if (~taken == 0)
+                continue;
+            const int bit = std::countr_one(taken);
+            for (const int thing : things) {
+                std::vector<std::uint64_t>& high = m_high[thing];
+                high.resize(std::max(high.size(), word + 1), 0);
+                high[word] |= std::uint64_t(1) << bit;
+            }
+            return 64 + int(word) * 64 + bit;
+        }
+    }
+
+    std::vector<std::uint64_t> m_low; // [things] colours 0 to 63
+    std::unordered_map<int, std::vector<std::uint64_t>> m_high;
 };
 
 std::size_t chunkSize(std::size_t rods)
@@ -51,69 +75,87 @@ std::size_t chunkSize(std::size_t rods)
     return rods <= oneChunk ? rods : std::clamp<std::size_t>(rods / 16, 512, 2048);
 }
 
+// Neighbours have near numbers, so sorting by the higher end keeps chunks compact.
+std::vector<int> sortedByHigherEnd(std::size_t particles, const std::vector<Rod>& rods)
+{
+    std::vector<int> next(particles + 1, 0);
+    for (const Rod& rod : rods)
+        ++next[std::size_t(std::max(rod.a, rod.b)) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<int> sorted(rods.size());
+    for (std::size_t r = 0; r < rods.size(); ++r)
+        sorted[std::size_t(next[std::size_t(std::max(rods[r].a, rods[r].b))]++)] = int(r);
+    return sorted;
+}
+
+// Stable order of 0, 1, ... by small numbers.
+void sortByNumber(std::span<const int> number, std::vector<int>& start, std::vector<int>& sorted)
+{
+    const int most = *std::max_element(number.begin(), number.end());
+    start.assign(std::size_t(most) + 2, 0);
+    for (const int n : number)
+        ++start[std::size_t(n) + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    sorted.resize(number.size());
+    for (std::size_t i = 0; i < number.size(); ++i)
+        sorted[std::size_t(start[std::size_t(number[i])]++)] = int(i);
+    start.insert(start.begin(), 0); // each has moved to where the next one starts
+    start.pop_back();
+}
+
 } // namespace
 
 RodOrder orderRods(std::size_t particles, const std::vector<Rod>& rods)
 {
     const std::size_t count = rods.size();
-    RodOrder order;
-    order.rod.resize(count);
-    std::iota(order.rod.begin(), order.rod.end(), 0);
-    order.colorStart = {0};
-    order.chunkStart = {0};
-    order.classStart = {0};
+    RodOrder order{{}, {0}, {0}, {0}};
     if (count == 0)
         return order;
 
-    // Neighbours have near numbers, so sorting by the higher end keeps chunks compact.
-    std::stable_sort(order.rod.begin(), order.rod.end(), [&](int x, int y) {
-        const Rod& r = rods[std::size_t(x)];
-        const Rod& s = rods[std::size_t(y)];
-        return std::max(r.a, r.b) < std::max(s.a, s.b);
-    });
-
+    const std::vector<int> near = sortedByHigherEnd(particles, rods);
     const std::size_t size = chunkSize(count);
     const std::size_t chunks = (count + size - 1) / size;
+    const auto chunkAt = [&](std::size_t c) {
+        return std::pair(c * size, std::min(count, (c + 1) * size));
+    };
     std::vector<int> classOf(chunks);
-    std::vector<int> colorOf(count); // by old index
-    std::vector<int> chunkOf(count);
+    std::vector<int> colorOf(count); // by place in `near`
+    std::vector<int> touched;
     ColorSets inChunk(particles);
     ColorSets ofChunks(particles);
     for (std::size_t c = 0; c < chunks; ++c) {
-        std::vector<int> touched;
-        for (std::size_t i = c * size; i < std::min(count, (c + 1) * size); ++i) {
-            const int r = order.rod[i];
-            const std::array ends{rods[std::size_t(r)].a, rods[std::size_t(r)].b};
-            colorOf[std::size_t(r)] = inChunk.take(ends);
-            chunkOf[std::size_t(r)] = int(c);
-            touched.insert(touched.end(), ends.begin(), ends.end());
+        touched.clear();
+        const auto [first, last] = chunkAt(c);
+        for (std::size_t i = first; i < last; ++i) {
+            const Rod& rod = rods[std::size_t(near[i])];
+            for (const int end : {rod.a, rod.b})
+                if (inChunk.isUntouched(end))
+                    touched.push_back(end);
+            colorOf[i] = inChunk.take(std::array{rod.a, rod.b});
         }
-        std::sort(touched.begin(), touched.end());
-        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
         classOf[c] = ofChunks.take(touched);
         for (const int particle : touched)
             inChunk.clear(particle);
     }
 
-    const auto key = [&](int r) {
-        const auto chunk = std::size_t(chunkOf[std::size_t(r)]);
-        return std::tuple(classOf[chunk], chunk, colorOf[std::size_t(r)]);
-    };
-    std::stable_sort(order.rod.begin(), order.rod.end(),
-                     [&](int x, int y) { return key(x) < key(y); });
-
-    for (std::size_t i = 1; i <= count; ++i) {
-        const bool last = i == count;
-        const auto before = key(order.rod[i - 1]);
-        const auto after = last ? before : key(order.rod[i]);
-        const bool newClass = last || std::get<0>(before) != std::get<0>(after);
-        const bool newChunk = newClass || std::get<1>(before) != std::get<1>(after);
-        if (newChunk || std::get<2>(before) != std::get<2>(after))
-            order.colorStart.push_back(int(i));
-        if (newChunk)
+    std::vector<int> classStart;
+    std::vector<int> chunkOrder;
+    sortByNumber(classOf, classStart, chunkOrder);
+    order.rod.reserve(count);
+    std::vector<int> colorStart;
+    std::vector<int> inColors;
+    for (std::size_t k = 0; k + 1 < classStart.size(); ++k) {
+        for (int at = classStart[k]; at < classStart[k + 1]; ++at) {
+            const auto [first, last] = chunkAt(std::size_t(chunkOrder[std::size_t(at)]));
+            sortByNumber(std::span(colorOf).subspan(first, last - first), colorStart, inColors);
+            const int base = int(order.rod.size());
+            for (std::size_t color = 1; color < colorStart.size(); ++color)
+                order.colorStart.push_back(base + colorStart[color]);
+            for (const int i : inColors)
+                order.rod.push_back(near[first + std::size_t(i)]);
             order.chunkStart.push_back(int(order.colorStart.size()) - 1);
-        if (newClass)
-            order.classStart.push_back(int(order.chunkStart.size()) - 1);
+        }
+        order.classStart.push_back(int(order.chunkStart.size()) - 1);
     }
     return order;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <tuple>
 
 namespace ripstop {
 namespace {
@@ -51,7 +52,9 @@ Rows incidence(std::size_t count, const Items& items, TargetsOf targetsOf)
 Rows panelsBesideLinks(const System& system)
 {
     Rows rows;
+    rows.start.reserve(system.links.size() + 1);
     rows.start.push_back(0);
+    rows.items.reserve(3 * system.panels.size());
     for (const LinkPlace& link : system.links) {
         const auto first =
             system.panelsAt.items.begin() + system.panelsAt.start[std::size_t(link.a)];
@@ -82,16 +85,33 @@ void backReferences(System& system)
 {
     system.springLink.assign(system.springs.size(), -1);
     system.rodLink.assign(system.rods.size(), -1);
-    system.tearable.clear();
     for (std::size_t i = 0; i < system.links.size(); ++i) {
         const LinkPlace& link = system.links[i];
-        const bool spring = link.kind == LinkKind::Spring;
-        (spring ? system.springLink : system.rodLink)[std::size_t(link.index)] = int(i);
-        const TearLimit& tear = spring ? system.springs[std::size_t(link.index)].tear
-                                       : system.rods[std::size_t(link.index)].tear;
-        if (tear.rule != TearRule::Never)
-            system.tearable.push_back(int(i));
+        (link.kind == LinkKind::Spring ? system.springLink
+                                       : system.rodLink)[std::size_t(link.index)] = int(i);
     }
+}
+
+// One counter for all systems, so that no two versions have the same number.
+std::uint64_t nextSerial()
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+// A field that is new has to be named here, or this does not compile.
+auto comparedFields(const System& system)
+{
+    const auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps,
+                 integrator, solver, gravity, airDensity, wind, viscosity, speedLimit, key, mass,
+                 inverseMass, springs, rods, colorStart, chunkStart, classStart, panels, panelKey,
+                 links, linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt,
+                 panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes, start] = system;
+    return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, gravity,
+                    airDensity, wind, viscosity, speedLimit, key, mass, inverseMass, springs, rods,
+                    colorStart, chunkStart, classStart, panels, panelKey, links, linkStuff,
+                    panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt, panelsAt,
+                    panelsBeside, obstacles, inputs, shiftedRods, probes, start);
 }
 
 template <typename T>
@@ -105,8 +125,8 @@ void fill(std::vector<T>& values, std::size_t count, const T& value)
 
 void finish(System& system)
 {
-    static std::atomic<std::uint64_t> finished = 0;
-    system.serial = ++finished;
+    system.serial = nextSerial();
+    touchAll(system);
 
     const std::size_t n = system.start.position.size();
     if (system.key.empty()) {
@@ -124,6 +144,7 @@ void finish(System& system)
     nameLinks(system);
     putRodsInOrder(system);
     backReferences(system);
+    listTearable(system);
 
     const auto ends = [](const auto& link) { return std::array{link.a, link.b}; };
     system.springsAt = incidence(n, system.springs, ends);
@@ -140,6 +161,41 @@ void finish(System& system)
     fill(start.rodTorn, system.rods.size(), std::uint8_t(0));
     fill(start.panelGone, system.panels.size(), std::uint8_t(0));
     fill(start.rodTension, system.rods.size(), 0.0);
+}
+
+bool operator==(const System& a, const System& b) { return comparedFields(a) == comparedFields(b); }
+
+void listTearable(System& system)
+{
+    system.tearable.clear();
+    for (std::size_t i = 0; i < system.links.size(); ++i) {
+        const LinkPlace& link = system.links[i];
+        const TearLimit& tear = link.kind == LinkKind::Spring
+                                    ? system.springs[std::size_t(link.index)].tear
+                                    : system.rods[std::size_t(link.index)].tear;
+        if (tear.rule != TearRule::Never)
+            system.tearable.push_back(int(i));
+    }
+}
+
+void touch(System& system, const Touched& changed)
+{
+    constexpr std::size_t most = 4096; // more of them are not found faster one by one
+    Touched& touched = system.touched;
+    if (touched.rods.size() + touched.particles.size() + changed.rods.size()
+            + changed.particles.size()
+        > most)
+        return touchAll(system);
+    system.valuesSerial = nextSerial();
+    touched.rods.insert(touched.rods.end(), changed.rods.begin(), changed.rods.end());
+    touched.particles.insert(touched.particles.end(), changed.particles.begin(),
+                             changed.particles.end());
+}
+
+void touchAll(System& system)
+{
+    system.valuesSerial = nextSerial();
+    system.touched = {system.valuesSerial, {}, {}};
 }
 
 } // namespace ripstop

@@ -22,6 +22,8 @@ struct TearLimit
 {
     TearRule rule = TearRule::Never;
     double limit = 0.0; // m, 1 or N
+
+    friend bool operator==(const TearLimit&, const TearLimit&) = default;
 };
 
 // A link that is a force: F = k (|d| - l) + nu (vb - va).u along u = d/|d|, on `a` towards `b`.
@@ -34,6 +36,8 @@ struct Spring
     double damping;    // N s/m
     Resists resists;
     TearLimit tear;
+
+    friend bool operator==(const Spring&, const Spring&) = default;
 };
 
 // A link that is a constraint.
@@ -45,6 +49,8 @@ struct Rod
     double compliance; // m/N, 0 never stretches
     Resists resists;
     TearLimit tear;
+
+    friend bool operator==(const Rod&, const Rod&) = default;
 };
 
 struct FabricPanel // one triangle of fabric
@@ -53,6 +59,8 @@ struct FabricPanel // one triangle of fabric
     AirLaw law;
     double normalCoefficient; // 1
     double skinFriction;      // 1
+
+    friend bool operator==(const FabricPanel&, const FabricPanel&) = default;
 };
 
 struct Obstacle
@@ -64,6 +72,8 @@ struct Obstacle
     Response response;
     double restitution;
     double friction;
+
+    friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
 
 // A link as the author sees it: which spring or rod it became, and whom it joins.
@@ -74,6 +84,17 @@ struct LinkPlace
     int index; // in springs or rods
     int a;     // particle indices
     int b;
+
+    friend bool operator==(const LinkPlace&, const LinkPlace&) = default;
+};
+
+// What a link takes its numbers from, so that an edit of a material finds the links made of it.
+struct LinkStuff
+{
+    Key material = 0;
+    std::uint8_t own = 0; // bits, one for each number that is the link's own
+
+    friend bool operator==(const LinkStuff&, const LinkStuff&) = default;
 };
 
 // One scalar input.
@@ -86,6 +107,8 @@ struct Input
     double rate;              // m/s
     double automaticRate;     // m/s
     std::vector<int> targets; // particle indices
+
+    friend bool operator==(const Input&, const Input&) = default;
 };
 
 // A rod whose rest length follows the weight shift of one of its ends:
@@ -95,6 +118,8 @@ struct ShiftedRod
     int rod;
     int weight;  // the particle that is shifted
     Vec3 anchor; // m, from the weight to the other end, in the design
+
+    friend bool operator==(const ShiftedRod&, const ShiftedRod&) = default;
 };
 
 struct ProbeSpec
@@ -107,6 +132,8 @@ struct ProbeSpec
     std::vector<int> panels;
     int from = -1; // particle index
     bool plotted = true;
+
+    friend bool operator==(const ProbeSpec&, const ProbeSpec&) = default;
 };
 
 // Lists of lists in two arrays: row i is items[start[i]] .. items[start[i + 1]].
@@ -114,6 +141,8 @@ struct Rows
 {
     std::vector<int> start; // [rows + 1]
     std::vector<int> items;
+
+    friend bool operator==(const Rows&, const Rows&) = default;
 };
 
 // What changes while a system runs. Copying a State is a checkpoint.
@@ -143,15 +172,32 @@ struct State
         double strain; // 1
         double force;  // N
         Vec3 place;    // m, middle of the link
+
+        friend bool operator==(const Tear&, const Tear&) = default;
     };
     std::vector<Tear> tears; // in order of time
+
+    friend bool operator==(const State&, const State&) = default;
+};
+
+// What changed in place lately, for solvers that keep something of their own about each rod: who
+// has seen valuesSerial at `since` or later has to look at no more than these again. Who has not,
+// looks at all.
+struct Touched
+{
+    std::uint64_t since = 0;
+    std::vector<int> particles; // whose inverse mass may have changed
+    std::vector<int> rods;      // whose numbers may have changed
 };
 
 struct System
 {
-    std::uint64_t generation = 0; // counts compiles; copied into every Frame
-    std::uint64_t run = 0;        // counts resets; motion carries over within a run
-    std::uint64_t serial = 0;     // of finish(); tells solvers when to prepare themselves anew
+    std::uint64_t generation = 0;   // counts compiles; copied into every Frame
+    std::uint64_t run = 0;          // counts resets; motion carries over within a run
+    std::uint64_t serial = 0;       // of finish(); tells solvers when to prepare themselves anew
+    std::uint64_t valuesSerial = 0; // of the numbers of rods and of inverse masses: solvers keep
+                                    // their order and read them again
+    Touched touched;
 
     double timeStep = 1.0 / 240.0; // s
     int substeps = 4;
@@ -174,11 +220,13 @@ struct System
     std::vector<int> chunkStart; // [chunks + 1] colours
     std::vector<int> classStart; // [classes + 1] chunks
     std::vector<FabricPanel> panels;
-    std::vector<Key> panelKey;    // [panels]
-    std::vector<LinkPlace> links; // in the author's order
-    std::vector<int> springLink;  // [springs] index into links
-    std::vector<int> rodLink;     // [rods] index into links
-    std::vector<int> tearable;    // indices into links that may tear
+    std::vector<Key> panelKey;        // [panels]
+    std::vector<LinkPlace> links;     // in the author's order
+    std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
+    std::vector<Key> panelMaterial;   // [panels], or empty
+    std::vector<int> springLink;      // [springs] index into links
+    std::vector<int> rodLink;         // [rods] index into links
+    std::vector<int> tearable;        // indices into links that may tear
 
     Rows springsAt;    // [particles] springs that end there
     Rows rodsAt;       // [particles]
@@ -198,5 +246,13 @@ struct System
 // panels and start.position. Keys and links that are left empty are numbered; masses that are left
 // empty follow from inverseMass; velocities are zero.
 void finish(System& system);
+
+// Equal in all that a simulation reads; the serials are passed over.
+bool operator==(const System& a, const System& b);
+
+// Whoever changes a finished system in place, and is its only owner, says so with these.
+void listTearable(System& system);                  // after a tear rule
+void touch(System& system, const Touched& changed); // after these inverse masses and rods
+void touchAll(System& system);
 
 } // namespace ripstop

@@ -1,0 +1,129 @@
+#include "compile/patch.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+class Patcher
+{
+public:
+    explicit Patcher(System& system)
+        : m_system(system)
+    {}
+
+    bool run(const Patch& patch)
+    {
+        m_system.generation = patch.generation;
+        m_system.run = patch.run;
+        if (patch.settings)
+            takeSettings(*patch.settings, m_system);
+        for (const auto& [key, material] : patch.materials)
+            this->material(key, material);
+        for (const auto& [i, values] : patch.particles)
+            particle(std::size_t(i), values);
+        for (const auto& [link, stuff] : patch.linkStuff)
+            m_system.linkStuff[std::size_t(link)] = stuff;
+        for (const auto& [link, spring] : patch.springs)
+            put(spring, m_system.springs[place(link)]);
+        for (const auto& [link, rod] : patch.rods) {
+            put(rod, m_system.rods[place(link)]);
+            m_touched.rods.push_back(int(place(link)));
+        }
+        for (const auto& [i, panel] : patch.panels)
+            m_system.panels[std::size_t(i)] = panel;
+        for (const auto& [i, key] : patch.panelMaterial)
+            m_system.panelMaterial[std::size_t(i)] = key;
+        items(patch);
+        if (m_tearRules)
+            listTearable(m_system);
+        if (m_allRods)
+            touchAll(m_system);
+        else if (!m_touched.rods.empty() || !m_touched.particles.empty())
+            touch(m_system, m_touched);
+        return m_layout;
+    }
+
+private:
+    std::size_t place(int link) const
+    {
+        return std::size_t(m_system.links[std::size_t(link)].index);
+    }
+
+    void material(Key key, const Material& material)
+    {
+        for (std::size_t i = 0; i < m_system.linkStuff.size(); ++i) {
+            const LinkStuff& stuff = m_system.linkStuff[i];
+            if (stuff.material != key)
+                continue;
+            const LinkPlace& link = m_system.links[i];
+            if (link.kind == LinkKind::Spring) {
+                Spring& spring = m_system.springs[std::size_t(link.index)];
+                m_tearRules |= spring.tear.rule != material.tearRule;
+                takeMaterial(material, stuff.own, spring);
+            } else {
+                Rod& rod = m_system.rods[std::size_t(link.index)];
+                m_tearRules |= rod.tear.rule != material.tearRule;
+                takeMaterial(material, stuff.own, rod);
+                m_allRods = true;
+            }
+        }
+        for (std::size_t i = 0; i < m_system.panelMaterial.size(); ++i)
+            if (m_system.panelMaterial[i] == key)
+                takeMaterial(material, m_system.panels[i]);
+    }
+
+    void particle(std::size_t i, const ParticleValues& values)
+    {
+        if (m_system.inverseMass[i] != values.inverseMass)
+            m_touched.particles.push_back(int(i));
+        m_layout |= (m_system.inverseMass[i] == 0.0) != (values.inverseMass == 0.0);
+        m_system.mass[i] = values.mass;
+        m_system.inverseMass[i] = values.inverseMass;
+        m_system.start.position[i] = values.position;
+        m_system.start.velocity[i] = values.velocity;
+    }
+
+    template <typename T>
+    void put(const T& now, T& held)
+    {
+        m_layout |= held.restLength != now.restLength;
+        m_tearRules |= held.tear.rule != now.tear.rule;
+        held = now;
+    }
+
+    void items(const Patch& patch)
+    {
+        if (patch.wind)
+            m_system.wind = *patch.wind;
+        if (patch.obstacles)
+            m_system.obstacles = *patch.obstacles;
+        if (patch.inputs)
+            m_system.inputs = *patch.inputs;
+        if (patch.probes) {
+            m_system.probes = *patch.probes;
+            m_layout = true;
+        }
+        // they hang on the targets of inputs and on where particles start
+        if (!patch.inputs && (patch.particles.empty() || m_system.shiftedRods.empty()))
+            return;
+        std::vector<ShiftedRod> shifted = shiftedRodsOf(m_system);
+        if (shifted == m_system.shiftedRods)
+            return;
+        for (const ShiftedRod& rod : m_system.shiftedRods) // may get its own length back
+            m_touched.rods.push_back(rod.rod);
+        m_system.shiftedRods = std::move(shifted);
+    }
+
+    System& m_system;
+    Touched m_touched;
+    bool m_allRods = false;
+    bool m_tearRules = false; // have changed
+    bool m_layout = false;
+};
+
+} // namespace
+
+bool apply(const Patch& patch, System& system) { return Patcher(system).run(patch); }
+
+} // namespace ripstop

@@ -1,0 +1,272 @@
+#include "compile/resolve.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+enum Own : std::uint8_t { OwnStiffness = 1, OwnDamping = 2, OwnCompliance = 4, OwnTearLimit = 8 };
+
+void takeTear(const Material& material, std::uint8_t own, TearLimit& tear)
+{
+    tear.rule = material.tearRule;
+    if (!(own & OwnTearLimit))
+        tear.limit = material.tearLimit;
+}
+
+template <typename T, typename Visit>
+void forEachItem(const Scene& scene, Visit visit)
+{
+    for (const Entry& entry : scene.items)
+        if (const T* item = std::get_if<T>(&entry.item))
+            visit(entry.id, *item);
+}
+
+// Adds what ids stand for to a probe: elements themselves, elements of parts and of groups.
+class Collector
+{
+public:
+    Collector(const Scene& scene, const ElementIndex& index)
+        : m_scene(scene)
+        , m_index(index)
+    {
+        Range next{};
+        forEachPart(scene, [&](Id id, const Part& part) {
+            const Range end{next.particle + int(part.particles.size()),
+                            next.link + int(part.links.size()),
+                            next.panel + int(part.panels.size())};
+            m_parts.push_back({id, next, end});
+            next = end;
+        });
+    }
+
+    void addAll(ProbeSpec& spec) const
+    {
+        for (const PartRange& part : m_parts)
+            addPart(part, spec);
+    }
+
+    void add(Id id, ProbeSpec& spec) const
+    {
+        if (const int particle = m_index.particle(id); particle >= 0)
+            spec.particles.push_back(particle);
+        else if (const int link = m_index.link(id); link >= 0)
+            spec.links.push_back(link);
+        else if (const int panel = m_index.panel(id); panel >= 0)
+            spec.panels.push_back(panel);
+        else if (const Group* group = findItem<Group>(m_scene, id))
+            for (const Id member : group->members)
+                add(member, spec);
+        else
+            for (const PartRange& part : m_parts)
+                if (part.id == id)
+                    addPart(part, spec);
+    }
+
+private:
+    struct Range
+    {
+        int particle = 0;
+        int link = 0;
+        int panel = 0;
+    };
+    struct PartRange
+    {
+        Id id;
+        Range first;
+        Range last;
+    };
+
+    static void addRange(std::vector<int>& list, int first, int last)
+    {
+        const std::size_t middle = list.size();
+        list.resize(middle + std::size_t(last - first));
+        std::iota(list.begin() + std::ptrdiff_t(middle), list.end(), first);
+    }
+
+    static void addPart(const PartRange& part, ProbeSpec& spec)
+    {
+        addRange(spec.particles, part.first.particle, part.last.particle);
+        addRange(spec.links, part.first.link, part.last.link);
+        addRange(spec.panels, part.first.panel, part.last.panel);
+    }
+
+    const Scene& m_scene;
+    const ElementIndex& m_index;
+    std::vector<PartRange> m_parts;
+};
+
+} // namespace
+
+void takeSettings(const Settings& settings, System& system)
+{
+    system.timeStep = settings.timeStep;
+    system.substeps = settings.substeps;
+    system.sweeps = settings.sweeps;
+    system.integrator = settings.integrator;
+    system.solver = settings.solver;
+    system.gravity = settings.gravity;
+    system.airDensity = settings.airDensity;
+    system.viscosity = settings.viscosity;
+    system.speedLimit = settings.speedLimit;
+}
+
+ParticleValues valuesOf(const Particle& row)
+{
+    return {row.mass, row.pinned ? 0.0 : 1.0 / row.mass, row.position,
+            row.pinned ? Vec3(Vec3::Zero()) : row.velocity};
+}
+
+LinkStuff stuffOf(const Link& row)
+{
+    const int own = (row.stiffness ? OwnStiffness : 0) | (row.damping ? OwnDamping : 0)
+                    | (row.compliance ? OwnCompliance : 0) | (row.tearLimit ? OwnTearLimit : 0);
+    return {Key(row.material), std::uint8_t(own)};
+}
+
+Spring springOf(const Link& row, const Material& material, int a, int b)
+{
+    Spring spring{a,
+                  b,
+                  row.restLength,
+                  row.stiffness.value_or(0.0),
+                  row.damping.value_or(0.0),
+                  row.resists,
+                  {TearRule::Never, row.tearLimit.value_or(0.0)}};
+    takeMaterial(material, stuffOf(row).own, spring);
+    return spring;
+}
+
+Rod rodOf(const Link& row, const Material& material, int a, int b)
+{
+    Rod rod{a,
+            b,
+            row.restLength,
+            row.compliance.value_or(0.0),
+            row.resists,
+            {TearRule::Never, row.tearLimit.value_or(0.0)}};
+    takeMaterial(material, stuffOf(row).own, rod);
+    return rod;
+}
+
+FabricPanel panelOf(const Material& material, std::array<int, 3> corner)
+{
+    FabricPanel panel{corner, {}, {}, {}};
+    takeMaterial(material, panel);
+    return panel;
+}
+
+void takeMaterial(const Material& material, std::uint8_t own, Spring& spring)
+{
+    if (!(own & OwnStiffness))
+        spring.stiffness = material.stiffness;
+    if (!(own & OwnDamping))
+        spring.damping = material.damping;
+    takeTear(material, own, spring.tear);
+}
+
+void takeMaterial(const Material& material, std::uint8_t own, Rod& rod)
+{
+    if (!(own & OwnCompliance))
+        rod.compliance = material.compliance;
+    takeTear(material, own, rod.tear);
+}
+
+void takeMaterial(const Material& material, FabricPanel& panel)
+{
+    panel.law = material.airLaw;
+    panel.normalCoefficient = material.normalCoefficient;
+    panel.skinFriction = material.skinFriction;
+}
+
+const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id)
+{
+    static const Material none;
+    const int place = index.material(id);
+    return place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item);
+}
+
+Vec3 totalWind(const Scene& scene)
+{
+    Vec3 wind = Vec3::Zero();
+    forEachItem<Wind>(scene, [&](Id, const Wind& item) { wind += item.velocity; });
+    return wind;
+}
+
+std::vector<Obstacle> obstaclesOf(const Scene& scene)
+{
+    std::vector<Obstacle> obstacles;
+    forEachItem<Collider>(scene, [&](Id, const Collider& collider) {
+        obstacles.push_back({collider.shape, collider.position, collider.normal.normalized(),
+                             collider.radius, collider.response, collider.restitution,
+                             collider.friction});
+    });
+    return obstacles;
+}
+
+std::vector<Input> inputsOf(const Scene& scene, const ElementIndex& index)
+{
+    std::vector<Input> inputs;
+    forEachItem<Control>(scene, [&](Id id, const Control& control) {
+        Input input{Key(id),
+                    control.kind,
+                    control.axis.normalized(),
+                    control.limit,
+                    control.rate,
+                    control.automaticRate,
+                    {}};
+        for (const Id target : control.targets)
+            input.targets.push_back(index.particle(target));
+        inputs.push_back(std::move(input));
+    });
+    return inputs;
+}
+
+std::vector<ProbeSpec> probesOf(const Scene& scene, const ElementIndex& index)
+{
+    const Collector collector(scene, index);
+    std::vector<ProbeSpec> probes;
+    forEachItem<Probe>(scene, [&](Id id, const Probe& probe) {
+        ProbeSpec spec{Key(id), probe.name, probe.quantity, {}, {}, {}, -1, probe.plotted};
+        if (probe.target == noId)
+            collector.addAll(spec);
+        else
+            collector.add(probe.target, spec);
+        if (probe.from != noId)
+            spec.from = index.particle(probe.from);
+        probes.push_back(std::move(spec));
+    });
+    return probes;
+}
+
+std::vector<ShiftedRod> shiftedRodsOf(const System& system)
+{
+    std::vector<int> weights;
+    for (const Input& input : system.inputs)
+        if (input.kind == ControlKind::WeightShift)
+            weights.insert(weights.end(), input.targets.begin(), input.targets.end());
+    std::sort(weights.begin(), weights.end());
+    weights.erase(std::unique(weights.begin(), weights.end()), weights.end());
+
+    std::vector<ShiftedRod> shifted;
+    const auto& position = system.start.position;
+    for (const int weight : weights) {
+        const auto first = system.rodsAt.items.begin() + system.rodsAt.start[std::size_t(weight)];
+        const auto last =
+            system.rodsAt.items.begin() + system.rodsAt.start[std::size_t(weight) + 1];
+        std::vector<int> rods(first, last);
+        std::sort(rods.begin(), rods.end(), [&](int a, int b) { // the author's order
+            return system.rodLink[std::size_t(a)] < system.rodLink[std::size_t(b)];
+        });
+        for (const int r : rods) {
+            const Rod& rod = system.rods[std::size_t(r)];
+            const int other = rod.a == weight ? rod.b : rod.a;
+            shifted.push_back(
+                {r, weight, position[std::size_t(other)] - position[std::size_t(weight)]});
+        }
+    }
+    return shifted;
+}
+
+} // namespace ripstop

@@ -1,0 +1,43 @@
+// What a row of a scene becomes in a System: every number resolved. A full compile and an edit in
+// place both go through these, so that they cannot differ.
+#pragma once
+
+#include "scene/element_index.h"
+#include "sim/system.h"
+
+namespace ripstop {
+
+void takeSettings(const Settings& settings, System& system);
+
+// What a particle is to the solver; one that is pinned starts at rest.
+struct ParticleValues
+{
+    double mass;        // kg
+    double inverseMass; // 1/kg, 0 when pinned
+    Vec3 position;      // m, at the start
+    Vec3 velocity;      // m/s, at the start
+};
+ParticleValues valuesOf(const Particle& row);
+
+LinkStuff stuffOf(const Link& row);
+Spring springOf(const Link& row, const Material& material, int a, int b); // particle indices
+Rod rodOf(const Link& row, const Material& material, int a, int b);
+FabricPanel panelOf(const Material& material, std::array<int, 3> corner);
+
+// The numbers that come from the material; `own` are those that the link has itself.
+void takeMaterial(const Material& material, std::uint8_t own, Spring& spring);
+void takeMaterial(const Material& material, std::uint8_t own, Rod& rod);
+void takeMaterial(const Material& material, FabricPanel& panel);
+
+// The material, or default numbers when there is none.
+const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id);
+
+Vec3 totalWind(const Scene& scene); // m/s
+std::vector<Obstacle> obstaclesOf(const Scene& scene);
+std::vector<Input> inputsOf(const Scene& scene, const ElementIndex& index);
+std::vector<ProbeSpec> probesOf(const Scene& scene, const ElementIndex& index);
+
+// Of a finished system: the rods that hold the targets of weight shifts.
+std::vector<ShiftedRod> shiftedRodsOf(const System& system);
+
+} // namespace ripstop
