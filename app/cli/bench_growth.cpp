@@ -62,7 +62,7 @@ std::optional<Json> growthRace(const BenchOptions& options)
             std::vector<Runner> runners;
             for (const Choice& choice : choices)
                 runners.push_back(engineRunner(network, choice.at(effort)));
-            const auto times = timeInRounds(runners,
+            const auto times = timeInRounds(network.name, runners,
                                             options.seconds > 0.0 ? options.seconds
                                             : options.quick       ? 0.2
                                                                   : 1.0,

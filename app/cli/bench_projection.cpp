@@ -99,7 +99,7 @@ bool projection(const BenchOptions& options, const Case& one, Table& table, Json
         if (one.side >= 1000 && setups.size() == 1)
             memory = memoryOf(network, before, system, residentBytes());
     }
-    const auto times = timeInRounds(runners, one.seconds);
+    const auto times = timeInRounds(one.name, runners, one.seconds);
     if (interrupted())
         return false;
     for (std::size_t i = 0; i < setups.size(); ++i) {
@@ -123,9 +123,10 @@ bool wholeSteps(const BenchOptions& options, const std::string& name, Table& tab
                                      *simulation = std::make_unique<Simulation>(system);
                                  },
                                  [simulation] { (*simulation)->step(); }}};
-    const auto times = timeInRounds(runners, options.seconds > 0.0 ? options.seconds
-                                             : options.quick       ? 0.4
-                                                                   : 2.0);
+    const auto times = timeInRounds(network.name, runners,
+                                    options.seconds > 0.0 ? options.seconds
+                                    : options.quick       ? 0.4
+                                                          : 2.0);
     if (interrupted())
         return false;
     const char* const what[]{"step", "step and watchdog"};

@@ -169,7 +169,7 @@ void timeFindings(const Contest& contest, const std::vector<Finding>& findings,
         if (finding.effort)
             runners.push_back(engineRunner(contest.network, finding.choice->at(*finding.effort)));
     const double budget = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 2.0;
-    const auto times = timeInRounds(runners, budget);
+    const auto times = timeInRounds(contest.network.name, runners, budget);
     std::size_t next = 0;
     for (const Finding& finding : findings) {
         rows.push_back(

@@ -79,9 +79,10 @@ Figures rates(const Figures& times)
     return {1.0 / times.quiet, 1.0 / times.median, 1.0 / times.slow, times.blocks};
 }
 
-std::vector<std::vector<double>> timeInRounds(std::vector<Runner>& runners, double budget,
-                                              int leastRounds)
+std::vector<std::vector<double>>
+timeInRounds(const std::string& label, std::vector<Runner>& runners, double budget, int leastRounds)
 {
+    ProgressLine progress("timing " + label);
     std::vector<int> steps;
     for (Runner& runner : runners)
         steps.push_back(interrupted() ? 1 : stepsInBlock(runner));
@@ -92,6 +93,7 @@ std::vector<std::vector<double>> timeInRounds(std::vector<Runner>& runners, doub
             if (interrupted())
                 return std::vector<std::vector<double>>(runners.size());
             times[i].push_back(timeBlock(runners[i], steps[i]));
+            progress.show(std::min(secondsSince(start) / budget, 1.0));
         }
     return times;
 }

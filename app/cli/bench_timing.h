@@ -36,8 +36,10 @@ struct Runner
 };
 
 // s for one step, [runners][rounds]. Rounds go on until the budget, s of wall time for all runners
-// together, is used up; there are at least `leastRounds`. Empty lists when interrupted.
-std::vector<std::vector<double>> timeInRounds(std::vector<Runner>& runners, double budget,
+// together, is used up; there are at least `leastRounds`. Empty lists when interrupted. The label
+// is shown with the progress.
+std::vector<std::vector<double>> timeInRounds(const std::string& label,
+                                              std::vector<Runner>& runners, double budget,
                                               int leastRounds = 5);
 
 // Quotients a / b of the same rounds.

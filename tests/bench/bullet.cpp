@@ -119,7 +119,7 @@ Json compare(const Case& one, double seconds)
                                 bulletRunner(network, one.sweeps, Order::ByNode),
                                 bulletRunner(network, one.sweeps, Order::ByKind),
                                 bulletRunner(network, one.sweeps, Order::Reordered)};
-    const auto times = timeInRounds(runners, seconds);
+    const auto times = timeInRounds(one.name, runners, seconds);
     if (interrupted())
         return {};
     const double perVisit = 1e9 / (double(network.system->rods.size()) * one.sweeps);
