@@ -59,9 +59,17 @@ std::optional<Json> growthRace(const BenchOptions& options)
             if (!isWanted(options, "cloth_" + std::to_string(side)))
                 continue;
             const Network network = clothNetwork(side);
+            const auto particles = double(network.system->key.size());
             std::vector<Runner> runners;
-            for (const Choice& choice : choices)
-                runners.push_back(engineRunner(network, choice.at(effort)));
+            std::vector<std::size_t> racing;
+            for (std::size_t i = 0; i < choices.size(); ++i) {
+                if (particles > choices[i].mostParticles)
+                    continue;
+                const Setup setup = choices[i].at(effort);
+                runners.push_back(engineRunner(
+                    choices[i].ownSystem ? clothNetwork(side, setup.solver) : network, setup));
+                racing.push_back(i);
+            }
             const auto times = timeInRounds(network.name, runners,
                                             options.seconds > 0.0 ? options.seconds
                                             : options.quick       ? 0.2
@@ -69,9 +77,9 @@ std::optional<Json> growthRace(const BenchOptions& options)
                                             3);
             if (interrupted())
                 return std::nullopt;
-            for (std::size_t i = 0; i < choices.size(); ++i) {
-                const Figures perSweep = scaled(figuresOf(times[i]), 1.0 / effort);
-                const auto particles = double(network.system->key.size());
+            for (std::size_t k = 0; k < racing.size(); ++k) {
+                const std::size_t i = racing[k];
+                const Figures perSweep = scaled(figuresOf(times[k]), 1.0 / effort);
                 quiet[i].push_back({particles, perSweep.quiet});
                 middle[i].push_back({particles, perSweep.median});
                 rows.push_back({{"network", network.name},

@@ -20,12 +20,13 @@ void addRod(System& system, int a, int b)
     system.rods.push_back({a, b, length, 0.0, Resists::Both, {}});
 }
 
-std::shared_ptr<System> emptySystem()
+std::shared_ptr<System> emptySystem(Solver solver)
 {
     auto system = std::make_shared<System>();
     system->timeStep = stepOfAll;
     system->viscosity = viscosityOfAll;
     system->substeps = 1;
+    system->solver = solver;
     return system;
 }
 
@@ -45,9 +46,9 @@ NetworkSize clothSize(int side)
     return {n * n, 2 * n * (n - 1) + 2 * (n - 1) * (n - 1) + 2 * n * (n - 2)};
 }
 
-Network clothNetwork(int side)
+Network clothNetwork(int side, Solver solver)
 {
-    auto system = emptySystem();
+    auto system = emptySystem(solver);
     const NetworkSize size = clothSize(side);
     const double spacing = 1.0 / (side - 1);
     system->start.position.reserve(size.particles);
@@ -71,11 +72,11 @@ Network clothNetwork(int side)
     return {"cloth_" + std::to_string(side), structural, false, std::move(system)};
 }
 
-Network ropeNetwork()
+Network ropeNetwork(Solver solver)
 {
     constexpr int segments = 100;
     const double angle = std::acos(0.5); // 60 degrees
-    auto system = emptySystem();
+    auto system = emptySystem(solver);
     for (int i = 0; i <= segments; ++i) {
         system->start.position.push_back(0.1 * i * Vec3(std::sin(angle), -std::cos(angle), 0.0));
         system->mass.push_back(i < segments ? 0.001 : 65.0);
@@ -87,7 +88,7 @@ Network ropeNetwork()
     return {"rope_pilot", segments, false, std::move(system)};
 }
 
-Result<Network> craftNetwork(std::string_view name, Air air)
+Result<Network> craftNetwork(std::string_view name, Air air, Solver solver)
 {
     const Builder* builder = findBuilder(name == "kite" ? "delta_kite" : "hang_glider");
     Result<Scene> scene = build(*builder, {});
@@ -96,6 +97,7 @@ Result<Network> craftNetwork(std::string_view name, Air air)
     scene->settings.timeStep = stepOfAll;
     scene->settings.viscosity = viscosityOfAll;
     scene->settings.substeps = 1;
+    scene->settings.solver = solver;
     if (air == Air::Without) {
         for (Entry& entry : scene->items)
             if (Part* part = std::get_if<Part>(&entry.item))
@@ -109,6 +111,16 @@ Result<Network> craftNetwork(std::string_view name, Air air)
         return system.failure();
     return Network{std::string(name) + (air == Air::With ? "_air" : ""), (*system)->links.size(),
                    air == Air::With, std::make_shared<System>(**system)};
+}
+
+Network networkCalled(const std::string& name, Solver solver)
+{
+    if (name == "rope_pilot")
+        return ropeNetwork(solver);
+    if (name.starts_with("cloth_"))
+        return clothNetwork(std::stoi(name.substr(6)), solver);
+    const Air air = name.ends_with("_air") ? Air::With : Air::Without;
+    return *craftNetwork(name.substr(0, name.find('_')), air, solver);
 }
 
 double largestStrain(const Network& network, const State& state)

@@ -33,14 +33,20 @@ struct NetworkSize
 
 NetworkSize clothSize(int side); // without building it
 
-Network clothNetwork(int side); // particles a side
+// Systems are finished for a solver: some choose there which rods to take together. A system for
+// Gauss-Seidel serves the other sweeps too.
+Network clothNetwork(int side, Solver solver = Solver::GaussSeidel); // particles a side
 
 // 100 rods of 0.1 m between nodes of 1 g, pinned above, 65 kg below; taut, 60 degrees from straight
-// down at the start, so that theory knows its path (reference.h).
-Network ropeNetwork();
+// down at the start, so that theory knows its path (bench_quality.h).
+Network ropeNetwork(Solver solver = Solver::GaussSeidel);
 
 enum class Air { Without, With };
-Result<Network> craftNetwork(std::string_view name, Air air); // glider or kite
+Result<Network> craftNetwork(std::string_view name, Air air,
+                             Solver solver = Solver::GaussSeidel); // glider or kite
+
+// By its name: glider, glider_air, kite, kite_air, rope_pilot, cloth_N.
+Network networkCalled(const std::string& name, Solver solver = Solver::GaussSeidel);
 
 // The largest strain, 1, of rods that resist it, over the judged links.
 double largestStrain(const Network& network, const State& state);

@@ -18,21 +18,20 @@ const std::vector<Column> stepColumns{{"network", -12}, {"panels", 6}, {"sweeps"
 struct Case
 {
     std::string name;
-    int side; // of a cloth; 0 for craft
     int sweeps;
     double seconds; // s of wall time
 };
 
 std::vector<Case> cases(const BenchOptions& options)
 {
-    std::vector<Case> all{{"glider", 0, 55, 1.5},
-                          {"kite", 0, 55, 1.5},
-                          {"cloth_10", 10, 55, 1.5},
-                          {"cloth_32", 32, 55, 2.0},
-                          {"cloth_100", 100, 55, 3.0}};
+    std::vector<Case> all{{"glider", 55, 1.5},
+                          {"kite", 55, 1.5},
+                          {"cloth_10", 55, 1.5},
+                          {"cloth_32", 55, 2.0},
+                          {"cloth_100", 55, 3.0}};
     if (!options.quick) {
-        all.push_back({"cloth_316", 316, 10, 4.0});
-        all.push_back({"cloth_1000", 1000, 10, 6.0});
+        all.push_back({"cloth_316", 10, 4.0});
+        all.push_back({"cloth_1000", 10, 6.0});
     }
     for (Case& one : all)
         one.seconds =
@@ -87,7 +86,7 @@ bool projection(const BenchOptions& options, const Case& one, Table& table, Json
                 Json& memory)
 {
     const long before = residentBytes();
-    Network network = one.side > 0 ? clothNetwork(one.side) : *craftNetwork(one.name, Air::Without);
+    const Network network = networkCalled(one.name);
     const long system = residentBytes();
     std::vector<Setup> setups;
     std::vector<Runner> runners;
@@ -96,7 +95,7 @@ bool projection(const BenchOptions& options, const Case& one, Table& table, Json
             continue;
         setups.push_back({Solver::GaussSeidel, 1, one.sweeps, threads});
         runners.push_back(engineRunner(network, setups.back()));
-        if (one.side >= 1000 && setups.size() == 1)
+        if (one.name == "cloth_1000" && setups.size() == 1)
             memory = memoryOf(network, before, system, residentBytes());
     }
     const auto times = timeInRounds(one.name, runners, one.seconds);
@@ -114,7 +113,7 @@ bool projection(const BenchOptions& options, const Case& one, Table& table, Json
 // does besides: it keeps the last good state and looks for trouble.
 bool wholeSteps(const BenchOptions& options, const std::string& name, Table& table, Json& rows)
 {
-    const Network network = *craftNetwork(name, Air::With);
+    const Network network = networkCalled(name + "_air");
     const Setup setup{Solver::GaussSeidel, 1, 55, 1};
     apply(setup, *network.system);
     const auto simulation = std::make_shared<std::unique_ptr<Simulation>>();

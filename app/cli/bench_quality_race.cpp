@@ -5,7 +5,7 @@
 #include "cli/bench_search.h"
 
 #include <algorithm>
-#include <limits>
+#include <map>
 
 namespace ripstop {
 namespace {
@@ -19,9 +19,21 @@ constexpr double limits[]{0.01, 0.001};
 struct Contest
 {
     Network network;
+    std::map<const Choice*, Network> own; // of choices that need a system of their own
     Gate gate;
     Path reference;
 };
+
+const Network& networkFor(const Contest& contest, const Choice& choice)
+{
+    const auto found = contest.own.find(&choice);
+    return found == contest.own.end() ? contest.network : found->second;
+}
+
+bool isTooLarge(const Contest& contest, const Choice& choice)
+{
+    return double(contest.network.system->key.size()) > choice.mostParticles;
+}
 
 struct Finding // a row
 {
@@ -31,15 +43,6 @@ struct Finding // a row
     std::optional<int> effort;
     Quality quality; // the best strain only when no effort was enough
 };
-
-std::optional<Network> networkCalled(const std::string& name)
-{
-    if (name == "glider_air" || name == "kite_air")
-        return *craftNetwork(name.substr(0, name.find('_')), Air::With);
-    if (name == "rope_pilot")
-        return ropeNetwork();
-    return clothNetwork(std::stoi(name.substr(name.find('_') + 1)));
-}
 
 // Where searches start; it saves time and decides nothing.
 int guessFor(const std::string& network, const std::string& solver, double limit)
@@ -107,10 +110,12 @@ std::vector<Finding> findAllEfforts(const Contest& contest, const BenchOptions& 
 {
     std::vector<Finding> findings;
     const std::string& name = contest.network.name;
-    ProgressLine progress(name);
+    ProgressLine progress("searching " + name);
     for (const Choice& choice : allChoices()) {
         progress.show(double(&choice - allChoices().data()) / double(allChoices().size()));
-        Search search(contest.network, choice, contest.reference);
+        if (isTooLarge(contest, choice))
+            continue;
+        Search search(networkFor(contest, choice), choice, contest.reference);
         findEfforts(contest, options, search, choice, findings);
         if (name == "cloth_32" || name == "glider_air")
             addCurve(search, options);
@@ -167,7 +172,8 @@ void timeFindings(const Contest& contest, const std::vector<Finding>& findings,
     std::vector<Runner> runners;
     for (const Finding& finding : findings)
         if (finding.effort)
-            runners.push_back(engineRunner(contest.network, finding.choice->at(*finding.effort)));
+            runners.push_back(engineRunner(networkFor(contest, *finding.choice),
+                                           finding.choice->at(*finding.effort)));
     const double budget = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 2.0;
     const auto times = timeInRounds(contest.network.name, runners, budget);
     std::size_t next = 0;
@@ -191,9 +197,13 @@ std::optional<Json> qualityRace(const BenchOptions& options)
          {"glider_air", "kite_air", "rope_pilot", "cloth_10", "cloth_32", "cloth_100"}) {
         if (!isWanted(options, name) || (options.quick && name == std::string_view("cloth_100")))
             continue;
-        Contest contest{*networkCalled(name),
+        Contest contest{networkCalled(name),
+                        {},
                         name == std::string_view("kite_air") ? Gate::Strain : Gate::StrainAndPath,
                         {}};
+        for (const Choice& choice : allChoices())
+            if (choice.ownSystem && !isTooLarge(contest, choice))
+                contest.own.emplace(&choice, networkCalled(name, choice.at(1).solver));
         contest.reference = referencePath(contest.network, options.references);
         const std::vector<Finding> findings = findAllEfforts(contest, options, curve);
         if (interrupted())

@@ -13,7 +13,9 @@ struct Choice
 {
     const char* name;
     Setup (*at)(int effort);
-    const char* unit; // of the effort
+    const char* unit;     // of the effort
+    bool ownSystem;       // needs a system that was finished for it
+    double mostParticles; // more would take too long or too much memory
 };
 
 const std::vector<Choice>& allChoices();

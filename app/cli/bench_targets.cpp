@@ -112,6 +112,8 @@ void judgeGrowth(Judge& judge, const Json& results)
     if (!results.contains("exponents"))
         return;
     for (const Json& row : results["exponents"]) {
+        if (row["solver"] == "direct") // no sweeps
+            continue;
         const Json figures{{"median", row["from_1000"]}, {"quiet", row["from_1000_quiet"]}};
         judge.add("exponent of growth of sweeps, " + row["solver"].get<std::string>(),
                   Wanted::AtMost, 1.05, &figures);
