@@ -14,7 +14,8 @@ enum class Integrator { ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet
 enum class Solver {
     AveragedJacobi, // mass-split: conserves momentum (Tonge 2012)
     PaperJacobi, // each end averages its own corrections (Beaudry, Egli, Patenaude 2005, figure 8)
-    GaussSeidel  // in colours, with compliance (Macklin, Mueller, Chentanez 2016)
+    GaussSeidel,    // in colours, with compliance (Macklin, Mueller, Chentanez 2016)
+    Direct          // all rods together, by Newton's method; for lines, frames and heavy loads
 };
 
 enum class LinkKind { Spring, Rod };               // a force; a constraint
@@ -55,8 +56,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<Integrator>{
     "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet"};
 template <>
-inline constexpr std::array<std::string_view, 3> choiceNames<Solver>{
-    "averaged_jacobi", "paper_jacobi", "gauss_seidel"};
+inline constexpr std::array<std::string_view, 4> choiceNames<Solver>{
+    "averaged_jacobi", "paper_jacobi", "gauss_seidel", "direct"};
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
 template <>

@@ -165,8 +165,9 @@ void ColouredSweeps::weigh(const System& system, std::size_t rod, bool torn)
     const std::size_t lane = m_lane[rod] % 4;
     const double weight =
         batch.pullA[lane] + batch.pullB[lane] + system.rods[rod].compliance / (m_h * m_h);
+    const bool elsewhere = !system.direct.empty() && system.direct[rod];
     // Two rigid pins cannot move.
-    batch.inverseWeight[lane] = torn || weight == 0.0 ? 0.0 : 1.0 / weight;
+    batch.inverseWeight[lane] = torn || elsewhere || weight == 0.0 ? 0.0 : 1.0 / weight;
     m_torn[rod] = torn;
 }
 

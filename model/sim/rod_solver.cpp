@@ -18,19 +18,42 @@ double allowed(Resists resists, double multiplier)
     return multiplier;
 }
 
+constexpr int iterations = 4; // of a direct block beside sweeps
+
 } // namespace
 
 void RodSolver::project(const RodTask& task, Crew& crew)
 {
     if (task.system.rods.empty())
         return;
-    if (task.system.solver == Solver::GaussSeidel)
-        return m_coloured.project(task, crew);
+    prepareDirect(task.system);
+    m_direct.start(task);
+    if (task.system.solver == Solver::GaussSeidel) {
+        m_coloured.project(task, crew);
+        m_direct.project(task, iterations);
+        return;
+    }
+    if (task.system.solver == Solver::Direct) {
+        m_direct.project(task, task.system.sweeps);
+        return;
+    }
     std::fill(task.multiplier.begin(), task.multiplier.end(), 0.0);
     m_pull.resize(task.system.rods.size());
     countRods(task);
     for (int sweep = 0; sweep < task.system.sweeps; ++sweep)
         averagedSweep(task, crew);
+}
+
+void RodSolver::prepareDirect(const System& system)
+{
+    if (system.serial == m_directSerial)
+        return;
+    m_directSerial = system.serial;
+    std::vector<int> rods;
+    for (std::size_t i = 0; i < system.rods.size(); ++i)
+        if (system.solver == Solver::Direct || (!system.direct.empty() && system.direct[i]))
+            rods.push_back(int(i));
+    m_direct.prepare(system, rods);
 }
 
 void RodSolver::countRods(const RodTask& task)

@@ -6,6 +6,7 @@
 
 #include "sim/coloured_sweeps.h"
 #include "sim/crew.h"
+#include "sim/direct_solver.h"
 #include "sim/system.h"
 
 #include <span>
@@ -21,7 +22,7 @@ struct RodTask
     double h;                           // s
     std::uint64_t seed;                 // of the order of the colours; the number of the substep
     std::span<Vec3> position;           // [particles] m, corrected in place
-    std::span<double> multiplier;       // [rods] kg m, filled
+    std::span<double> multiplier;       // [rods] kg m, filled; on entry those of the substep before
 };
 
 class RodSolver
@@ -33,8 +34,11 @@ public:
 private:
     void averagedSweep(const RodTask& task, Crew& crew);
     void countRods(const RodTask& task);
+    void prepareDirect(const System& system);
 
     ColouredSweeps m_coloured;
+DirectSolver m_direct;
+    std::uint64_t m_directSerial = 0; // of the system that m_direct is prepared for
     std::vector<Vec3> m_pull;      // [rods] kg m, or m for the paper's averaging
     std::vector<double> m_valence; // [particles] rods that are not torn
 };

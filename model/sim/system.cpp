@@ -21,6 +21,12 @@ void putRodsInOrder(System& system)
         sorted.push_back(system.rods[std::size_t(rod)]);
     }
     system.rods = std::move(sorted);
+    if (!system.direct.empty()) {
+        std::vector<std::uint8_t> direct;
+        for (const int rod : order.rod)
+            direct.push_back(system.direct[std::size_t(rod)]);
+        system.direct = std::move(direct);
+    }
     system.colorStart = std::move(order.colorStart);
     system.chunkStart = std::move(order.chunkStart);
     system.classStart = std::move(order.classStart);

@@ -219,6 +219,7 @@ struct System
     std::vector<int> colorStart; // [colours + 1] places in rods
     std::vector<int> chunkStart; // [chunks + 1] colours
     std::vector<int> classStart; // [classes + 1] chunks
+    std::vector<std::uint8_t> direct; // [rods] solved as one block (direct_choice.h), or empty
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]
     std::vector<LinkPlace> links;     // in the author's order

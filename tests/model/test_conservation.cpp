@@ -94,7 +94,8 @@ class TestConservation : public QObject
             const auto name = choiceNames<Integrator>[std::size_t(integrator)];
             QTest::addRow("%s, %s, springs", what, name.data())
                 << integrator << Solver::AveragedJacobi << Ties::Springs;
-            for (const Solver solver : {Solver::AveragedJacobi, Solver::GaussSeidel})
+            for (const Solver solver :
+                 {Solver::AveragedJacobi, Solver::GaussSeidel, Solver::Direct})
                 QTest::addRow("%s, %s, rods by %s", what, name.data(),
                               choiceNames<Solver>[std::size_t(solver)].data())
                     << integrator << solver << Ties::Rods;

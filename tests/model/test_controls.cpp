@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::array integrators{Integrator::ExplicitEuler, Integrator::SemiImplicitEuler,
                                  Integrator::Verlet, Integrator::VelocityVerlet};
-constexpr std::array solvers{Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel};
+constexpr std::array solvers{Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel,
+                             Solver::Direct};
 
 Input moving(std::vector<int> targets, const Vec3& axis = {1.0, 0.0, 0.0}, double rate = 0.5)
 {

@@ -97,7 +97,7 @@ private slots:
         QTest::addColumn<Solver>("solver");
         QTest::addColumn<Resists>("resists");
         QTest::addColumn<double>("compliance"); // m/N
-        for (const Solver solver : {Solver::AveragedJacobi, Solver::GaussSeidel})
+        for (const Solver solver : {Solver::AveragedJacobi, Solver::GaussSeidel, Solver::Direct})
             for (const double compliance : {0.0, 1e-4})
                 for (const Resists resists : {Resists::Both, Resists::Tension})
                     QTest::addRow("K7 tension of a hang, %s, %g m/N, %s",
@@ -165,7 +165,11 @@ private slots:
     }
 
     // What rests in rods rests: no noise from the order in which they are swept.
-    void hangIsStill_data() { allSolvers("still"); }
+    void hangIsStill_data()
+    {
+        allSolvers("still");
+        QTest::newRow("still, direct") << Solver::Direct;
+    }
     void hangIsStill()
     {
         QFETCH(Solver, solver);

@@ -195,7 +195,7 @@ private slots:
                  told(shift(Solver::PaperJacobi, 1), s / 12.0));
         QVERIFY2(isNear(shift(Solver::PaperJacobi, 55), 0.025, 1e-14),
                  told(shift(Solver::PaperJacobi, 55), 0.025));
-        for (const Solver solver : {Solver::AveragedJacobi, Solver::GaussSeidel})
+        for (const Solver solver : {Solver::AveragedJacobi, Solver::GaussSeidel, Solver::Direct})
             for (const int sweeps : {1, 55})
                 QVERIFY2(shift(solver, sweeps) < 1e-14, told(shift(solver, sweeps), 0.0));
     }
@@ -205,6 +205,7 @@ private slots:
         QTest::addColumn<Solver>("solver");
         QTest::newRow("K3 shaken net, averaged_jacobi") << Solver::AveragedJacobi;
         QTest::newRow("K3 shaken net, gauss_seidel") << Solver::GaussSeidel;
+        QTest::newRow("K3 shaken net, direct") << Solver::Direct;
     }
     void momentumOfNet()
     {
@@ -261,7 +262,11 @@ private slots:
                  told(after.position[1].x(), 1.0 + 0.75 * s));
     }
 
-    void degenerate_data() { allSolvers("K6 degenerate"); }
+    void degenerate_data()
+    {
+        allSolvers("K6 degenerate");
+        QTest::newRow("K6 degenerate, direct") << Solver::Direct;
+    }
 
     // Coincident ends, a particle without rods, two pins, two pins at one place: no NaN, no motion.
     void degenerate()

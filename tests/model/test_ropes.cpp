@@ -20,6 +20,7 @@ private slots:
         QTest::newRow("R1 catenary, averaged_jacobi") << Solver::AveragedJacobi << Resists::Both;
         QTest::newRow("R1 catenary of a line, gauss_seidel")
             << Solver::GaussSeidel << Resists::Tension;
+        QTest::newRow("R1 catenary of a line, direct") << Solver::Direct << Resists::Tension;
     }
 
     // 10 m of rope over a span of 8 m: a = H / w = 3.38201879 m from 8 = 2 a asinh(5 / a), sag
@@ -75,6 +76,7 @@ private slots:
             << LinkKind::Rod << Solver::GaussSeidel;
         QTest::newRow("R2 elastic rope of rods, averaged_jacobi")
             << LinkKind::Rod << Solver::AveragedJacobi;
+        QTest::newRow("R2 elastic rope of rods, direct") << LinkKind::Rod << Solver::Direct;
     }
 
     // 1 kg, 10 m, EA = 1e4 N, ten links and ten equal masses: dL = M g L / (2 EA) x 11 / 10.

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::array integrators{Integrator::ExplicitEuler, Integrator::SemiImplicitEuler,
                                  Integrator::Verlet, Integrator::VelocityVerlet};
-constexpr std::array solvers{Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel};
+constexpr std::array solvers{Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel,
+                             Solver::Direct};
 
 // A pinned ladder of springs and rods in the wind, with all that a step does.
 System ladder(Integrator integrator, Solver solver, int rungs = 6)

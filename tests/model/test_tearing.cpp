@@ -208,6 +208,7 @@ private slots:
         QTest::addColumn<Solver>("solver");
         QTest::newRow("T3 rods, averaged_jacobi") << Solver::AveragedJacobi;
         QTest::newRow("T3 rods, gauss_seidel") << Solver::GaussSeidel;
+        QTest::newRow("T3 rods, direct") << Solver::Direct;
     }
 
     // Two weights fly apart on a chain of rods until it breaks.
@@ -281,7 +282,7 @@ private slots:
     {
         QTest::addColumn<Solver>("solver");
         for (const Solver solver :
-             {Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel})
+             {Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel, Solver::Direct})
             QTest::newRow(choiceNames<Solver>[std::size_t(solver)].data()) << solver;
     }
 

@@ -1,0 +1,260 @@
+#include "sim/direct_choice.h"
+
+#include "sim/direct_solver.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+namespace ripstop {
+namespace {
+
+constexpr int mostParticles = 500;
+constexpr std::size_t mostProducts = 20000;
+constexpr double manySweeps = 200.0;
+constexpr double heavyLoad = 30.0;   // over the median mass
+constexpr double heavyInLine = 10.0; // over the median mass
+
+struct Candidate
+{
+    double sweeps;
+    int particles; // that are free
+    std::vector<int> rods;
+};
+
+// Numbers for groups of particles that rods join, -1 for particles that are left out.
+class Groups
+{
+public:
+    template <typename Joins> // joins(rod) whether a rod counts
+    Groups(const System& system, std::vector<std::uint8_t> member, Joins joins)
+        : m_group(member.size(), -1)
+    {
+        std::vector<int> reached;
+        for (std::size_t i = 0; i < member.size(); ++i) {
+            if (!member[i] || m_group[i] >= 0)
+                continue;
+            m_group[i] = m_count;
+            reached.assign(1, int(i));
+            while (!reached.empty()) {
+                const auto from = std::size_t(reached.back());
+                reached.pop_back();
+                for (int k = system.rodsAt.start[from]; k < system.rodsAt.start[from + 1]; ++k) {
+                    const int rod = system.rodsAt.items[std::size_t(k)];
+                    const Rod& r = system.rods[std::size_t(rod)];
+                    const auto to = std::size_t(std::size_t(r.a) == from ? r.b : r.a);
+                    if (!member[to] || m_group[to] >= 0 || !joins(rod))
+                        continue;
+                    m_group[to] = m_count;
+                    reached.push_back(int(to));
+                }
+            }
+            ++m_count;
+        }
+    }
+    int count() const { return m_count; }
+    int operator[](int particle) const { return m_group[std::size_t(particle)]; }
+
+private:
+    int m_count = 0;
+    std::vector<int> m_group; // [particles]
+};
+
+double median(std::vector<double> values)
+{
+    if (values.empty())
+        return 0.0;
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::vector<int> neighbours(const System& system, int particle)
+{
+    std::vector<int> others;
+    const auto p = std::size_t(particle);
+    for (int k = system.rodsAt.start[p]; k < system.rodsAt.start[p + 1]; ++k) {
+        const Rod& rod = system.rods[std::size_t(system.rodsAt.items[std::size_t(k)])];
+        others.push_back(rod.a == particle ? rod.b : rod.a);
+    }
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    return others;
+}
+
+// Particles that lie in lines: free, in no panel and in no triangle of rods.
+std::vector<std::uint8_t> particlesOfLines(const System& system)
+{
+    const std::size_t count = system.inverseMass.size();
+    std::vector<std::uint8_t> inLine(count, 0);
+    for (std::size_t i = 0; i < count; ++i)
+        inLine[i] = system.inverseMass[i] > 0.0
+                    && system.rodsAt.start[i] < system.rodsAt.start[i + 1]
+                    && system.panelsAt.start[i] == system.panelsAt.start[i + 1];
+    for (const Rod& rod : system.rods) {
+        if (!inLine[std::size_t(rod.a)] && !inLine[std::size_t(rod.b)])
+            continue;
+        const std::vector<int> a = neighbours(system, rod.a);
+        const std::vector<int> b = neighbours(system, rod.b);
+        std::vector<int> both;
+        std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+        if (!both.empty())
+            inLine[std::size_t(rod.a)] = inLine[std::size_t(rod.b)] = 0;
+    }
+    std::vector<double> masses;
+    for (std::size_t i = 0; i < count; ++i)
+        if (inLine[i])
+            masses.push_back(1.0 / system.inverseMass[i]);
+    const double usual = median(masses);
+    for (std::size_t i = 0; i < count; ++i)
+        if (inLine[i] && 1.0 > heavyInLine * usual * system.inverseMass[i])
+            inLine[i] = 0;
+    return inLine;
+}
+
+// Clusters that a rigging ties together, each once, and its ends in them.
+struct Ties
+{
+    int ends = 0;
+    std::vector<int> clusters;
+};
+
+std::vector<Candidate> riggings(const System& system)
+{
+    const std::vector<std::uint8_t> inLine = particlesOfLines(system);
+    std::vector<std::uint8_t> other(inLine.size());
+    std::transform(inLine.begin(), inLine.end(), other.begin(),
+                   [](std::uint8_t line) { return std::uint8_t(!line); });
+    const Groups rigging(system, inLine, [](int) { return true; });
+    const Groups cluster(system, other, [](int) { return true; });
+
+    std::vector<double> clusterMass(std::size_t(cluster.count()), 0.0);
+    std::vector<std::uint8_t> pinned(std::size_t(cluster.count()), 0);
+    std::vector<Candidate> found(std::size_t(rigging.count()));
+    std::vector<double> ownMass(found.size(), 0.0);
+    for (int i = 0; i < int(inLine.size()); ++i) {
+        const double w = system.inverseMass[std::size_t(i)];
+        if (rigging[i] >= 0) {
+            ++found[std::size_t(rigging[i])].particles;
+            ownMass[std::size_t(rigging[i])] += 1.0 / w;
+        } else if (w > 0.0) {
+            clusterMass[std::size_t(cluster[i])] += 1.0 / w;
+        } else {
+            pinned[std::size_t(cluster[i])] = 1;
+        }
+    }
+
+    std::vector<Ties> ties(found.size());
+    for (int r = 0; r < int(system.rods.size()); ++r) {
+        const Rod& rod = system.rods[std::size_t(r)];
+        const int mine = std::max(rigging[rod.a], rigging[rod.b]);
+        if (mine < 0)
+            continue;
+        found[std::size_t(mine)].rods.push_back(r);
+        for (const int end : {rod.a, rod.b})
+            if (cluster[end] >= 0) {
+                ++ties[std::size_t(mine)].ends;
+                ties[std::size_t(mine)].clusters.push_back(cluster[end]);
+            }
+    }
+    for (std::size_t g = 0; g < found.size(); ++g) {
+        auto& clusters = ties[g].clusters;
+        std::sort(clusters.begin(), clusters.end());
+        clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+        double load = 0.0;
+        double heaviest = 0.0;
+        bool held = false;
+        for (const int c : clusters) {
+            if (pinned[std::size_t(c)]) {
+                held = true;
+                continue;
+            }
+            load += clusterMass[std::size_t(c)];
+            heaviest = std::max(heaviest, clusterMass[std::size_t(c)]);
+        }
+        if (!held)
+            load -= heaviest;
+        const double n = double(found[g].particles) / std::max(1, ties[g].ends - 1);
+        const double mass = ownMass[g] / found[g].particles;
+        found[g].sweeps = n * n / 10.0 + 2.0 * n * load / mass;
+    }
+    return found;
+}
+
+// Networks as a whole, when they are small enough and slow.
+std::vector<Candidate> frames(const System& system, std::span<const Candidate> rigged)
+{
+    std::vector<std::uint8_t> free(system.inverseMass.size());
+    std::transform(system.inverseMass.begin(), system.inverseMass.end(), free.begin(),
+                   [](double w) { return std::uint8_t(w > 0.0); });
+    const Groups network(system, free, [](int) { return true; });
+    const auto networkOf = [&](int rod) {
+        const Rod& r = system.rods[std::size_t(rod)];
+        return std::max(network[r.a], network[r.b]);
+    };
+
+    std::vector<Candidate> found(std::size_t(network.count()));
+    std::vector<std::vector<double>> masses(found.size());
+    for (int i = 0; i < int(free.size()); ++i)
+        if (free[std::size_t(i)])
+            masses[std::size_t(network[i])].push_back(1.0 / system.inverseMass[std::size_t(i)]);
+    for (int r = 0; r < int(system.rods.size()); ++r)
+        if (networkOf(r) >= 0)
+            found[std::size_t(networkOf(r))].rods.push_back(r);
+    for (const Candidate& rigging : rigged) {
+        double& sweeps = found[std::size_t(networkOf(rigging.rods[0]))].sweeps;
+        sweeps = std::max(sweeps, rigging.sweeps);
+    }
+    for (std::size_t g = 0; g < found.size(); ++g) {
+        found[g].particles = int(masses[g].size());
+        const double heaviest = *std::max_element(masses[g].begin(), masses[g].end());
+        if (heaviest >= heavyLoad * median(masses[g]))
+            found[g].sweeps = std::max(found[g].sweeps, manySweeps);
+        DirectSolver trial;
+        if (found[g].particles <= mostParticles && found[g].sweeps >= manySweeps)
+            trial.prepare(system, found[g].rods);
+        if (trial.rods() == 0 || trial.products() > mostProducts)
+            found[g].sweeps = 0.0;
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<int> rodsForDirect(const System& system)
+{
+    std::vector<Candidate> candidates = riggings(system);
+    std::vector<Candidate> whole = frames(system, candidates);
+    // a network comes before the riggings that it contains
+    whole.insert(whole.end(), candidates.begin(), candidates.end());
+    std::stable_sort(whole.begin(), whole.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.sweeps > b.sweeps; });
+
+    std::vector<std::uint8_t> chosen(system.rods.size(), 0);
+    int particles = 0;
+    for (const Candidate& candidate : whole) {
+        if (candidate.sweeps < manySweeps || particles + candidate.particles > mostParticles
+            || candidate.rods.empty() || chosen[std::size_t(candidate.rods[0])])
+            continue;
+        particles += candidate.particles;
+        for (const int rod : candidate.rods)
+            chosen[std::size_t(rod)] = 1;
+    }
+    std::vector<int> rods;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i])
+            rods.push_back(int(i));
+    return rods;
+}
+
+std::vector<std::uint8_t> directChoice(const System& system)
+{
+    std::vector<std::uint8_t> direct;
+    for (const int rod : rodsForDirect(system)) {
+        direct.resize(system.rods.size(), 0);
+        direct[std::size_t(rod)] = 1;
+    }
+    return direct;
+}
+
+} // namespace ripstop

@@ -1,0 +1,344 @@
+#include "sim/direct_solver.h"
+
+#include "sim/rod_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+constexpr double tolerance = 3e-4;     // of a rod's length
+constexpr double strainOfRigid = 1e-4; // under `greatLoad`
+constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
+constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
+constexpr double greatestSoftness = 1e-4;
+constexpr int halvings = 6;
+
+RIPSTOP_INLINE double dot(const Row& a, const Row& b)
+{
+    return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
+}
+
+} // namespace
+
+void DirectSolver::prepare(const System& system, std::span<const int> rods)
+{
+    m_h = 0.0;
+    m_bars.clear();
+    m_particle.clear();
+    m_mass.clear();
+    constexpr auto none = std::uint32_t(-1);
+    std::vector<std::uint32_t> row(system.inverseMass.size(), none);
+    for (const bool pins : {false, true})
+        for (const int r : rods)
+            for (const int end : {system.rods[std::size_t(r)].a, system.rods[std::size_t(r)].b}) {
+                const auto p = std::size_t(end);
+                if (row[p] != none || (system.inverseMass[p] == 0.0) != pins)
+                    continue;
+                row[p] = std::uint32_t(m_particle.size());
+                m_particle.push_back(end);
+                if (!pins)
+                    m_mass.push_back(1.0 / system.inverseMass[p]);
+            }
+
+    std::vector<std::pair<int, int>> pairs;
+    for (const int r : rods) {
+        const Rod& rod = system.rods[std::size_t(r)];
+        Bar bar;
+        bar.rod = r;
+        bar.a = row[std::size_t(rod.a)];
+        bar.b = row[std::size_t(rod.b)];
+        bar.resists = rod.resists;
+        bar.weight =
+            system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+        if (bar.weight == 0.0 || bar.a == bar.b) // nothing to move
+            continue;
+        if (bar.a < nodes() && bar.b < nodes()) {
+            bar.pair = int(pairs.size());
+            pairs.emplace_back(bar.a, bar.b);
+        }
+        m_bars.push_back(bar);
+    }
+    m_matrix.analyze(nodes(), pairs);
+    findIslands();
+    m_position.assign(m_particle.size(), Row{});
+    m_move.assign(m_particle.size(), Row{});
+    m_guess.assign(nodes(), Row{});
+    m_from.assign(nodes(), Row{});
+}
+
+void DirectSolver::findIslands()
+{
+    // Every row points to a lower one of its island until it points to the lowest; those that a pin
+    // holds point to -1 in the end.
+    std::vector<int> lower(m_particle.size());
+    std::iota(lower.begin(), lower.end(), 0);
+    const auto lowest = [&](std::uint32_t row) {
+        while (lower[row] != int(row))
+            row = std::uint32_t(lower[row]);
+        return int(row);
+    };
+    std::vector<std::uint8_t> held(lower.size(), 0);
+    for (const Bar& bar : m_bars)
+        if (bar.pair >= 0) {
+            const auto [low, high] = std::minmax({lowest(bar.a), lowest(bar.b)});
+            lower[std::size_t(high)] = low;
+        }
+    for (const Bar& bar : m_bars)
+        if (bar.pair < 0)
+            held[std::size_t(lowest(std::min(bar.a, bar.b)))] = 1;
+
+    m_island.assign(nodes(), -1);
+    m_islandMass.clear();
+    std::vector<int> number(nodes(), -1);
+    for (std::size_t i = 0; i < nodes(); ++i) {
+        const auto root = std::size_t(lowest(std::uint32_t(i)));
+        if (held[root])
+            continue;
+        if (number[root] < 0) {
+            number[root] = int(m_islandMass.size());
+            m_islandMass.push_back(0.0);
+        }
+        m_island[i] = number[root];
+        m_islandMass[std::size_t(number[root])] += m_mass[i];
+    }
+    m_drift.assign(m_islandMass.size(), Row{});
+}
+
+// Rods move no centre of mass. Stiff ones next to light particles would do so by rounding errors.
+void DirectSolver::keepCenters()
+{
+    std::fill(m_drift.begin(), m_drift.end(), Row{});
+    for (std::size_t i = 0; i < m_island.size(); ++i)
+        if (m_island[i] >= 0)
+            four(m_drift[std::size_t(m_island[i])].v) +=
+                m_mass[i] * (four(m_position[i].v) - four(m_guess[i].v));
+    for (std::size_t i = 0; i < m_island.size(); ++i)
+        if (m_island[i] >= 0) {
+            const auto island = std::size_t(m_island[i]);
+            four(m_position[i].v) -= four(m_drift[island].v) / m_islandMass[island];
+        }
+}
+
+void DirectSolver::soften(const System& system, double h)
+{
+    m_h = h;
+    const double load = greatLoad * std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
+    for (Bar& bar : m_bars) {
+        const Rod& rod = system.rods[std::size_t(bar.rod)];
+        const double unseen = strainOfRigid * rod.restLength / load;
+        bar.softness = rod.compliance / (h * h)
+                       + std::clamp(unseen / (h * h), leastSoftness * bar.weight,
+                                    greatestSoftness * bar.weight);
+    }
+}
+
+void DirectSolver::start(const RodTask& task)
+{
+    if (task.h != m_h)
+        soften(task.system, task.h);
+    for (Bar& bar : m_bars) {
+        const auto r = std::size_t(bar.rod);
+        bar.torn = task.torn[r] != 0;
+        bar.rest = task.restLength[r];
+        bar.multiplier = bar.torn ? 0.0 : task.multiplier[r];
+    }
+}
+
+int DirectSolver::project(const RodTask& task, int iterations)
+{
+    if (m_bars.empty())
+        return 0;
+    for (std::size_t i = 0; i < m_particle.size(); ++i) {
+        const Vec3& x = task.position[std::size_t(m_particle[i])];
+        m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
+    }
+    std::copy_n(m_position.begin(), nodes(), m_guess.begin());
+
+    measure();
+    int taken = 0;
+    for (bool near = false; !near && taken < iterations; ++taken) {
+        std::copy_n(m_position.begin(), nodes(), m_from.begin());
+        assemble();
+        const double before = merit();
+        if (!m_matrix.factorize()) // when something is not a number: the watchdog will see it
+            break;
+        m_matrix.solve(m_move);
+        foresee();
+        go(1.0);
+        near = error() < tolerance;
+        double share = 1.0;
+        for (int i = 0; i < halvings && !near && merit() > before; ++i)
+            go(share *= 0.5);
+        if (share < 1.0)
+            for (Bar& bar : m_bars)
+                bar.multiplier = bar.before + share * (bar.multiplier - bar.before);
+    }
+
+    keepCenters();
+    for (std::size_t i = 0; i < nodes(); ++i)
+        task.position[std::size_t(m_particle[i])] =
+            Vec3(m_position[i].v[0], m_position[i].v[1], m_position[i].v[2]);
+    for (const Bar& bar : m_bars) {
+        double multiplier = bar.multiplier;
+        if (bar.resists == Resists::Tension)
+            multiplier = std::max(multiplier, 0.0);
+        if (bar.resists == Resists::Compression)
+            multiplier = std::min(multiplier, 0.0);
+        task.multiplier[std::size_t(bar.rod)] = multiplier;
+    }
+    return taken;
+}
+
+// Lengths and directions of now.
+RIPSTOP_CLONES
+void DirectSolver::measure()
+{
+    for (Bar& bar : m_bars) {
+        const Four d = four(m_position[bar.b].v) - four(m_position[bar.a].v);
+        bar.length = __builtin_sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        four(bar.direction.v) = d * (bar.length > 0.0 ? 1.0 / bar.length : 0.0);
+        bar.stretch = bar.length - bar.rest;
+    }
+}
+
+// A rod of no length holds its ends together from every side; coincident ends of one that has a
+// length show no direction to move along.
+bool DirectSolver::acts(const Bar& bar)
+{
+    if (bar.torn || (bar.length == 0.0 && bar.rest > 0.0))
+        return false;
+    switch (bar.resists) {
+    case Resists::Tension:
+        return bar.rest == 0.0 || bar.multiplier * bar.weight + bar.stretch > 0.0;
+    case Resists::Compression:
+        return bar.multiplier * bar.weight + bar.stretch < 0.0;
+    case Resists::Both:
+        break;
+    }
+    return true;
+}
+
+RIPSTOP_CLONES
+void DirectSolver::assemble()
+{
+    const std::size_t count = m_mass.size();
+    m_matrix.setZero();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double mass = m_mass[i];
+        BlockCholesky::Block& block = m_matrix.diagonal(i);
+        for (int c = 0; c < 3; ++c)
+            block.column[c][c] = mass;
+        four(m_move[i].v) = mass * (four(m_guess[i].v) - four(m_position[i].v));
+    }
+    for (Bar& bar : m_bars) {
+        bar.active = acts(bar);
+        if (!bar.active)
+            continue;
+        const Four n = four(bar.direction.v);
+        const double along = 1.0 / bar.softness;
+        const double across = bar.rest == 0.0 ? along : std::max(bar.multiplier, 0.0) / bar.length;
+        Four column[3];
+        for (int c = 0; c < 3; ++c) {
+            column[c] = n * ((along - across) * n[c]);
+            column[c][c] += across;
+        }
+        const Four pull = n * (along * bar.stretch);
+        if (bar.a < count) {
+            BlockCholesky::Block& block = m_matrix.diagonal(bar.a);
+            for (int c = 0; c < 3; ++c)
+                four(block.column[c]) += column[c];
+            four(m_move[bar.a].v) += pull;
+        }
+        if (bar.b < count) {
+            BlockCholesky::Block& block = m_matrix.diagonal(bar.b);
+            for (int c = 0; c < 3; ++c)
+                four(block.column[c]) += column[c];
+            four(m_move[bar.b].v) -= pull;
+        }
+        if (bar.pair >= 0) {
+            BlockCholesky::Block& block = m_matrix.pair(std::size_t(bar.pair));
+            for (int c = 0; c < 3; ++c)
+                four(block.column[c]) -= column[c];
+        }
+    }
+}
+
+// Multipliers at the end of the move, if rods were straight rails.
+void DirectSolver::foresee()
+{
+    for (Bar& bar : m_bars) {
+        bar.before = bar.multiplier;
+        bar.multiplier = 0.0;
+        if (!bar.active)
+            continue;
+        Row opening;
+        four(opening.v) = four(m_move[bar.b].v) - four(m_move[bar.a].v);
+        if (bar.rest == 0.0) {
+            four(opening.v) += bar.length * four(bar.direction.v);
+            bar.multiplier = std::sqrt(dot(opening, opening)) / bar.softness;
+        } else {
+            bar.multiplier = (bar.stretch + dot(bar.direction, opening)) / bar.softness;
+        }
+    }
+}
+
+void DirectSolver::go(double share)
+{
+    for (std::size_t i = 0; i < m_from.size(); ++i)
+        four(m_position[i].v) = four(m_from[i].v) + share * four(m_move[i].v);
+    measure();
+}
+
+// What an idle line is too long, or an idle strut too short, m.
+double DirectSolver::excess(const Bar& bar)
+{
+    if (bar.torn)
+        return 0.0;
+    switch (bar.resists) {
+    case Resists::Tension:
+        return std::max(bar.stretch, 0.0);
+    case Resists::Compression:
+        return std::min(bar.stretch, 0.0);
+    case Resists::Both:
+        break;
+    }
+    return 0.0; // coincident ends
+}
+
+// The sum that is minimised, for the rods that are active now; kg m^2.
+double DirectSolver::merit() const
+{
+    double twice = 0.0;
+    for (std::size_t i = 0; i < m_mass.size(); ++i) {
+        Row way;
+        four(way.v) = four(m_position[i].v) - four(m_guess[i].v);
+        twice += m_mass[i] * dot(way, way);
+    }
+    for (const Bar& bar : m_bars) {
+        const double c = bar.active ? bar.stretch : excess(bar);
+        twice += c * c / bar.softness;
+    }
+    return 0.5 * twice;
+}
+
+// How far the worst rod is from where the linear system put it, as a share of its length; a line
+// that pushed counts with what that moved its ends.
+double DirectSolver::error() const
+{
+    double worst = 0.0;
+    for (const Bar& bar : m_bars) {
+        double off =
+            std::abs(bar.active ? bar.stretch - bar.softness * bar.multiplier : excess(bar));
+        if ((bar.resists == Resists::Tension && bar.multiplier < 0.0)
+            || (bar.resists == Resists::Compression && bar.multiplier > 0.0))
+            off += std::abs(bar.multiplier) * bar.weight;
+        if (!(off <= worst * bar.rest))
+            worst = bar.rest > 0.0 ? off / bar.rest : off;
+    }
+    return worst;
+}
+
+} // namespace ripstop
