@@ -13,7 +13,10 @@ constexpr int mostParticles = 500;
 constexpr std::size_t mostProducts = 20000;
 constexpr double manySweeps = 200.0;
 constexpr double heavyLoad = 30.0;   // over the median mass
-constexpr double heavyInLine = 10.0; // over the median mass
+constexpr double heavyInLine = 10.0; // over the median mass of its neighbours
+constexpr double alikeMasses = 5.0;
+constexpr std::size_t mostTies = 8; // to other particles, in a line
+constexpr double straight = 0.99;   // twice the longest side over the circumference
 
 struct Candidate
 {
@@ -69,46 +72,104 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-std::vector<int> neighbours(const System& system, int particle)
+// Particles that rods tie to each, in ascending order.
+class Neighbours
 {
-    std::vector<int> others;
-    const auto p = std::size_t(particle);
-    for (int k = system.rodsAt.start[p]; k < system.rodsAt.start[p + 1]; ++k) {
-        const Rod& rod = system.rods[std::size_t(system.rodsAt.items[std::size_t(k)])];
-        others.push_back(rod.a == particle ? rod.b : rod.a);
+public:
+    explicit Neighbours(const System& system)
+        : m_others(system.inverseMass.size())
+    {
+        for (const Rod& rod : system.rods) {
+            m_others[std::size_t(rod.a)].push_back(rod.b);
+            m_others[std::size_t(rod.b)].push_back(rod.a);
+        }
+        for (auto& others : m_others) {
+            std::sort(others.begin(), others.end());
+            others.erase(std::unique(others.begin(), others.end()), others.end());
+        }
     }
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
-    return others;
+    const std::vector<int>& operator[](int particle) const
+    {
+        return m_others[std::size_t(particle)];
+    }
+    bool areTied(int a, int b) const
+    {
+        const auto& others = (*this)[a];
+        return std::binary_search(others.begin(), others.end(), b);
+    }
+
+private:
+    std::vector<std::vector<int>> m_others; // [particles]
+};
+
+bool alike(const System& system, int a, int b)
+{
+    const double u = system.inverseMass[std::size_t(a)];
+    const double w = system.inverseMass[std::size_t(b)];
+    return u < alikeMasses * w && w < alikeMasses * u;
 }
 
-// Particles that lie in lines: free, in no panel and in no triangle of rods.
+// Whether three particles lie in a row, as in a line with rods to second neighbours against folds.
+bool inRow(const System& system, int a, int b, int c)
+{
+    const auto apart = [&](int i, int j) {
+        return (system.start.position[std::size_t(i)] - system.start.position[std::size_t(j)])
+            .norm();
+    };
+    const double ab = apart(a, b);
+    const double bc = apart(b, c);
+    const double ca = apart(c, a);
+    return 2.0 * std::max({ab, bc, ca}) > straight * (ab + bc + ca);
+}
+
+// Whether a rod is an edge of a mesh: of a triangle or square of rods between particles alike.
+bool isInMesh(const System& system, const Neighbours& neighbours, const Rod& rod)
+{
+    const auto [a, b] = std::pair(rod.a, rod.b);
+    if (!alike(system, a, b))
+        return false;
+    for (const int c : neighbours[a]) {
+        if (c == b || !alike(system, a, c))
+            continue;
+        if (neighbours.areTied(c, b)) {
+            if (!inRow(system, a, b, c))
+                return true;
+            continue;
+        }
+        for (const int d : neighbours[b])
+            if (d != a && alike(system, b, d) && neighbours.areTied(c, d)
+                && !neighbours.areTied(a, d))
+                return true;
+    }
+    return false;
+}
+
 std::vector<std::uint8_t> particlesOfLines(const System& system)
 {
     const std::size_t count = system.inverseMass.size();
+    const Neighbours neighbours(system);
     std::vector<std::uint8_t> inLine(count, 0);
-    for (std::size_t i = 0; i < count; ++i)
-        inLine[i] = system.inverseMass[i] > 0.0
-                    && system.rodsAt.start[i] < system.rodsAt.start[i + 1]
-                    && system.panelsAt.start[i] == system.panelsAt.start[i + 1];
-    for (const Rod& rod : system.rods) {
-        if (!inLine[std::size_t(rod.a)] && !inLine[std::size_t(rod.b)])
-            continue;
-        const std::vector<int> a = neighbours(system, rod.a);
-        const std::vector<int> b = neighbours(system, rod.b);
-        std::vector<int> both;
-        std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-        if (!both.empty())
-            inLine[std::size_t(rod.a)] = inLine[std::size_t(rod.b)] = 0;
-    }
     std::vector<double> masses;
-    for (std::size_t i = 0; i < count; ++i)
-        if (inLine[i])
-            masses.push_back(1.0 / system.inverseMass[i]);
-    const double usual = median(masses);
-    for (std::size_t i = 0; i < count; ++i)
-        if (inLine[i] && 1.0 > heavyInLine * usual * system.inverseMass[i])
-            inLine[i] = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double w = system.inverseMass[i];
+        if (w == 0.0 || neighbours[int(i)].empty() || neighbours[int(i)].size() > mostTies)
+            continue;
+        masses.clear();
+        for (const int other : neighbours[int(i)])
+            if (system.inverseMass[std::size_t(other)] > 0.0)
+                masses.push_back(1.0 / system.inverseMass[std::size_t(other)]);
+        const bool heavy = !masses.empty() && 1.0 > heavyInLine * median(masses) * w;
+        inLine[i] = !heavy;
+    }
+    for (const FabricPanel& panel : system.panels) {
+        const auto [a, b, c] = panel.corner;
+        if (alike(system, a, b) && alike(system, b, c) && alike(system, c, a))
+            inLine[std::size_t(a)] = inLine[std::size_t(b)] = inLine[std::size_t(c)] = 0;
+    }
+    for (const Rod& rod : system.rods)
+        if ((inLine[std::size_t(rod.a)] || inLine[std::size_t(rod.b)])
+            && isInMesh(system, neighbours, rod))
+            inLine[std::size_t(rod.a)] = inLine[std::size_t(rod.b)] = 0;
     return inLine;
 }
 
@@ -125,7 +186,10 @@ std::vector<Candidate> riggings(const System& system)
     std::vector<std::uint8_t> other(inLine.size());
     std::transform(inLine.begin(), inLine.end(), other.begin(),
                    [](std::uint8_t line) { return std::uint8_t(!line); });
-    const Groups rigging(system, inLine, [](int) { return true; });
+    const Groups rigging(system, inLine, [&](int r) {
+        const Rod& rod = system.rods[std::size_t(r)];
+        return alike(system, rod.a, rod.b);
+    });
     const Groups cluster(system, other, [](int) { return true; });
 
     std::vector<double> clusterMass(std::size_t(cluster.count()), 0.0);

@@ -9,11 +9,14 @@
 // of 14 equal particles, 13 million for 65 kg on 100 particles of 1 g. The block takes what would
 // need more than 200:
 //
-// - *Rigging*: particles that are neither corners of a panel, nor in a triangle of rods, nor ten
-//   times as heavy as half of their like; connected ones belong together. What they are tied to
-//   moves as clusters, connected by rods of its own. The load M of a rigging is the mass of all
-//   clusters that it ties together but the heaviest, and everything pinned is the heaviest; n is
-//   the number of its particles for each end that it has beyond the first.
+// - *Rigging*: particles that are not of a mesh (corners of a panel, or of a triangle or square of
+//   rods that are not all in a row, whose masses are alike within a factor of five) tied to
+//   at most eight others and less than ten times as heavy as these. Those that rods join and that
+//   are alike belong together. All their rods are taken, those to the fabric too: sweeps would
+//   stretch these, since they take the light particle of a tight line for free. What a rigging ties
+//   together are clusters: other particles, with the rods between them. Its load M is the mass of
+//   all its clusters but the heaviest, and everything pinned is the heaviest; n is the number of
+//   its particles for each end that it has beyond the first.
 // - *Small frames*: all rods of a network (what rods join without passing a pin) of at most 500
 //   particles that has such a rigging, or a particle 30 times as heavy as half of the others.
 //

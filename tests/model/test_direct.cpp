@@ -76,28 +76,35 @@ double largestStrain(const System& system, const State& state)
     return worst;
 }
 
-// A net of 8 x 4 particles of 20 g that hangs by its left edge on the middle of a heavy line.
-System netOnHeavyLine(int substeps, int sweeps)
+bool inLine(int particle) { return particle <= 100; }
+
+// A net of particles of 20 g that hangs by its left edge on the lower half of a heavy line.
+System netOnHeavyLine(int rows, int columns)
 {
     System system = heavyLine(65.0, Vec3(0.0, -1.0, 0.0));
     system.solver = Solver::GaussSeidel;
-    system.substeps = substeps;
-    system.sweeps = sweeps;
     system.viscosity = 2.0;
-    for (int row = 0; row < 8; ++row)
-        for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
             const int here =
                 addParticle(system, {0.1 * (column + 1), -0.1 * (row + 46), 0.0}, 0.02);
             addRod(system, column > 0 ? here - 1 : row + 46, here, 0.1);
             if (row > 0)
-                addRod(system, here - 4, here, 0.1);
+                addRod(system, here - columns, here, 0.1);
         }
     finish(system);
-    system.direct = directChoice(system);
     return system;
 }
 
-bool inLine(const Rod& rod) { return rod.a <= 100 && rod.b <= 100; }
+// The rods of the line and those that tie the net to it.
+std::vector<int> rodsAtLine(const System& system)
+{
+    std::vector<int> rods;
+    for (std::size_t i = 0; i < system.rods.size(); ++i)
+        if (inLine(system.rods[i].a) || inLine(system.rods[i].b))
+            rods.push_back(int(i));
+    return rods;
+}
 
 // Six corners of an octahedron of 1 m, every one tied to every other: 15 rods where 12 would do.
 System bracedOctahedron()
@@ -437,10 +444,12 @@ private slots:
     {
         QFETCH(int, substeps);
         QFETCH(int, sweeps);
-        const System system = netOnHeavyLine(substeps, sweeps);
-        for (std::size_t i = 0; i < system.rods.size(); ++i)
-            if (inLine(system.rods[i]))
-                QVERIFY(system.direct[i]);
+        System system = netOnHeavyLine(8, 4);
+        system.substeps = substeps;
+        system.sweeps = sweeps;
+        system.direct.assign(system.rods.size(), 0);
+        for (const int rod : rodsAtLine(system))
+            system.direct[std::size_t(rod)] = 1;
         State state = system.start;
         Stepper stepper;
         double lineStrain = 0.0;
@@ -450,20 +459,37 @@ private slots:
             stepper.step(system, state);
             for (std::size_t i = 0; i < system.rods.size(); ++i) {
                 const Rod& rod = system.rods[i];
-                const double strain =
-                    (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm()
-                        / rod.restLength
-                    - 1.0;
-                double& worst = inLine(rod) ? lineStrain : netStrain;
-                if (inLine(rod) || step > 600)
-                    worst = std::max(worst, std::abs(strain));
+                const double length =
+                    (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)])
+                        .norm();
+                double& worst = inLine(rod.a) && inLine(rod.b) ? lineStrain : netStrain;
+                worst = std::max(worst, std::abs(length / rod.restLength - 1.0));
                 if (rod.a == 0 && step > 1000)
                     QVERIFY2(isNear(state.rodTension[i], expected, 1e-3 * expected),
                              told(state.rodTension[i], expected));
             }
         }
         QVERIFY2(lineStrain < 1e-3, told(lineStrain, 0.0));
-        QVERIFY2(netStrain < 1e-2, told(netStrain, 0.0));
+        QVERIFY2(netStrain < 2e-2, told(netStrain, 0.0));
+    }
+
+    // What the rule of direct_choice.h says of known networks.
+    void choice()
+    {
+        const System alone = netOnHeavyLine(8, 4); // a small frame: 132 particles
+        QCOMPARE(rodsForDirect(alone).size(), alone.rods.size());
+        const System large = netOnHeavyLine(20, 40); // 900 particles: the line only
+        QVERIFY(rodsForDirect(large) == rodsAtLine(large));
+        System even = heavyLine(0.001, Vec3(0.0, -1.0, 0.0)); // n^2 / 10 = 1000 sweeps
+        finish(even);
+        QCOMPARE(rodsForDirect(even).size(), std::size_t(100));
+        System brief = directSystem(0.01, 1); // two particles: 1 sweep
+        addParticle(brief, Vec3::Zero(), 1.0);
+        addParticle(brief, {1.0, 0.0, 0.0}, 1.0);
+        addRod(brief, 0, 1, 1.0);
+        finish(brief);
+        QVERIFY(rodsForDirect(brief).empty());
+        QVERIFY(directChoice(brief).empty());
     }
 
     // The same bits in every run and at every number of threads, and on from a checkpoint.
