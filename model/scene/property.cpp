@@ -102,7 +102,7 @@ std::span<const Property> allProperties()
         property<&Settings::notes>       ("notes",       "Notes",        "",        DisplayOnly, "What a reader of this scene should know."),
         property<&Settings::timeStep>    ("timeStep",    "Time step",    "s",       Recompile,   "Simulated time of one step; shorter is more exact and slower.", {1e-6, 0.1}),
         property<&Settings::substeps>    ("substeps",    "Substeps",     "",        Recompile,   "Parts that each time step is cut into; the cheapest way to stiffer rods.", {1, 10000}),
-        property<&Settings::sweeps>      ("sweeps",      "Sweeps",       "",        Recompile,   "Passes over all rods in each substep; more is stiffer and slower. The direct solver stops as soon as it has converged.", {1, 100000}),
+        property<&Settings::sweeps>      ("sweeps",      "Sweeps",       "",        Recompile,   "Passes over all rods in each substep; more is stiffer and slower; the direct solver stops as soon as it has converged.", {1, 100000}),
         property<&Settings::integrator>  ("integrator",  "Integrator",   "",        Recompile,   "Rule that turns forces into motion."),
         property<&Settings::solver>      ("solver",      "Rod solver",   "",        Recompile,   "Rule that restores the lengths of rods; averaged Jacobi conserves momentum, the paper's does not, Gauss-Seidel converges faster, and the direct one holds heavy loads on light lines and small frames at once."),
         property<&Settings::gravity>     ("gravity",     "Gravity",      "m/s\u00b2", Recompile, "Acceleration of everything that falls; y is up."),

@@ -25,7 +25,7 @@ RIPSTOP_INLINE double dot(const Row& a, const Row& b)
 
 void DirectSolver::prepare(const System& system, std::span<const int> rods)
 {
-    m_h = 0.0;
+    m_rods.assign(rods.begin(), rods.end());
     m_bars.clear();
     m_particle.clear();
     m_mass.clear();
@@ -40,7 +40,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
                 row[p] = std::uint32_t(m_particle.size());
                 m_particle.push_back(end);
                 if (!pins)
-                    m_mass.push_back(1.0 / system.inverseMass[p]);
+                    m_mass.push_back(0.0);
             }
 
     std::vector<std::pair<int, int>> pairs;
@@ -50,10 +50,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
         bar.rod = r;
         bar.a = row[std::size_t(rod.a)];
         bar.b = row[std::size_t(rod.b)];
-        bar.resists = rod.resists;
-        bar.weight =
-            system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
-        if (bar.weight == 0.0 || bar.a == bar.b) // nothing to move
+        if (bar.a == bar.b || std::min(bar.a, bar.b) >= nodes()) // nothing to move
             continue;
         if (bar.a < nodes() && bar.b < nodes()) {
             bar.pair = int(pairs.size());
@@ -63,6 +60,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
     }
     m_matrix.analyze(nodes(), pairs);
     findIslands();
+    takeValues(system);
     m_position.assign(m_particle.size(), Row{});
     m_move.assign(m_particle.size(), Row{});
     m_guess.assign(nodes(), Row{});
@@ -102,9 +100,41 @@ void DirectSolver::findIslands()
             m_islandMass.push_back(0.0);
         }
         m_island[i] = number[root];
-        m_islandMass[std::size_t(number[root])] += m_mass[i];
     }
     m_drift.assign(m_islandMass.size(), Row{});
+}
+
+void DirectSolver::refresh(const System& system)
+{
+    if (hasSamePins(system))
+        takeValues(system);
+    else
+        prepare(system, std::vector<int>(m_rods));
+}
+
+bool DirectSolver::hasSamePins(const System& system) const
+{
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if ((system.inverseMass[std::size_t(m_particle[i])] == 0.0) != (i >= nodes()))
+            return false;
+    return true;
+}
+
+void DirectSolver::takeValues(const System& system)
+{
+    m_h = 0.0;
+    std::fill(m_islandMass.begin(), m_islandMass.end(), 0.0);
+    for (std::size_t i = 0; i < nodes(); ++i) {
+        m_mass[i] = 1.0 / system.inverseMass[std::size_t(m_particle[i])];
+        if (m_island[i] >= 0)
+            m_islandMass[std::size_t(m_island[i])] += m_mass[i];
+    }
+    for (Bar& bar : m_bars) {
+        const Rod& rod = system.rods[std::size_t(bar.rod)];
+        bar.resists = rod.resists;
+        bar.weight =
+            system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+    }
 }
 
 // Rods move no centre of mass. Stiff ones next to light particles would do so by rounding errors.

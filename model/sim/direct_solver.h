@@ -47,6 +47,9 @@ public:
     // and nowhere else.
     void prepare(const System& system, std::span<const int> rods);
 
+    // Reads the numbers of the rods and the masses again, after they changed in place.
+    void refresh(const System& system);
+
     // Reads what the block's rods start from: what is torn, rest lengths, and the multipliers of
     // the substep before.
     void start(const RodTask& task);
@@ -79,6 +82,8 @@ private:
         double before = 0.0;     // kg m, of the iteration before
     };
 
+    bool hasSamePins(const System& system) const;
+    void takeValues(const System& system);
     void soften(const System& system, double h);
     void measure();
     void assemble();
@@ -91,7 +96,8 @@ private:
     static bool acts(const Bar& bar);
     static double excess(const Bar& bar);
 
-    double m_h = 0.0; // s, for which softness is right
+    std::vector<int> m_rods; // that it was given
+    double m_h = 0.0;        // s, for which softness is right
     BlockCholesky m_matrix;
     std::vector<Bar> m_bars;
     std::vector<int> m_particle;      // [rows] particle; nodes first, then pins

@@ -44,14 +44,22 @@ void RodSolver::project(const RodTask& task, Crew& crew)
         averagedSweep(task, crew);
 }
 
+// The direct solver has all rods, those that the system marks, or none.
 void RodSolver::prepareDirect(const System& system)
 {
-    if (system.serial == m_directSerial)
+    if (system.serial == m_serial && system.solver == m_directFor) {
+        if (system.valuesSerial != m_valuesSerial)
+            m_direct.refresh(system);
+        m_valuesSerial = system.valuesSerial;
         return;
-    m_directSerial = system.serial;
+    }
+    m_serial = system.serial;
+    m_valuesSerial = system.valuesSerial;
+    m_directFor = system.solver;
+    const bool beside = system.solver == Solver::GaussSeidel && !system.direct.empty();
     std::vector<int> rods;
     for (std::size_t i = 0; i < system.rods.size(); ++i)
-        if (system.solver == Solver::Direct || (!system.direct.empty() && system.direct[i]))
+        if (system.solver == Solver::Direct || (beside && system.direct[i]))
             rods.push_back(int(i));
     m_direct.prepare(system, rods);
 }

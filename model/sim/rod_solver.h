@@ -37,8 +37,10 @@ private:
     void prepareDirect(const System& system);
 
     ColouredSweeps m_coloured;
-DirectSolver m_direct;
-    std::uint64_t m_directSerial = 0; // of the system that m_direct is prepared for
+    DirectSolver m_direct;
+    Solver m_directFor = Solver::AveragedJacobi; // what m_direct is prepared for
+    std::uint64_t m_serial = 0;
+    std::uint64_t m_valuesSerial = 0;
     std::vector<Vec3> m_pull;      // [rods] kg m, or m for the paper's averaging
     std::vector<double> m_valence; // [particles] rods that are not torn
 };

@@ -110,12 +110,13 @@ auto comparedFields(const System& system)
 {
     const auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps,
                  integrator, solver, gravity, airDensity, wind, viscosity, speedLimit, key, mass,
-                 inverseMass, springs, rods, colorStart, chunkStart, classStart, panels, panelKey,
-                 links, linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt,
-                 panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes, start] = system;
+                 inverseMass, springs, rods, colorStart, chunkStart, classStart, direct, panels,
+                 panelKey, links, linkStuff, panelMaterial, springLink, rodLink, tearable,
+                 springsAt, rodsAt, panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes,
+                 start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, gravity,
                     airDensity, wind, viscosity, speedLimit, key, mass, inverseMass, springs, rods,
-                    colorStart, chunkStart, classStart, panels, panelKey, links, linkStuff,
+                    colorStart, chunkStart, classStart, direct, panels, panelKey, links, linkStuff,
                     panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt, panelsAt,
                     panelsBeside, obstacles, inputs, shiftedRods, probes, start);
 }

@@ -215,10 +215,10 @@ struct System
     std::vector<double> inverseMass; // [particles] 1/kg, 0 when pinned
 
     std::vector<Spring> springs;
-    std::vector<Rod> rods;       // in the order of rod_order.h
-    std::vector<int> colorStart; // [colours + 1] places in rods
-    std::vector<int> chunkStart; // [chunks + 1] colours
-    std::vector<int> classStart; // [classes + 1] chunks
+    std::vector<Rod> rods;            // in the order of rod_order.h
+    std::vector<int> colorStart;      // [colours + 1] places in rods
+    std::vector<int> chunkStart;      // [chunks + 1] colours
+    std::vector<int> classStart;      // [classes + 1] chunks
     std::vector<std::uint8_t> direct; // [rods] solved as one block (direct_choice.h), or empty
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]

@@ -1,11 +1,8 @@
 // The direct rod solver alone: heavy loads on light lines, frames, and what it costs in energy.
-#include "model/systems.h"
+#include "model/heavy_line.h"
 
 #include "measure/diagnostics.h"
-#include "sim/block_cholesky.h"
-#include "sim/direct_choice.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <QtTest>
@@ -41,27 +38,6 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 
 namespace {
 
-System directSystem(double timeStep, int substeps)
-{
-    System system = emptySystem(timeStep);
-    system.solver = Solver::Direct;
-    system.substeps = substeps;
-    system.gravity = {0.0, -standardGravity, 0.0};
-    return system;
-}
-
-// 10 m of line in 100 rods with 1 g between, hung at one end, a load at the other.
-System heavyLine(double load, const Vec3& along)
-{
-    System system = directSystem(0.01, 4);
-    addPin(system, Vec3::Zero());
-    for (int i = 1; i <= 100; ++i) {
-        addParticle(system, (0.1 * i) * along, i == 100 ? load : 0.001);
-        addRod(system, i - 1, i, 0.1);
-    }
-    return system;
-}
-
 double largestStrain(const System& system, const State& state)
 {
     double worst = 0.0;
@@ -74,36 +50,6 @@ double largestStrain(const System& system, const State& state)
             worst = std::max(worst, std::abs(strain));
     }
     return worst;
-}
-
-bool inLine(int particle) { return particle <= 100; }
-
-// A net of particles of 20 g that hangs by its left edge on the lower half of a heavy line.
-System netOnHeavyLine(int rows, int columns)
-{
-    System system = heavyLine(65.0, Vec3(0.0, -1.0, 0.0));
-    system.solver = Solver::GaussSeidel;
-    system.viscosity = 2.0;
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const int here =
-                addParticle(system, {0.1 * (column + 1), -0.1 * (row + 46), 0.0}, 0.02);
-            addRod(system, column > 0 ? here - 1 : row + 46, here, 0.1);
-            if (row > 0)
-                addRod(system, here - columns, here, 0.1);
-        }
-    finish(system);
-    return system;
-}
-
-// The rods of the line and those that tie the net to it.
-std::vector<int> rodsAtLine(const System& system)
-{
-    std::vector<int> rods;
-    for (std::size_t i = 0; i < system.rods.size(); ++i)
-        if (inLine(system.rods[i].a) || inLine(system.rods[i].b))
-            rods.push_back(int(i));
-    return rods;
 }
 
 // Six corners of an octahedron of 1 m, every one tied to every other: 15 rods where 12 would do.
@@ -163,53 +109,6 @@ class TestDirect : public QObject
     Q_OBJECT
 
 private slots:
-    // Against a dense factorisation of the same matrix.
-    void blockCholesky()
-    {
-        const int nodes = 20;
-        Dice dice(5);
-        std::vector<std::pair<int, int>> pairs;
-        for (int k = 0; k < 60; ++k) {
-            const int i = dice.below(nodes);
-            pairs.emplace_back(i, (i + 1 + dice.below(nodes - 1)) % nodes);
-        }
-        BlockCholesky matrix;
-        matrix.analyze(nodes, pairs);
-        Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
-        const auto add = [&](BlockCholesky::Block& block, int i, int j, const Eigen::Matrix3d& m) {
-            for (int c = 0; c < 3; ++c)
-                for (int r = 0; r < 3; ++r)
-                    block.column[c][r] += m(r, c);
-            dense.block<3, 3>(3 * i, 3 * j) += m;
-            if (i != j)
-                dense.block<3, 3>(3 * j, 3 * i) += m;
-        };
-        matrix.setZero();
-        for (int i = 0; i < nodes; ++i)
-            add(matrix.diagonal(std::size_t(i)), i, i,
-                dice(0.5, 2.0) * Eigen::Matrix3d::Identity());
-        for (std::size_t k = 0; k < pairs.size(); ++k) {
-            const Vec3 n = dice.vector(1.0);
-            const Eigen::Matrix3d block = n * n.transpose();
-            const auto [i, j] = pairs[k];
-            add(matrix.diagonal(std::size_t(i)), i, i, block);
-            add(matrix.diagonal(std::size_t(j)), j, j, block);
-            add(matrix.pair(k), i, j, -block);
-        }
-        std::vector<Row> x(nodes);
-        Eigen::VectorXd right(3 * nodes);
-        for (int i = 0; i < nodes; ++i)
-            for (int c = 0; c < 3; ++c)
-                x[std::size_t(i)].v[c] = right[3 * i + c] = dice(-1.0, 1.0);
-        QVERIFY(matrix.factorize());
-        matrix.solve(x);
-        const Eigen::VectorXd expected = dense.llt().solve(right);
-        for (int i = 0; i < nodes; ++i)
-            for (int c = 0; c < 3; ++c)
-                QVERIFY2(isNear(x[std::size_t(i)].v[c], expected[3 * i + c], 1e-12),
-                         told(x[std::size_t(i)].v[c], expected[3 * i + c]));
-    }
-
     // 65 kg swing from 45 degrees on 100 particles of 1 g: no rod is ever 0.1 % too long or short,
     // and it falls as a pendulum of its length does: from 45 degrees a quarter of the period
     // 2 pi sqrt(L / g) 1.0400 (complete elliptic integral) takes it to the lowest point.
@@ -431,67 +330,6 @@ private slots:
         }
     }
 
-    void coupling_data()
-    {
-        QTest::addColumn<int>("substeps");
-        QTest::addColumn<int>("sweeps");
-        QTest::newRow("4 substeps of 8 sweeps") << 4 << 8;
-        QTest::newRow("20 substeps of a single sweep") << 20 << 1;
-    }
-
-    // A block beside sweeps: the line does not give way, the net neither, and the top carries all.
-    void coupling()
-    {
-        QFETCH(int, substeps);
-        QFETCH(int, sweeps);
-        System system = netOnHeavyLine(8, 4);
-        system.substeps = substeps;
-        system.sweeps = sweeps;
-        system.direct.assign(system.rods.size(), 0);
-        for (const int rod : rodsAtLine(system))
-            system.direct[std::size_t(rod)] = 1;
-        State state = system.start;
-        Stepper stepper;
-        double lineStrain = 0.0;
-        double netStrain = 0.0;
-        const double expected = (65.0 + 99 * 0.001 + 32 * 0.02) * standardGravity;
-        for (int step = 0; step < 1200; ++step) {
-            stepper.step(system, state);
-            for (std::size_t i = 0; i < system.rods.size(); ++i) {
-                const Rod& rod = system.rods[i];
-                const double length =
-                    (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)])
-                        .norm();
-                double& worst = inLine(rod.a) && inLine(rod.b) ? lineStrain : netStrain;
-                worst = std::max(worst, std::abs(length / rod.restLength - 1.0));
-                if (rod.a == 0 && step > 1000)
-                    QVERIFY2(isNear(state.rodTension[i], expected, 1e-3 * expected),
-                             told(state.rodTension[i], expected));
-            }
-        }
-        QVERIFY2(lineStrain < 1e-3, told(lineStrain, 0.0));
-        QVERIFY2(netStrain < 2e-2, told(netStrain, 0.0));
-    }
-
-    // What the rule of direct_choice.h says of known networks.
-    void choice()
-    {
-        const System alone = netOnHeavyLine(8, 4); // a small frame: 132 particles
-        QCOMPARE(rodsForDirect(alone).size(), alone.rods.size());
-        const System large = netOnHeavyLine(20, 40); // 900 particles: the line only
-        QVERIFY(rodsForDirect(large) == rodsAtLine(large));
-        System even = heavyLine(0.001, Vec3(0.0, -1.0, 0.0)); // n^2 / 10 = 1000 sweeps
-        finish(even);
-        QCOMPARE(rodsForDirect(even).size(), std::size_t(100));
-        System brief = directSystem(0.01, 1); // two particles: 1 sweep
-        addParticle(brief, Vec3::Zero(), 1.0);
-        addParticle(brief, {1.0, 0.0, 0.0}, 1.0);
-        addRod(brief, 0, 1, 1.0);
-        finish(brief);
-        QVERIFY(rodsForDirect(brief).empty());
-        QVERIFY(directChoice(brief).empty());
-    }
-
     // The same bits in every run and at every number of threads, and on from a checkpoint.
     void sameBits()
     {
@@ -501,6 +339,28 @@ private slots:
         for (const int threads : {1, 2, 3, 8})
             QCOMPARE(stateHash(run(system, 200, threads)), stateHash(once));
         QCOMPARE(stateHash(run(system, run(system, 77), 123)), stateHash(once));
+    }
+
+    // Numbers that change in place are read again, pins too: as if prepared anew.
+    void changedInPlace()
+    {
+        System system = heavyLine(65.0, Vec3(std::sqrt(0.5), -std::sqrt(0.5), 0.0));
+        finish(system);
+        Stepper stepper;
+        State state = system.start;
+        for (int i = 0; i < 10; ++i)
+            stepper.step(system, state);
+        for (const bool pinned : {false, true}) {
+            system.mass[50] = 3.0;
+            system.inverseMass[50] = pinned ? 0.0 : 1.0 / 3.0;
+            system.rods[7].compliance = 1e-5;
+            system.rods[9].restLength = 0.11;
+            touchAll(system);
+            const State expected = run(system, state, 10);
+            for (int i = 0; i < 10; ++i)
+                stepper.step(system, state);
+            QCOMPARE(stateHash(state), stateHash(expected));
+        }
     }
 
     void noHeap()

@@ -1,0 +1,29 @@
+// A heavy load on a light line, the direct solver's own case.
+#pragma once
+
+#include "model/systems.h"
+
+namespace ripstop {
+
+inline System directSystem(double timeStep, int substeps)
+{
+    System system = emptySystem(timeStep);
+    system.solver = Solver::Direct;
+    system.substeps = substeps;
+    system.gravity = {0.0, -standardGravity, 0.0};
+    return system;
+}
+
+// 10 m of line in 100 rods with 1 g between, hung at one end, a load at the other.
+inline System heavyLine(double load, const Vec3& along)
+{
+    System system = directSystem(0.01, 4);
+    addPin(system, Vec3::Zero());
+    for (int i = 1; i <= 100; ++i) {
+        addParticle(system, (0.1 * i) * along, i == 100 ? load : 0.001);
+        addRod(system, i - 1, i, 0.1);
+    }
+    return system;
+}
+
+} // namespace ripstop
