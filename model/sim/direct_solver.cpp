@@ -9,7 +9,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double tolerance = 3e-4;     // of a rod's length
 constexpr double strainOfRigid = 1e-4; // under `greatLoad`
 constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
 constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
@@ -177,7 +176,7 @@ void DirectSolver::start(const RodTask& task)
     }
 }
 
-int DirectSolver::project(const RodTask& task, int iterations)
+int DirectSolver::project(const RodTask& task, int iterations, double tolerance)
 {
     if (m_bars.empty())
         return 0;

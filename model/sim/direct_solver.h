@@ -17,9 +17,9 @@
 // rods than they can obey to rounding errors; it is 1e-8 to 1e-4 of the inverse masses of the ends.
 //
 // Each iteration goes only as far as it brings the sum down. Iterations end when no rod is further
-// than 3e-4 of its length from where the linear system put it: one is enough in most substeps, and
-// what it leaves is of second order. Which lines and struts act is decided anew in each
-// (primal-dual active sets: Hintermueller, Ito and Kunisch 2002).
+// than `tolerance` of its length from where the linear system put it: one is enough in most
+// substeps, and what it leaves is of second order. Which lines and struts act is decided anew in
+// each (primal-dual active sets: Hintermueller, Ito and Kunisch 2002).
 //
 // Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. The cost of an
 // iteration grows like n for chains, n^1.5 for sheets: meant for up to some hundreds of particles.
@@ -54,9 +54,10 @@ public:
     // the substep before.
     void start(const RodTask& task);
 
-    // Moves the block's particles from where they are and fills the multipliers of its rods. At
-    // most so many iterations; returns how many it took.
-    int project(const RodTask& task, int iterations);
+    // Moves the block's particles from where they are and fills the multipliers of its rods, in at
+    // most so many iterations; returns how many it took. Fewer than two cannot follow a sudden
+    // load.
+    int project(const RodTask& task, int iterations, double tolerance = 3e-4);
 
     std::size_t rods() const { return m_bars.size(); }
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned

@@ -18,7 +18,8 @@ double allowed(Resists resists, double multiplier)
     return multiplier;
 }
 
-constexpr int iterations = 4; // of a direct block beside sweeps
+constexpr int mostIterations = 4;  // of a direct block beside sweeps
+constexpr int leastIterations = 2; // that are allowed: one cannot follow a sudden load
 
 } // namespace
 
@@ -30,11 +31,11 @@ void RodSolver::project(const RodTask& task, Crew& crew)
     m_direct.start(task);
     if (task.system.solver == Solver::GaussSeidel) {
         m_coloured.project(task, crew);
-        m_direct.project(task, iterations);
+        m_direct.project(task, mostIterations);
         return;
     }
     if (task.system.solver == Solver::Direct) {
-        m_direct.project(task, task.system.sweeps);
+        m_direct.project(task, std::max(task.system.sweeps, leastIterations));
         return;
     }
     std::fill(task.multiplier.begin(), task.multiplier.end(), 0.0);

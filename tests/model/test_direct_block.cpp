@@ -2,6 +2,9 @@
 // are given to it, and a heavy line that carries a net.
 #include "model/heavy_line.h"
 
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "run/simulation.h"
 #include "sim/block_cholesky.h"
 #include "sim/direct_choice.h"
 
@@ -95,6 +98,39 @@ private slots:
             for (int c = 0; c < 3; ++c)
                 QVERIFY2(isNear(x[std::size_t(i)].v[c], expected[3 * i + c], 1e-12),
                          told(x[std::size_t(i)].v[c], expected[3 * i + c]));
+    }
+
+    void designs_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"hang_glider", "delta_kite", "parachute", "rope", "stiffened_rod"})
+            QTest::addRow("%s", name) << QString(name);
+    }
+
+    // Four seconds of every design of rods: no trouble, and no rod off its length by 0.1 %.
+    void designs()
+    {
+        QFETCH(QString, name);
+        auto scene = build(*findBuilder(name.toStdString()), {});
+        QVERIFY(bool(scene));
+        scene->settings.solver = Solver::Direct;
+        const auto system = compile(*scene);
+        QVERIFY(bool(system));
+        Simulation simulation(*system);
+        double worst = 0.0;
+        for (int i = 1; i <= 40; ++i) {
+            QVERIFY(simulation.runUntil(0.1 * i));
+            const State& state = simulation.state();
+            for (const Rod& rod : simulation.system().rods) {
+                const double strain =
+                    (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm()
+                        / rod.restLength
+                    - 1.0;
+                if (rod.resists != Resists::Tension || strain > 0.0)
+                    worst = std::max(worst, std::abs(strain));
+            }
+        }
+        QVERIFY2(worst < 1e-3, told(worst, 0.0));
     }
 
     void coupling_data()
