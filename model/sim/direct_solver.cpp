@@ -172,7 +172,7 @@ void DirectSolver::start(const RodTask& task)
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
         bar.rest = task.restLength[r];
-        bar.multiplier = bar.torn ? 0.0 : task.multiplier[r];
+        bar.multiplier = bar.torn ? 0.0 : task.multiplier[r] * (task.h * task.h);
     }
 }
 

@@ -23,8 +23,9 @@
 //
 // Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. The cost of an
 // iteration grows like n for chains, n^1.5 for sheets: meant for up to some hundreds of particles.
-// Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h^2 / 2 of its
-// energy per radian, which for waves on tight lines is all of it.
+// Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h of its energy
+// per second, for waves on tight lines all of it at once. Explicit forces beside it, air above all,
+// keep their own limit of the step.
 #pragma once
 
 #include "sim/block_cholesky.h"
@@ -50,8 +51,8 @@ public:
     // Reads the numbers of the rods and the masses again, after they changed in place.
     void refresh(const System& system);
 
-    // Reads what the block's rods start from: what is torn, rest lengths, and the multipliers of
-    // the substep before.
+    // Reads what the block's rods start from: what is torn, rest lengths, and the tensions of the
+    // substep before, before other solvers put multipliers in their place.
     void start(const RodTask& task);
 
     // Moves the block's particles from where they are and fills the multipliers of its rods, in at

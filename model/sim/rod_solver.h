@@ -22,7 +22,8 @@ struct RodTask
     double h;                           // s
     std::uint64_t seed;                 // of the order of the colours; the number of the substep
     std::span<Vec3> position;           // [particles] m, corrected in place
-    std::span<double> multiplier;       // [rods] kg m, filled; on entry those of the substep before
+    std::span<double> multiplier;       // [rods] kg m, filled; on entry the tensions of the substep
+                                        // before, N
 };
 
 class RodSolver

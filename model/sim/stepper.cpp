@@ -134,11 +134,9 @@ void Stepper::noteRodLengths(const System& system, const State& state)
 
 void Stepper::project(const System& system, State& state, double h, std::uint64_t number)
 {
-    for (double& tension : state.rodTension) // as multipliers
-        tension *= h * h;
     m_rods.project(
         {system, state.rodTorn, m_restLength, h, number, state.position, state.rodTension}, m_crew);
-    for (double& tension : state.rodTension)
+    for (double& tension : state.rodTension) // so far multipliers
         tension /= h * h;
 }
 
