@@ -173,12 +173,32 @@ std::vector<std::uint8_t> particlesOfLines(const System& system)
     return inLine;
 }
 
-// Clusters that a rigging ties together, each once, and its ends in them.
+// Clusters that a rigging ties together, and its ends in them.
 struct Ties
 {
     int ends = 0;
     std::vector<int> clusters;
 };
+
+// Mass of all clusters but the heaviest, kg; what is pinned is the heaviest.
+double loadOf(Ties& ties, std::span<const double> mass, std::span<const std::uint8_t> pinned)
+{
+    auto& clusters = ties.clusters;
+    std::sort(clusters.begin(), clusters.end());
+    clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+    double load = 0.0;
+    double heaviest = 0.0;
+    bool held = false;
+    for (const int c : clusters) {
+        if (pinned[std::size_t(c)]) {
+            held = true;
+            continue;
+        }
+        load += mass[std::size_t(c)];
+        heaviest = std::max(heaviest, mass[std::size_t(c)]);
+    }
+    return held ? load : load - heaviest;
+}
 
 std::vector<Candidate> riggings(const System& system)
 {
@@ -222,22 +242,7 @@ std::vector<Candidate> riggings(const System& system)
             }
     }
     for (std::size_t g = 0; g < found.size(); ++g) {
-        auto& clusters = ties[g].clusters;
-        std::sort(clusters.begin(), clusters.end());
-        clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
-        double load = 0.0;
-        double heaviest = 0.0;
-        bool held = false;
-        for (const int c : clusters) {
-            if (pinned[std::size_t(c)]) {
-                held = true;
-                continue;
-            }
-            load += clusterMass[std::size_t(c)];
-            heaviest = std::max(heaviest, clusterMass[std::size_t(c)]);
-        }
-        if (!held)
-            load -= heaviest;
+        const double load = loadOf(ties[g], clusterMass, pinned);
         const double n = double(found[g].particles) / std::max(1, ties[g].ends - 1);
         const double mass = ownMass[g] / found[g].particles;
         found[g].sweeps = n * n / 10.0 + 2.0 * n * load / mass;
