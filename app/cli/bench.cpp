@@ -19,8 +19,10 @@ struct Race
     std::optional<Json> (*run)(const BenchOptions&);
 };
 
-constexpr Race races[]{
-    {"projection", projectionRace}, {"quality", qualityRace}, {"growth", growthRace}};
+constexpr Race races[]{{"projection", projectionRace},
+                       {"quality", qualityRace},
+                       {"growth", growthRace},
+                       {"edits", editRace}};
 
 int bench(const BenchOptions& options, const std::string& only)
 {
@@ -62,8 +64,8 @@ void addBench(CLI::App& app, Command& chosen)
     const auto make = std::make_shared<bool>(false);
     options->threads = std::clamp(int(std::thread::hardware_concurrency()), 1, 2);
     options->references = REFERENCE_FOLDER;
-    command->add_option("--race", *only, "projection, quality or growth; all of them without")
-        ->check(CLI::IsMember({"projection", "quality", "growth"}))
+    command->add_option("--race", *only, "projection, quality, growth or edits; all without")
+        ->check(CLI::IsMember({"projection", "quality", "growth", "edits"}))
         ->type_name("NAME");
     command->add_option("--filter", options->filter, "Only networks with this in their name")
         ->type_name("TEXT");
@@ -88,7 +90,8 @@ void addBench(CLI::App& app, Command& chosen)
         "The first race is the cost of a projection, the visit of a solver to a rod: the time of\n"
         "a step, all stages included, divided by substeps x sweeps x rods. The second is the time\n"
         "to quality: steps of 10 ms per second at which no rod is stretched by more than a limit\n"
-        "and the mass centre goes where it should. The third is the growth of cost with size.\n"
+        "and the mass centre goes where it should. The third is the growth of cost with size, the\n"
+        "fourth the time from an edit of a large cloth to its running simulation.\n"
         "All things compared run in turn, in blocks of 3 ms. Quiet is the 10th percentile of\n"
         "the blocks, slow the 90th.");
     command->callback([options, only, make, &chosen] {

@@ -31,4 +31,7 @@ std::optional<Json> qualityRace(const BenchOptions& options);
 // Cost of a sweep against the number of particles.
 std::optional<Json> growthRace(const BenchOptions& options);
 
+// From an edit of a large scene to the running simulation.
+std::optional<Json> editRace(const BenchOptions& options);
+
 } // namespace ripstop
