@@ -2,44 +2,33 @@
 
 #include "compile/resolve.h"
 #include "scene/check.h"
+#include "sim/rod_order.h"
+
+#include <span>
 
 namespace ripstop {
 namespace {
 
-struct Counts
+void reserve(const Scene& scene, System& system)
 {
     std::size_t particles = 0;
-    std::size_t springs = 0;
-    std::size_t rods = 0;
+    std::size_t links = 0;
     std::size_t panels = 0;
-};
-
-Counts countsOf(const Scene& scene)
-{
-    Counts counts;
     forEachPart(scene, [&](Id, const Part& part) {
-        counts.particles += part.particles.size();
-        counts.panels += part.panels.size();
-        for (const Link& row : part.links)
-            ++(row.kind == LinkKind::Spring ? counts.springs : counts.rods);
+        particles += part.particles.size();
+        links += part.links.size();
+        panels += part.panels.size();
     });
-    return counts;
-}
-
-void reserve(const Counts& counts, System& system)
-{
-    system.key.reserve(counts.particles);
-    system.mass.reserve(counts.particles);
-    system.inverseMass.reserve(counts.particles);
-    system.start.position.reserve(counts.particles);
-    system.start.velocity.reserve(counts.particles);
-    system.springs.reserve(counts.springs);
-    system.rods.reserve(counts.rods);
-    system.links.reserve(counts.springs + counts.rods);
-    system.linkStuff.reserve(counts.springs + counts.rods);
-    system.panels.reserve(counts.panels);
-    system.panelKey.reserve(counts.panels);
-    system.panelMaterial.reserve(counts.panels);
+    system.key.reserve(particles);
+    system.mass.reserve(particles);
+    system.inverseMass.reserve(particles);
+    system.start.position.reserve(particles);
+    system.start.velocity.reserve(particles);
+    system.links.reserve(links);
+    system.linkStuff.reserve(links);
+    system.panels.reserve(panels);
+    system.panelKey.reserve(panels);
+    system.panelMaterial.reserve(panels);
 }
 
 void addParticles(const Part& part, System& system)
@@ -54,21 +43,54 @@ void addParticles(const Part& part, System& system)
     }
 }
 
-void addElements(const Scene& scene, const ElementIndex& index, const Part& part, System& system)
+// Puts links and what they became into the system; the order of the rods is found before they are
+// made, so that each is written once.
+RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
 {
-    for (const Link& row : part.links) {
-        const Material& material = materialOf(scene, index, row.material);
-        const int a = index.particle(row.from);
-        const int b = index.particle(row.to);
-        const bool spring = row.kind == LinkKind::Spring;
-        system.links.push_back({Key(row.id), row.kind,
-                                int(spring ? system.springs.size() : system.rods.size()), a, b});
-        system.linkStuff.push_back(stuffOf(row));
-        if (spring)
-            system.springs.push_back(springOf(row, material, a, b));
-        else
-            system.rods.push_back(rodOf(row, material, a, b));
+    std::vector<const Link*> springs;
+    std::vector<const Link*> rods;
+    std::vector<RodEnds> ends;
+    rods.reserve(system.links.capacity());
+    ends.reserve(system.links.capacity());
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Link& row : part.links) {
+            const int a = index.particle(row.from);
+            const int b = index.particle(row.to);
+            const bool spring = row.kind == LinkKind::Spring;
+            auto& rows = spring ? springs : rods;
+            system.links.push_back({Key(row.id), row.kind, int(rows.size()), a, b});
+            system.linkStuff.push_back(stuffOf(row));
+            rows.push_back(&row);
+            if (!spring)
+                ends.push_back({a, b});
+        }
+    });
+
+    system.springs.reserve(springs.size());
+    for (const LinkPlace& link : system.links)
+        if (link.kind == LinkKind::Spring) {
+            const Link& row = *springs[std::size_t(link.index)];
+            system.springs.push_back(
+                springOf(row, materialOf(scene, index, row.material), link.a, link.b));
+        }
+
+    RodOrder order = orderRods(system.key.size(), std::span<const RodEnds>(ends));
+    std::vector<int> place(rods.size());
+    system.rods.reserve(rods.size());
+    for (const int rod : order.rod) {
+        const Link& row = *rods[std::size_t(rod)];
+        const RodEnds& end = ends[std::size_t(rod)];
+        place[std::size_t(rod)] = int(system.rods.size());
+        system.rods.push_back(rodOf(row, materialOf(scene, index, row.material), end.a, end.b));
     }
+    for (LinkPlace& link : system.links)
+        if (link.kind == LinkKind::Rod)
+            link.index = place[std::size_t(link.index)];
+    return order;
+}
+
+void addPanels(const Scene& scene, const ElementIndex& index, const Part& part, System& system)
+{
     for (const Panel& row : part.panels) {
         const Material& material = materialOf(scene, index, row.material);
         system.panels.push_back(panelOf(
@@ -80,23 +102,19 @@ void addElements(const Scene& scene, const ElementIndex& index, const Part& part
 
 } // namespace
 
-std::shared_ptr<const System> compileSound(const Scene& scene, const ElementIndex& index,
-                                           std::uint64_t generation, std::uint64_t run)
+void compileSound(const Scene& scene, const ElementIndex& index, System& system)
 {
-    auto system = std::make_shared<System>();
-    system->generation = generation;
-    system->run = run;
-    takeSettings(scene.settings, *system);
-    reserve(countsOf(scene), *system);
-    forEachPart(scene, [&](Id, const Part& part) { addParticles(part, *system); });
-    forEachPart(scene, [&](Id, const Part& part) { addElements(scene, index, part, *system); });
-    system->wind = totalWind(scene);
-    system->obstacles = obstaclesOf(scene);
-    system->inputs = inputsOf(scene, index);
-    system->probes = probesOf(scene, index);
-    finish(*system);
-    system->shiftedRods = shiftedRodsOf(*system);
-    return system;
+    takeSettings(scene.settings, system);
+    reserve(scene, system);
+    forEachPart(scene, [&](Id, const Part& part) { addParticles(part, system); });
+    RodOrder order = addLinks(scene, index, system);
+    forEachPart(scene, [&](Id, const Part& part) { addPanels(scene, index, part, system); });
+    system.wind = totalWind(scene);
+    system.obstacles = obstaclesOf(scene);
+    system.inputs = inputsOf(scene, index);
+    system.probes = probesOf(scene, index);
+    finishOrdered(system, std::move(order));
+    system.shiftedRods = shiftedRodsOf(system);
 }
 
 Result<std::shared_ptr<const System>> compile(const Scene& scene, std::uint64_t generation,
@@ -105,7 +123,11 @@ Result<std::shared_ptr<const System>> compile(const Scene& scene, std::uint64_t 
     const ElementIndex index(scene);
     if (const std::optional<Problem> error = firstError(scene, index))
         return Failure{error->message};
-    return compileSound(scene, index, generation, run);
+    auto system = std::make_shared<System>();
+    system->generation = generation;
+    system->run = run;
+    compileSound(scene, index, *system);
+    return std::shared_ptr<const System>(std::move(system));
 }
 
 } // namespace ripstop

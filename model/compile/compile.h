@@ -16,8 +16,7 @@ class ElementIndex;
 Result<std::shared_ptr<const System>> compile(const Scene& scene, std::uint64_t generation = 1,
                                               std::uint64_t run = 1);
 
-// The same for a scene without errors, with its index.
-std::shared_ptr<const System> compileSound(const Scene& scene, const ElementIndex& index,
-                                           std::uint64_t generation, std::uint64_t run);
+// The same for a scene without errors, with its index, into a system that is empty.
+void compileSound(const Scene& scene, const ElementIndex& index, System& system);
 
 } // namespace ripstop

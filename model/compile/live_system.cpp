@@ -111,7 +111,11 @@ std::variant<Update, Problem> LiveSystem::update(std::uint64_t generation, std::
 
     Update update;
     if (m_noted.structure) {
-        update.system = compileSound(m_scene, m_index, generation, run);
+        const std::shared_ptr<System> system = m_memory.take();
+        system->generation = generation;
+        system->run = run;
+        compileSound(m_scene, m_index, *system);
+        update.system = system;
     } else {
         Patch made = patch();
         made.generation = generation;

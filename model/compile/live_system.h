@@ -8,6 +8,7 @@
 #include "compile/patch.h"
 #include "scene/check.h"
 #include "scene/edit.h"
+#include "sim/system_memory.h"
 
 #include <memory>
 #include <variant>
@@ -59,6 +60,7 @@ private:
     Scene m_scene;
     ElementIndex m_index; // of the scene when m_noted.structure is false
     Noted m_noted;
+    SystemMemory m_memory;
 };
 
 } // namespace ripstop

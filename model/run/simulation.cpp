@@ -50,7 +50,12 @@ Simulation::Simulation(std::shared_ptr<const System> system, int threads)
 void Simulation::load(std::shared_ptr<const System> system)
 {
     m_atStart = system->run != m_system->run;
-    m_state = m_atStart ? system->start : carryOver(*m_system, m_state, *system);
+    if (m_atStart) {
+        m_state = system->start;
+    } else {
+        m_lastGood = carryOver(*m_system, m_state, *system, std::move(m_lastGood));
+        std::swap(m_state, m_lastGood);
+    }
     m_system = std::move(system);
     m_layoutIsStale = true;
     m_trouble.reset(); // the edit may have cured it

@@ -3,6 +3,7 @@
 #include "base/key_index.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -66,9 +67,10 @@ void carryLinks(const System& from, const State& state, const System& to, State&
 
 } // namespace
 
-State carryOver(const System& from, const State& state, const System& to)
+State carryOver(const System& from, const State& state, const System& to, State memory)
 {
-    State carried = to.start;
+    State carried = std::move(memory);
+    carried = to.start;
     carried.time = state.time;
     carried.step = state.step;
     carried.tears = state.tears;

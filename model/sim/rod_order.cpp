@@ -76,10 +76,10 @@ std::size_t chunkSize(std::size_t rods)
 }
 
 // Neighbours have near numbers, so sorting by the higher end keeps chunks compact.
-std::vector<int> sortedByHigherEnd(std::size_t particles, const std::vector<Rod>& rods)
+std::vector<int> sortedByHigherEnd(std::size_t particles, std::span<const RodEnds> rods)
 {
     std::vector<int> next(particles + 1, 0);
-    for (const Rod& rod : rods)
+    for (const RodEnds& rod : rods)
         ++next[std::size_t(std::max(rod.a, rod.b)) + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<int> sorted(rods.size());
@@ -105,7 +105,7 @@ void sortByNumber(std::span<const int> number, std::vector<int>& start, std::vec
 
 } // namespace
 
-RodOrder orderRods(std::size_t particles, const std::vector<Rod>& rods)
+RodOrder orderRods(std::size_t particles, std::span<const RodEnds> rods)
 {
     const std::size_t count = rods.size();
     RodOrder order{{}, {0}, {0}, {0}};
@@ -127,7 +127,7 @@ RodOrder orderRods(std::size_t particles, const std::vector<Rod>& rods)
         touched.clear();
         const auto [first, last] = chunkAt(c);
         for (std::size_t i = first; i < last; ++i) {
-            const Rod& rod = rods[std::size_t(near[i])];
+            const RodEnds& rod = rods[std::size_t(near[i])];
             for (const int end : {rod.a, rod.b})
                 if (inChunk.isUntouched(end))
                     touched.push_back(end);
@@ -158,6 +158,15 @@ RodOrder orderRods(std::size_t particles, const std::vector<Rod>& rods)
         order.classStart.push_back(int(order.chunkStart.size()) - 1);
     }
     return order;
+}
+
+RodOrder orderRods(std::size_t particles, const std::vector<Rod>& rods)
+{
+    std::vector<RodEnds> ends;
+    ends.reserve(rods.size());
+    for (const Rod& rod : rods)
+        ends.push_back({rod.a, rod.b});
+    return orderRods(particles, std::span<const RodEnds>(ends));
 }
 
 } // namespace ripstop

@@ -9,6 +9,7 @@
 #include "sim/system.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace ripstop {
@@ -21,6 +22,16 @@ struct RodOrder
     std::vector<int> classStart; // [classes + 1] chunks
 };
 
+struct RodEnds // particle indices
+{
+    int a;
+    int b;
+};
+
+RodOrder orderRods(std::size_t particles, std::span<const RodEnds> rods);
 RodOrder orderRods(std::size_t particles, const std::vector<Rod>& rods);
+
+// finish() for a system whose rods stand in this order already, and whose links say so.
+void finishOrdered(System& system, RodOrder order);
 
 } // namespace ripstop

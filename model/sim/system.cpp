@@ -6,13 +6,13 @@
 #include <atomic>
 #include <numeric>
 #include <tuple>
+#include <type_traits>
 
 namespace ripstop {
 namespace {
 
-void putRodsInOrder(System& system)
+void putRodsInOrder(System& system, const RodOrder& order)
 {
-    RodOrder order = orderRods(system.inverseMass.size(), system.rods);
     std::vector<Rod> sorted;
     std::vector<int> place(order.rod.size());
     sorted.reserve(order.rod.size());
@@ -27,9 +27,6 @@ void putRodsInOrder(System& system)
             direct.push_back(system.direct[std::size_t(rod)]);
         system.direct = std::move(direct);
     }
-    system.colorStart = std::move(order.colorStart);
-    system.chunkStart = std::move(order.chunkStart);
-    system.classStart = std::move(order.classStart);
     for (LinkPlace& link : system.links)
         if (link.kind == LinkKind::Rod)
             link.index = place[std::size_t(link.index)];
@@ -37,11 +34,10 @@ void putRodsInOrder(System& system)
         shifted.rod = place[std::size_t(shifted.rod)];
 }
 
-// Rows of the items that name each of `count` targets, in ascending order of item.
+// The items that name each of `count` targets, in ascending order of item.
 template <typename Items, typename TargetsOf>
-Rows incidence(std::size_t count, const Items& items, TargetsOf targetsOf)
+void fillIncidence(Rows& rows, std::size_t count, const Items& items, TargetsOf targetsOf)
 {
-    Rows rows;
     rows.start.assign(count + 1, 0);
     for (const auto& item : items)
         for (const int target : targetsOf(item))
@@ -52,12 +48,13 @@ Rows incidence(std::size_t count, const Items& items, TargetsOf targetsOf)
     for (std::size_t i = 0; i < items.size(); ++i)
         for (const int target : targetsOf(items[i]))
             rows.items[std::size_t(next[std::size_t(target)]++)] = int(i);
-    return rows;
 }
 
-Rows panelsBesideLinks(const System& system)
+void fillPanelsBeside(System& system)
 {
-    Rows rows;
+    Rows& rows = system.panelsBeside;
+    rows.start.clear();
+    rows.items.clear();
     rows.start.reserve(system.links.size() + 1);
     rows.start.push_back(0);
     rows.items.reserve(3 * system.panels.size());
@@ -72,7 +69,6 @@ Rows panelsBesideLinks(const System& system)
         });
         rows.start.push_back(int(rows.items.size()));
     }
-    return rows;
 }
 
 void nameLinks(System& system)
@@ -105,21 +101,65 @@ std::uint64_t nextSerial()
     return ++last;
 }
 
-// A field that is new has to be named here, or this does not compile.
-auto comparedFields(const System& system)
+// All but the serials. A field that is new has to be named here, or this does not compile.
+template <typename S>
+requires std::is_same_v<std::remove_const_t<S>, System>
+auto fieldsOf(S& system)
 {
-    const auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps,
-                 integrator, solver, gravity, airDensity, wind, viscosity, speedLimit, key, mass,
-                 inverseMass, springs, rods, colorStart, chunkStart, classStart, direct, panels,
-                 panelKey, links, linkStuff, panelMaterial, springLink, rodLink, tearable,
-                 springsAt, rodsAt, panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes,
-                 start] = system;
+    auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
+           solver, gravity, airDensity, wind, viscosity, speedLimit, key, mass, inverseMass,
+           springs, rods, colorStart, chunkStart, classStart, direct, panels, panelKey, links,
+           linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt, panelsAt,
+           panelsBeside, obstacles, inputs, shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, gravity,
                     airDensity, wind, viscosity, speedLimit, key, mass, inverseMass, springs, rods,
                     colorStart, chunkStart, classStart, direct, panels, panelKey, links, linkStuff,
                     panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt, panelsAt,
                     panelsBeside, obstacles, inputs, shiftedRods, probes, start);
 }
+
+template <typename S>
+requires std::is_same_v<std::remove_const_t<S>, State>
+auto fieldsOf(S& state)
+{
+    auto& [time, step, started, position, velocity, drift, inputCommand, inputValue, springTorn,
+           rodTorn, panelGone, rodTension, tears] = state;
+    return std::tie(time, step, started, position, velocity, drift, inputCommand, inputValue,
+                    springTorn, rodTorn, panelGone, rodTension, tears);
+}
+
+// Arrays are emptied and keep their memory; anything else starts as `fresh` does.
+template <typename T>
+void renew(T& field, const T& fresh)
+{
+    field = fresh;
+}
+
+template <typename T>
+void renew(std::vector<T>& field, const std::vector<T>&)
+{
+    field.clear();
+}
+
+void renew(Rows& field, const Rows&)
+{
+    field.start.clear();
+    field.items.clear();
+}
+
+void renew(State& field, const State& fresh);
+
+template <typename Record>
+void renewFields(Record& record, const Record& fresh)
+{
+    std::apply(
+        [&](auto&... field) {
+            std::apply([&](const auto&... value) { (renew(field, value), ...); }, fieldsOf(fresh));
+        },
+        fieldsOf(record));
+}
+
+void renew(State& field, const State& fresh) { renewFields(field, fresh); }
 
 template <typename T>
 void fill(std::vector<T>& values, std::size_t count, const T& value)
@@ -132,9 +172,6 @@ void fill(std::vector<T>& values, std::size_t count, const T& value)
 
 void finish(System& system)
 {
-    system.serial = nextSerial();
-    touchAll(system);
-
     const std::size_t n = system.start.position.size();
     if (system.key.empty()) {
         system.key.resize(n);
@@ -147,17 +184,29 @@ void finish(System& system)
         system.panelKey.resize(system.panels.size());
         std::iota(system.panelKey.begin(), system.panelKey.end(), Key(0));
     }
-
     nameLinks(system);
-    putRodsInOrder(system);
+
+    RodOrder order = orderRods(n, system.rods);
+    putRodsInOrder(system, order);
+    finishOrdered(system, std::move(order));
+}
+
+void finishOrdered(System& system, RodOrder order)
+{
+    system.serial = nextSerial();
+    touchAll(system);
+    system.colorStart = std::move(order.colorStart);
+    system.chunkStart = std::move(order.chunkStart);
+    system.classStart = std::move(order.classStart);
     backReferences(system);
     listTearable(system);
 
+    const std::size_t n = system.start.position.size();
     const auto ends = [](const auto& link) { return std::array{link.a, link.b}; };
-    system.springsAt = incidence(n, system.springs, ends);
-    system.rodsAt = incidence(n, system.rods, ends);
-    system.panelsAt = incidence(n, system.panels, [](const FabricPanel& p) { return p.corner; });
-    system.panelsBeside = panelsBesideLinks(system);
+    fillIncidence(system.springsAt, n, system.springs, ends);
+    fillIncidence(system.rodsAt, n, system.rods, ends);
+    fillIncidence(system.panelsAt, n, system.panels, [](const FabricPanel& p) { return p.corner; });
+    fillPanelsBeside(system);
 
     State& start = system.start;
     fill<Vec3>(start.velocity, n, Vec3::Zero());
@@ -170,7 +219,15 @@ void finish(System& system)
     fill(start.rodTension, system.rods.size(), 0.0);
 }
 
-bool operator==(const System& a, const System& b) { return comparedFields(a) == comparedFields(b); }
+void clear(System& system)
+{
+    renewFields(system, System());
+    system.serial = 0;
+    system.valuesSerial = 0;
+    system.touched = {};
+}
+
+bool operator==(const System& a, const System& b) { return fieldsOf(a) == fieldsOf(b); }
 
 void listTearable(System& system)
 {

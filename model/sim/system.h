@@ -248,6 +248,9 @@ struct System
 // empty follow from inverseMass; velocities are zero.
 void finish(System& system);
 
+// As a system starts, with the memory of its arrays kept.
+void clear(System& system);
+
 // Equal in all that a simulation reads; the serials are passed over.
 bool operator==(const System& a, const System& b);
 

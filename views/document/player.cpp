@@ -1,9 +1,6 @@
 #include "document/player.h"
 
-#include "compile/compile.h"
 #include "document/document.h"
-#include "document/worker.h"
-#include "scene/check.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,60 +12,24 @@ namespace {
 constexpr int frameInterval = 16; // ms, about 60 frames a second
 constexpr double never = -std::numeric_limits<double>::infinity();
 
-struct Job
-{
-    Scene scene;
-    std::uint64_t generation;
-    std::uint64_t run;
-};
-
-struct Compiled
-{
-    std::uint64_t generation;
-    std::uint64_t run;
-    std::shared_ptr<const System> system; // null when there is a problem
-    std::string problem;
-    Id culprit{};
-};
-
-Compiled compiled(const Job& job)
-{
-    const auto system = compile(job.scene, job.generation, job.run);
-    if (system)
-        return {job.generation, job.run, *system, {}, {}};
-    const std::vector<Problem> problems = problemsOf(job.scene, 1);
-    const Id culprit = hasErrors(problems) ? problems.front().culprit : noId;
-    return {job.generation, job.run, nullptr, system.message(), culprit};
-}
-
 } // namespace
-
-class Player::Compiler final : public Worker<Job, Compiled>
-{
-    using Worker::Worker;
-};
 
 Player::Player(Document& document, QObject* parent)
     : QObject(parent)
     , m_document(document)
+    , m_follower(document)
 {
-    const auto wake = [this] {
-        QMetaObject::invokeMethod(this, &Player::poll, Qt::QueuedConnection);
-    };
-    m_compiler = std::make_unique<Compiler>(compiled, wake);
-
+    connect(&m_follower, &Follower::compiled, this, &Player::takeCompiled);
     connect(&document, &Document::changed, this, &Player::changed);
     connect(&document, &Document::replaced, this, [this] {
         m_frame.reset();
         startOver();
     });
-    connect(&m_poll, &QTimer::timeout, this, &Player::poll);
+    connect(&m_poll, &QTimer::timeout, this, &Player::takeFrame);
     m_poll.setTimerType(Qt::PreciseTimer);
     m_poll.start(frameInterval);
     compileSoon();
 }
-
-Player::~Player() = default;
 
 void Player::play()
 {
@@ -183,7 +144,7 @@ void Player::post()
     if (!m_dirty)
         return;
     m_dirty = false;
-    m_compiler->post({m_document.scene(), ++m_generation, m_run});
+    m_follower.compile(++m_generation, m_run);
     if (m_orders && !m_started)
         m_orders->generation = m_generation;
 }
@@ -243,29 +204,22 @@ bool Player::refuse()
     return true;
 }
 
-void Player::poll()
+void Player::takeCompiled(const Compiled& outcome)
 {
-    takeCompiled();
-    takeFrame();
-}
-
-void Player::takeCompiled()
-{
-    const auto outcome = m_compiler->take();
-    if (!outcome || outcome->run != m_run)
+    const bool runs = outcome.update.system || outcome.update.patch;
+    if (runs)
+        m_runner.load(outcome.update); // the next one builds on it, even when it comes too late
+    if (outcome.run != m_run)
         return; // of a design that has changed since; a newer one is under way
-    m_compiled = outcome->generation;
-    if (outcome->system) {
-        m_runner.load(outcome->system);
-        if (!m_started)
-            m_runner.command(m_commands); // a new run starts with its controls at zero
-    }
+    m_compiled = outcome.generation;
+    if (runs && !m_started)
+        m_runner.command(m_commands); // a new run starts with its controls at zero
 
-    const QString problem = QString::fromStdString(outcome->problem);
+    const QString problem = QString::fromStdString(outcome.problem);
     const bool disappoints = !problem.isEmpty() && (m_playing || m_orders);
     const bool isNews = problem != m_problem || disappoints;
     m_problem = problem;
-    m_culprit = quint32(outcome->culprit);
+    m_culprit = quint32(outcome.culprit);
     if (disappoints)
         halt();
     if (isNews)

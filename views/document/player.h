@@ -1,7 +1,7 @@
 #pragma once
 
+#include "document/follower.h"
 #include "run/runner.h"
-#include "scene/edit.h"
 
 #include <QObject>
 #include <QString>
@@ -14,15 +14,16 @@ namespace ripstop {
 
 class Document;
 
-// The Qt face of the runner: compiles the document off the window's thread whenever it changes,
-// hands the system to the runner, and brings back the newest frame once per displayed frame.
+// The Qt face of the runner: has each change of the document compiled off the window's thread,
+// hands what that comes to to the runner, and brings back the newest frame once per displayed one.
 class Player final : public QObject
 {
     Q_OBJECT
 
 public:
     explicit Player(Document& document, QObject* parent = nullptr);
-    ~Player() override;
+
+    Follower& follower() { return m_follower; }
 
     bool isPlaying() const { return m_playing; }
     double speed() const { return m_speed; }
@@ -51,8 +52,6 @@ signals:
     void stopped(const QString& why, quint32 culprit); // the simulation cannot go on
 
 private:
-    class Compiler;
-
     // What the runner is told as soon as it has the system of `generation`.
     struct Orders
     {
@@ -66,8 +65,7 @@ private:
     void startOver(); // a new run, paused, from the design as it is now
     void compileSoon();
     void post();
-    void poll();
-    void takeCompiled();
+    void takeCompiled(const Compiled& outcome);
     void takeFrame();
     void order(Orders orders);
     void giveOrders();
@@ -78,7 +76,7 @@ private:
 
     Document& m_document;
     Runner m_runner;
-    std::unique_ptr<Compiler> m_compiler; // its thread and mailboxes
+    Follower m_follower;
     std::shared_ptr<const Frame> m_frame;
     Commands m_commands;
     std::optional<Orders> m_orders; // not yet given

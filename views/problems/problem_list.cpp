@@ -35,18 +35,12 @@ QIcon signOf(Severity severity)
     return sign;
 }
 
-std::vector<Problem> problemsIn(const Scene& scene) { return problemsOf(scene); }
-
 } // namespace
 
 ProblemList::ProblemList(Document& document, Selection& selection, Player& player, QWidget* parent)
     : QWidget(parent)
-    , m_document(document)
     , m_selection(selection)
     , m_player(player)
-    , m_worker(
-          problemsIn,
-          [this] { QMetaObject::invokeMethod(this, &ProblemList::collect, Qt::QueuedConnection); })
     , m_pages(new QStackedLayout(this))
     , m_empty(new QLabel(tr("No problems")))
     , m_list(new QListWidget)
@@ -68,6 +62,11 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     connect(&m_delay, &QTimer::timeout, this, &ProblemList::check);
     connect(&document, &Document::changed, &m_delay, qOverload<>(&QTimer::start));
     connect(&document, &Document::replaced, this, &ProblemList::check);
+    connect(&player.follower(), &Follower::checked, this,
+            [this](const std::vector<Problem>& problems) {
+                m_problems = problems;
+                rebuild();
+            });
     connect(&player, &Player::stopped, this, &ProblemList::noteStop);
     connect(&player, &Player::frameReady, this, [this](const std::shared_ptr<const Frame>& frame) {
         if (frame->stopped.empty() && !m_stops.empty()) {
@@ -86,16 +85,7 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     check();
 }
 
-void ProblemList::check() { m_worker.post(m_document.scene()); }
-
-void ProblemList::collect()
-{
-    const auto outcome = m_worker.take();
-    if (!outcome)
-        return;
-    m_problems = *outcome;
-    rebuild();
-}
+void ProblemList::check() { m_player.follower().check(); }
 
 void ProblemList::noteStop(const QString& why, quint32 culprit)
 {

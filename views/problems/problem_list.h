@@ -1,6 +1,5 @@
 #pragma once
 
-#include "document/worker.h"
 #include "scene/check.h"
 
 #include <QTimer>
@@ -35,14 +34,11 @@ signals:
 
 private:
     void check();
-    void collect();
     void noteStop(const QString& why, quint32 culprit);
     void rebuild();
 
-    Document& m_document;
     Selection& m_selection;
     Player& m_player;
-    Worker<Scene, std::vector<Problem>> m_worker;
     std::vector<Problem> m_problems;
     std::vector<Problem> m_stops; // of the run, at most one
     QTimer m_delay;

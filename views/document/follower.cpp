@@ -1,0 +1,111 @@
+#include "document/follower.h"
+
+#include "document/document.h"
+
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+Compiled outcomeOf(LiveSystem& live, std::uint64_t generation, std::uint64_t run)
+{
+    auto update = live.update(generation, run);
+    if (auto* problem = std::get_if<Problem>(&update))
+        return {generation, run, {}, std::move(problem->message), problem->culprit};
+    return {generation, run, std::get<Update>(std::move(update)), {}, {}};
+}
+
+} // namespace
+
+Follower::Follower(Document& document, QObject* parent)
+    : QObject(parent)
+    , m_thread([this](const std::stop_token& stop) { run(stop); })
+{
+    const auto copy = [this, &document] {
+        post([&](Inbox& inbox) {
+            inbox.scene = document.scene();
+            inbox.edits.clear();
+        });
+    };
+    copy();
+    connect(&document, &Document::replaced, this, copy);
+    connect(&document, &Document::changed, this, [this](const Edit& applied) {
+        post([&](Inbox& inbox) { inbox.edits.push_back(applied); });
+    });
+}
+
+void Follower::compile(std::uint64_t generation, std::uint64_t run)
+{
+    post([&](Inbox& inbox) { inbox.compile = {generation, run}; });
+}
+
+void Follower::check()
+{
+    post([](Inbox& inbox) { inbox.check = true; });
+}
+
+template <typename Note>
+void Follower::post(Note note)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        note(m_inbox);
+    }
+    m_wake.notify_one();
+}
+
+template <typename Note>
+void Follower::answer(Note note)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        note(m_outbox);
+    }
+    QMetaObject::invokeMethod(this, &Follower::deliver, Qt::QueuedConnection);
+}
+
+void Follower::deliver()
+{
+    Outbox outbox;
+    {
+        const std::lock_guard lock(m_mutex);
+        outbox = std::exchange(m_outbox, {});
+    }
+    for (const Compiled& outcome : outbox.compiled)
+        emit compiled(outcome);
+    if (outbox.problems)
+        emit checked(*outbox.problems);
+}
+
+void Follower::run(const std::stop_token& stop)
+{
+    LiveSystem live;
+    for (;;) {
+        Inbox inbox;
+        {
+            std::unique_lock lock(m_mutex);
+            if (!m_wake.wait(lock, stop, [this] { return !m_inbox.empty(); }))
+                return;
+            inbox = std::exchange(m_inbox, {});
+        }
+        work(std::move(inbox), live);
+    }
+}
+
+void Follower::work(Inbox inbox, LiveSystem& live)
+{
+    if (inbox.scene)
+        live.replace(std::move(*inbox.scene));
+    for (const Edit& edit : inbox.edits)
+        live.apply(edit);
+    if (inbox.compile) {
+        Compiled outcome = outcomeOf(live, inbox.compile->generation, inbox.compile->run);
+        answer([&](Outbox& outbox) { outbox.compiled.push_back(std::move(outcome)); });
+    }
+    if (inbox.check) {
+        std::vector<Problem> problems = problemsOf(live.scene());
+        answer([&](Outbox& outbox) { outbox.problems = std::move(problems); });
+    }
+}
+
+} // namespace ripstop

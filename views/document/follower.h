@@ -1,0 +1,81 @@
+#pragma once
+
+#include "compile/live_system.h"
+
+#include <QObject>
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace ripstop {
+
+class Document;
+
+// What a compile came to.
+struct Compiled
+{
+    std::uint64_t generation;
+    std::uint64_t run;
+    Update update;       // empty when there is a problem
+    std::string problem; // why the scene cannot run, or empty
+    Id culprit{};
+};
+
+// The scene once more, on a thread of its own. It follows the document edit by edit, so that the
+// window never copies a scene, however large, but when another one is opened. What takes time is
+// done there: finding what an edit means to a running simulation, and the check.
+class Follower final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Follower(Document& document, QObject* parent = nullptr);
+
+    // Both are about the scene as it is now. Of two requests that wait, the newer one counts; each
+    // outcome comes with a signal, in the order of the requests.
+    void compile(std::uint64_t generation, std::uint64_t run);
+    void check();
+
+signals:
+    void compiled(const ripstop::Compiled& outcome); // every update has to be run, in order
+    void checked(const std::vector<ripstop::Problem>& problems);
+
+private:
+    struct Request
+    {
+        std::uint64_t generation;
+        std::uint64_t run;
+    };
+    struct Inbox
+    {
+        std::optional<Scene> scene; // instead of all before
+        std::vector<Edit> edits;
+        std::optional<Request> compile;
+        bool check = false;
+        bool empty() const { return !scene && edits.empty() && !compile && !check; }
+    };
+    struct Outbox
+    {
+        std::vector<Compiled> compiled;
+        std::optional<std::vector<Problem>> problems;
+    };
+
+    template <typename Note>
+    void post(Note note);
+    void deliver();
+    void run(const std::stop_token& stop);
+    void work(Inbox inbox, LiveSystem& live);
+    template <typename Note>
+    void answer(Note note);
+
+    std::mutex m_mutex;
+    Inbox m_inbox;   // guarded by m_mutex
+    Outbox m_outbox; // guarded by m_mutex
+    std::condition_variable_any m_wake;
+    std::jthread m_thread; // last: stops and joins before the rest is destroyed
+};
+
+} // namespace ripstop
