@@ -110,9 +110,9 @@ void Simulation::reset(const Patch& patch)
 
 System& Simulation::ownSystem()
 {
-    // Whoever compiled it gave it away; it was not made const. Others only hold it in tests.
+    // Whoever compiled it gave it away, and it was not made const.
     if (m_system.use_count() > 1)
-        m_system = std::make_shared<const System>(*m_system);
+        m_system = std::make_shared<System>(*m_system);
     return const_cast<System&>(*m_system);
 }
 
