@@ -30,8 +30,8 @@ ElementIndex::ElementIndex(const Scene& scene)
     int links = 0;
     int panels = 0;
     for (const Entry& entry : scene.items) {
-        const Kind kind =
-            std::visit([](const auto& item) { return ripstop::kindOf(ConstRef(&item)); }, entry.item);
+        const Kind kind = std::visit(
+            [](const auto& item) { return ripstop::kindOf(ConstRef(&item)); }, entry.item);
         m_kind.push_back(kind);
         add(entry.id, kind, int(m_kind.size()) - 1);
         if (const Part* part = std::get_if<Part>(&entry.item)) {
