@@ -25,7 +25,7 @@ namespace {
 
 enum class Toggle { No, Off, On };
 
-struct Row
+struct MenuRow
 {
     const char* menu;
     const char* id; // null: a line between actions
@@ -66,7 +66,7 @@ void about(QWidget* window)
 }
 
 // The table. Menus appear in the order in which they are first named.
-std::vector<Row> rowsOf(const Workbench& bench, const Actions& actions)
+std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
 {
     const auto tr = [](const char* text) { return Actions::tr(text); };
     Document& document = bench.document;
@@ -84,7 +84,7 @@ std::vector<Row> rowsOf(const Workbench& bench, const Actions& actions)
     const auto coloring = [&viewport](ColorBy colorBy) {
         return [&viewport, colorBy] { viewport.setColorBy(colorBy); };
     };
-    const Row line{"", nullptr, {}, nullptr, {}, {}, {}};
+    const MenuRow line{"", nullptr, {}, nullptr, {}, {}, {}};
     // clang-format off
     return {
         {"&File", "new",        tr("&New scene"),          "new",     QKeySequence::New,    tr("An empty scene, to draw or import into."), [&files] { files.startNew(); }},
@@ -162,7 +162,7 @@ void Actions::build()
     std::map<QString, QMenu*> menus;
     std::map<QString, QActionGroup*> groups;
     QMenu* menu = nullptr;
-    for (const Row& row : rowsOf(m_bench, *this)) {
+    for (const MenuRow& row : rowsOf(m_bench, *this)) {
         if (!row.id) {
             menu->addSeparator();
             continue;
