@@ -54,7 +54,7 @@ Edit setLink(const Scene& scene, const char* key, double value)
     return set(Kind::Link, key, {links[links.size() / 2].id}, value);
 }
 
-// Of what most links are made of.
+// Of what all links are made of.
 Edit setMaterial(const Scene& scene, const char* key, double value)
 {
     return set(Kind::Material, key, {sheet(scene).links.front().material}, value);
@@ -119,8 +119,10 @@ Result<Scene> clothScene(LinkKind kind)
     scene->settings.gravity.setZero(); // it is the way that is timed, not the flight
     for (Entry& entry : scene->items)
         if (Part* part = std::get_if<Part>(&entry.item))
-            for (Link& link : part->links)
+            for (Link& link : part->links) {
                 link.kind = kind;
+                link.material = part->links.front().material;
+            }
     return scene;
 }
 
