@@ -10,4 +10,22 @@ using Vec3 = Eigen::Vector3d;
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
+// The same in the arrays that the solver works on: one vector register each. The fourth number is
+// zero and stays zero.
+struct alignas(32) PaddedVec3 : Vec3
+{
+    PaddedVec3()
+        : Vec3(Vec3::Zero())
+    {}
+    template <typename Derived>
+    PaddedVec3(const Eigen::MatrixBase<Derived>& value) // NOLINT: as Eigen's own vectors
+        : Vec3(value)
+    {}
+    using Vec3::operator=;
+
+    double padding = 0.0;
+};
+
+static_assert(sizeof(PaddedVec3) == 4 * sizeof(double));
+
 } // namespace ripstop

@@ -40,6 +40,11 @@ public:
     {
         add(values.data(), values.size() * sizeof(T));
     }
+    void add(const std::vector<PaddedVec3>& values)
+    {
+        for (const PaddedVec3& value : values)
+            add(value.data(), sizeof(Vec3));
+    }
     void add(const void* data, std::size_t size)
     {
         const auto* bytes = static_cast<const unsigned char*>(data);
@@ -86,7 +91,7 @@ Energies energies(const System& system, const State& state)
     return sum;
 }
 
-Vec3 centerOfMass(const System& system, std::span<const Vec3> position)
+Vec3 centerOfMass(const System& system, std::span<const PaddedVec3> position)
 {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;

@@ -18,7 +18,7 @@ struct Energies
 
 Energies energies(const System& system, const State& state);
 
-Vec3 centerOfMass(const System& system, std::span<const Vec3> position); // m, pins included
+Vec3 centerOfMass(const System& system, std::span<const PaddedVec3> position); // m, pins included
 Vec3 momentum(const System& system, const State& state);                 // kg m/s, free particles
 
 double totalMass(const System& system);                      // kg, pins included

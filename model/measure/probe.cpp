@@ -11,7 +11,7 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // Mean over the particles of the probe, weighted by mass; the plain mean when nothing has mass.
-Vec3 mean(const ProbeSpec& probe, const System& system, const std::vector<Vec3>& values)
+Vec3 mean(const ProbeSpec& probe, const System& system, const std::vector<PaddedVec3>& values)
 {
     if (probe.particles.empty())
         return Vec3::Constant(nothing);

@@ -167,8 +167,8 @@ std::shared_ptr<Frame> Simulation::frame() const
     frame->time = m_state.time;
     frame->step = m_state.step;
     frame->hash = stateHash(m_state);
-    frame->position = m_state.position;
-    frame->velocity = m_state.velocity;
+    frame->position.assign(m_state.position.begin(), m_state.position.end());
+    frame->velocity.assign(m_state.velocity.begin(), m_state.velocity.end());
     for (const LinkPlace& link : m_system->links)
         frame->torn.push_back(link.kind == LinkKind::Rod
                                   ? m_state.rodTorn[std::size_t(link.index)]

@@ -1,5 +1,6 @@
 #include "sim/coloured_sweeps.h"
 
+#include "sim/four.h"
 #include "sim/rod_solver.h"
 
 #include <algorithm>
@@ -8,21 +9,13 @@
 #include <limits>
 #include <numeric>
 
-// One source for every machine: the compiler lowers these vectors to whatever there is, and GCC
-// picks the widest when the program starts. No operation is fused, so that all of them round alike.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)                                \
-    && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define RIPSTOP_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define RIPSTOP_CLONES
-#endif
-
 namespace ripstop {
 namespace {
 
-using Four = double __attribute__((vector_size(32)));
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
-#define RIPSTOP_INLINE inline __attribute__((always_inline))
+// Handing a substep to threads costs about what these many projections take.
+constexpr std::size_t worthThreads = 30000;
 
 // SplitMix64 (Steele, Lea and Flood 2014).
 std::uint64_t mixed(std::uint64_t x)
@@ -52,43 +45,132 @@ double highestOf(Resists resists)
     return resists == Resists::Compression ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-bool isPlain(const Rod& rod) { return rod.compliance == 0.0 && rod.resists == Resists::Both; }
+std::uint32_t bytesTo(int particle)
+{
+    return std::uint32_t(particle) * std::uint32_t(sizeof(PaddedVec3));
+}
+
+// Chunks that share a particle with each chunk.
+Rows touchingChunks(const System& system)
+{
+    const std::size_t chunks = system.chunkStart.size() - 1;
+    std::vector<std::vector<int>> at(system.inverseMass.size()); // chunks of each particle
+    const auto forEachEnd = [&](std::size_t chunk, auto&& visit) {
+        const int first = system.colorStart[std::size_t(system.chunkStart[chunk])];
+        const int last = system.colorStart[std::size_t(system.chunkStart[chunk + 1])];
+        for (int r = first; r < last; ++r)
+            for (const int end : {system.rods[std::size_t(r)].a, system.rods[std::size_t(r)].b})
+                visit(std::size_t(end));
+    };
+    for (std::size_t c = 0; c < chunks; ++c)
+        forEachEnd(c, [&](std::size_t end) {
+            if (at[end].empty() || at[end].back() != int(c))
+                at[end].push_back(int(c));
+        });
+    Rows rows;
+    rows.start.push_back(0);
+    for (std::size_t c = 0; c < chunks; ++c) {
+        std::vector<int> touching;
+        forEachEnd(c, [&](std::size_t end) {
+            touching.insert(touching.end(), at[end].begin(), at[end].end());
+        });
+        std::sort(touching.begin(), touching.end());
+        touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+        std::erase(touching, int(c));
+        rows.items.insert(rows.items.end(), touching.begin(), touching.end());
+        rows.start.push_back(int(rows.items.size()));
+    }
+    return rows;
+}
 
 } // namespace
 
 void ColouredSweeps::project(const RodTask& task, Crew& crew)
 {
-    if (task.system.serial != m_serial || task.system.valuesSerial != m_valuesSerial
-        || task.h != m_h)
+    const System& system = task.system;
+    if (system.serial != m_serial)
         cook(task);
+    if (system.valuesSerial != m_valuesSerial)
+        renew(task);
+    if (task.h != m_h)
+        soften(task);
     update(task);
-
-    const std::size_t particles = task.position.size();
-    crew.each(particles, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Vec3& x = task.position[i];
-            m_rows[i] = {{x.x(), x.y(), x.z(), 0.0}};
-        }
-    });
-    std::fill(m_multipliers.begin(), m_multipliers.end(), Multipliers{});
+    std::fill(m_batches.multiplier.begin(), m_batches.multiplier.end(), Lanes{});
 
     // Sweeps always in the same direction feed energy into braced frames: they flutter however many
     // substeps there are. Sweeps there and back do not, and settle without noise. A single sweep
     // per substep needs another order in each, the same in every run.
-    putInOrder(task.system);
-    if (task.system.sweeps == 1)
-        shuffle(task.system, task.seed);
-    for (int i = 0; i < task.system.sweeps; ++i)
-        sweep(task.system, i % 2 == 0 ? Direction::There : Direction::Back, crew);
+    putInOrder(system);
+    if (system.sweeps == 1)
+        shuffle(system, task.seed);
 
-    crew.each(particles, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            task.position[i] = Vec3(m_rows[i].x[0], m_rows[i].x[1], m_rows[i].x[2]);
-    });
-    crew.each(m_lane.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            task.multiplier[i] = m_multipliers[m_lane[i] / 4].value[m_lane[i] % 4];
-    });
+    PaddedVec3* const position = task.position.data();
+    const std::size_t projections = system.rods.size() * std::size_t(system.sweeps);
+    if (crew.threads() > 1 && m_relay.chunks() > 1 && projections >= worthThreads) {
+        m_relay.run(crew, system.sweeps, m_classOrder, [&](int sweep, int chunk) {
+            sweepChunk(system, chunk, sweep % 2 != 0, position);
+        });
+    } else {
+        const std::size_t classes = m_classOrder.size();
+        for (int sweep = 0; sweep < system.sweeps; ++sweep)
+            for (std::size_t k = 0; k < classes; ++k) {
+                const bool back = sweep % 2 != 0;
+                const auto c = std::size_t(m_classOrder[back ? classes - 1 - k : k]);
+                for (int chunk = system.classStart[c]; chunk < system.classStart[c + 1]; ++chunk)
+                    sweepChunk(system, chunk, back, position);
+            }
+    }
+    noteSoft();
+}
+
+void ColouredSweeps::sweepChunk(const System& system, int chunk, bool backwards,
+                                PaddedVec3* position)
+{
+    const auto first = std::size_t(system.chunkStart[std::size_t(chunk)]);
+    const auto last = std::size_t(system.chunkStart[std::size_t(chunk) + 1]);
+    sweepRuns(m_batches, std::span(m_colorOrder).subspan(first, last - first), backwards, position,
+              wideMachine);
+}
+
+void ColouredSweeps::noteSoft()
+{
+    for (std::size_t i = 0; i < m_softSum.size(); ++i)
+        for (int lane = 0; lane < 4; ++lane)
+            m_softSum[i].value[lane] += m_batches.multiplier[i].value[lane];
+}
+
+void ColouredSweeps::takeMultipliers(const System& system, std::span<double> sum)
+{
+    if (system.serial != m_serial)
+        return; // not one substep yet
+    for (std::size_t r = 0; r < m_place.size(); ++r) {
+        const Place& place = m_place[r];
+        if (place.lanes == 0) // another solver has it
+            continue;
+        const int lane = std::countr_zero(place.lanes);
+        if (place.kind == Kind::Soft)
+            sum[r] += m_softSum[place.batch].value[lane];
+        else if (m_torn[r] || m_inverseWeight[r] == 0.0)
+            continue;
+        else if (place.kind == Kind::Plain)
+            sum[r] += m_batches.plainStretch[place.batch].value[lane] * m_inverseWeight[r];
+        else
+            sum[r] += m_batches.evenStretch[place.batch].value[lane] * 2.0 * m_inverseWeight[r];
+    }
+    std::fill(m_batches.evenStretch.begin(), m_batches.evenStretch.end(), Lanes{});
+    std::fill(m_batches.plainStretch.begin(), m_batches.plainStretch.end(), Lanes{});
+    std::fill(m_softSum.begin(), m_softSum.end(), Lanes{});
+}
+
+// --- cooking ------------------------------------------------------------------------------------
+
+ColouredSweeps::Kind ColouredSweeps::kindOf(const System& system, const Rod& rod)
+{
+    if (rod.compliance != 0.0 || rod.resists != Resists::Both)
+        return Kind::Soft;
+    const double wa = system.inverseMass[std::size_t(rod.a)];
+    const double wb = system.inverseMass[std::size_t(rod.b)];
+    return wa == wb && wa > 0.0 ? Kind::Even : Kind::Plain;
 }
 
 void ColouredSweeps::cook(const RodTask& task)
@@ -97,98 +179,186 @@ void ColouredSweeps::cook(const RodTask& task)
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
     m_h = task.h;
-    m_batches.clear();
-    m_runs.clear();
-    m_lane.assign(system.rods.size(), 0);
-    m_torn.assign(system.rods.size(), 0);
-    m_softness.clear();
-
-    // Idle lanes need rows that no other thread touches: eight for each chunk.
-    const std::size_t chunks = system.chunkStart.size() - 1;
-    const std::size_t particles = system.inverseMass.size();
-    m_rows.assign(particles + 8 * chunks, Row{});
-    for (std::size_t c = 0; c < chunks; ++c)
-        for (int color = system.chunkStart[c]; color < system.chunkStart[c + 1]; ++color)
-            cookRun(task, color, std::uint32_t(particles + 8 * c));
-    m_multipliers.resize(m_batches.size());
-
-    m_softness.assign(
-        std::all_of(system.rods.begin(), system.rods.end(), isPlain) ? 0 : m_batches.size(),
-        Softness{});
-    for (std::size_t r = 0; r < system.rods.size() && !m_softness.empty(); ++r) {
-        Softness& soft = m_softness[m_lane[r] / 4];
-        soft.softness[m_lane[r] % 4] = system.rods[r].compliance / (m_h * m_h);
-        soft.lowest[m_lane[r] % 4] = lowestOf(system.rods[r].resists);
-        soft.highest[m_lane[r] % 4] = highestOf(system.rods[r].resists);
-    }
+    m_batches = {};
+    m_place.assign(system.rods.size(), Place{});
+    m_torn.assign(task.torn.begin(), task.torn.end());
+    m_inverseWeight.resize(system.rods.size());
     for (std::size_t r = 0; r < system.rods.size(); ++r)
-        weigh(system, r, false);
+        weigh(system, r);
+    const auto range = [](std::size_t first, std::size_t last) {
+        return BatchRange{std::uint32_t(first), std::uint32_t(last)};
+    };
+    for (int color = 0; color + 1 < int(system.colorStart.size()); ++color) {
+        const std::size_t even = m_batches.even.size();
+        const std::size_t plain = m_batches.plain.size();
+        const std::size_t soft = m_batches.soft.size();
+        for (const Kind kind : {Kind::Even, Kind::Plain, Kind::Soft})
+            cookKind(task, kind, color);
+        m_batches.runs.push_back({range(even, m_batches.even.size()),
+                                  range(plain, m_batches.plain.size()),
+                                  range(soft, m_batches.soft.size())});
+    }
+    m_batches.evenStretch.assign(m_batches.even.size(), Lanes{});
+    m_batches.plainStretch.assign(m_batches.plain.size(), Lanes{});
+    m_batches.multiplier.assign(m_batches.soft.size(), Lanes{});
+    m_softSum.assign(m_batches.soft.size(), Lanes{});
+    for (std::size_t r = 0; r < system.rods.size(); ++r)
+        fill(task, r);
+    prepareRelay(system);
 }
 
-void ColouredSweeps::cookRun(const RodTask& task, int color, std::uint32_t idleRow)
+// The rods of one kind in a colour, four by four; the last batch repeats its last rod.
+void ColouredSweeps::cookKind(const RodTask& task, Kind kind, int color)
+{
+    const auto cookFour = [&](std::span<const int> four) {
+        switch (kind) {
+        case Kind::Even:
+            return cookBatch(task, m_batches.even, four);
+        case Kind::Plain:
+            return cookBatch(task, m_batches.plain, four);
+        case Kind::Soft:
+            return cookBatch(task, m_batches.soft, four);
+        }
+    };
+    std::array<int, 4> four;
+    std::size_t count = 0;
+    for (int r = task.system.colorStart[std::size_t(color)];
+         r < task.system.colorStart[std::size_t(color) + 1]; ++r) {
+        const bool elsewhere = !task.system.direct.empty() && task.system.direct[std::size_t(r)];
+        if (elsewhere || kindOf(task.system, task.system.rods[std::size_t(r)]) != kind)
+            continue;
+        four[count++] = r;
+        if (count == four.size()) {
+            cookFour(four);
+            count = 0;
+        }
+    }
+    if (count > 0)
+        cookFour(std::span(four).first(count));
+}
+
+template <typename Batch>
+void ColouredSweeps::cookBatch(const RodTask& task, std::vector<Batch>& batches,
+                               std::span<const int> four)
+{
+    Batch& batch = batches.emplace_back();
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+        const auto r = std::size_t(four[std::min(lane, four.size() - 1)]);
+        const Rod& rod = task.system.rods[r];
+        batch.a[lane] = bytesTo(rod.a);
+        batch.b[lane] = bytesTo(rod.b);
+        if (lane < four.size())
+            m_place[r] = {kindOf(task.system, rod), 0, std::uint32_t(batches.size() - 1)};
+        m_place[r].lanes |= std::uint8_t(1u << lane);
+    }
+}
+
+// Puts the numbers of a rod into its lanes.
+void ColouredSweeps::fill(const RodTask& task, std::size_t r)
+{
+    const Rod& rod = task.system.rods[r];
+    const double wa = task.system.inverseMass[std::size_t(rod.a)];
+    const double wb = task.system.inverseMass[std::size_t(rod.b)];
+    const double rest = task.restLength[r];
+    const Place& place = m_place[r];
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+        if ((place.lanes & (1u << lane)) == 0)
+            continue;
+        switch (place.kind) {
+        case Kind::Even:
+            m_batches.even[place.batch].halfRest[lane] = m_torn[r] ? notANumber : 0.5 * rest;
+            break;
+        case Kind::Plain: {
+            PlainBatch& batch = m_batches.plain[place.batch];
+            batch.rest[lane] = m_torn[r] ? notANumber : rest;
+            batch.shareA[lane] = wa * m_inverseWeight[r];
+            batch.shareB[lane] = wb * m_inverseWeight[r];
+            break;
+        }
+        case Kind::Soft: {
+            SoftBatch& batch = m_batches.soft[place.batch];
+            batch.rest[lane] = rest;
+            batch.inverseMassA[lane] = wa;
+            batch.inverseMassB[lane] = wb;
+            batch.softness[lane] = rod.compliance / (m_h * m_h);
+            const double weight = wa + wb + batch.softness[lane];
+            batch.inverseWeight[lane] = m_torn[r] || weight == 0.0 ? 0.0 : 1.0 / weight;
+            batch.lowest[lane] = lowestOf(rod.resists);
+            batch.highest[lane] = highestOf(rod.resists);
+            break;
+        }
+        }
+    }
+}
+
+// Takes over numbers that changed in place. The order stays; a rod that needs more or less than
+// before changes the batches, though.
+void ColouredSweeps::renew(const RodTask& task)
 {
     const System& system = task.system;
-    Run run{std::uint32_t(m_batches.size()), 0, 0};
-    for (const bool plain : {true, false}) {
-        int lane = 4;
-        for (int r = system.colorStart[std::size_t(color)];
-             r < system.colorStart[std::size_t(color) + 1]; ++r) {
-            const Rod& rod = system.rods[std::size_t(r)];
-            if (isPlain(rod) != plain)
-                continue;
-            if (lane == 4) {
-                Batch batch{};
-                for (std::uint32_t idle = 0; idle < 4; ++idle) {
-                    batch.a[idle] = (idleRow + idle) * std::uint32_t(sizeof(Row));
-                    batch.b[idle] = (idleRow + 4 + idle) * std::uint32_t(sizeof(Row));
-                }
-                m_batches.push_back(batch);
-                lane = 0;
-            }
-            Batch& batch = m_batches.back();
-            batch.a[lane] = std::uint32_t(rod.a) * std::uint32_t(sizeof(Row));
-            batch.b[lane] = std::uint32_t(rod.b) * std::uint32_t(sizeof(Row));
-            batch.rest[lane] = task.restLength[std::size_t(r)];
-            batch.pullA[lane] = system.inverseMass[std::size_t(rod.a)];
-            batch.pullB[lane] = system.inverseMass[std::size_t(rod.b)];
-            m_lane[std::size_t(r)] = 4 * std::uint32_t(m_batches.size() - 1) + std::uint32_t(lane);
-            ++lane;
-        }
-        (plain ? run.soft : run.last) = std::uint32_t(m_batches.size());
+    const bool known = system.touched.since <= m_valuesSerial;
+    m_valuesSerial = system.valuesSerial;
+    bool sameKind = known;
+    const auto look = [&](int rod) {
+        const auto r = std::size_t(rod);
+        sameKind = sameKind
+                   && (m_place[r].lanes == 0 || kindOf(system, system.rods[r]) == m_place[r].kind);
+        weigh(system, r);
+        fill(task, r);
+    };
+    if (known) {
+        for (const int rod : system.touched.rods)
+            look(rod);
+        for (const int particle : system.touched.particles)
+            for (int k = system.rodsAt.start[std::size_t(particle)];
+                 k < system.rodsAt.start[std::size_t(particle) + 1]; ++k)
+                look(system.rodsAt.items[std::size_t(k)]);
     }
-    m_runs.push_back(run);
+    if (!sameKind)
+        cook(task);
 }
 
-void ColouredSweeps::weigh(const System& system, std::size_t rod, bool torn)
+void ColouredSweeps::weigh(const System& system, std::size_t r)
 {
-    Batch& batch = m_batches[m_lane[rod] / 4];
-    const std::size_t lane = m_lane[rod] % 4;
+    const Rod& rod = system.rods[r];
     const double weight =
-        batch.pullA[lane] + batch.pullB[lane] + system.rods[rod].compliance / (m_h * m_h);
-    const bool elsewhere = !system.direct.empty() && system.direct[rod];
-    // Two rigid pins cannot move.
-    batch.inverseWeight[lane] = torn || elsewhere || weight == 0.0 ? 0.0 : 1.0 / weight;
-    m_torn[rod] = torn;
+        system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+    m_inverseWeight[r] = weight > 0.0 ? 1.0 / weight : 0.0;
+}
+
+void ColouredSweeps::soften(const RodTask& task)
+{
+    m_h = task.h;
+    for (std::size_t r = 0; !m_batches.soft.empty() && r < m_place.size(); ++r)
+        if (m_place[r].kind == Kind::Soft)
+            fill(task, r);
 }
 
 // What may change from substep to substep: shifted rest lengths and torn rods.
 void ColouredSweeps::update(const RodTask& task)
 {
-    for (const ShiftedRod& shifted : task.system.shiftedRods) {
-        const auto rod = std::size_t(shifted.rod);
-        m_batches[m_lane[rod] / 4].rest[m_lane[rod] % 4] = task.restLength[rod];
-    }
-    if (std::memcmp(m_torn.data(), task.torn.data(), m_torn.size()) != 0)
+    if (!m_torn.empty() && std::memcmp(m_torn.data(), task.torn.data(), m_torn.size()) != 0)
         for (std::size_t r = 0; r < m_torn.size(); ++r)
-            if (m_torn[r] != task.torn[r])
-                weigh(task.system, r, task.torn[r] != 0);
+            if (m_torn[r] != task.torn[r]) {
+                m_torn[r] = task.torn[r];
+                fill(task, r);
+            }
+    for (const ShiftedRod& shifted : task.system.shiftedRods)
+        fill(task, std::size_t(shifted.rod));
 }
+
+void ColouredSweeps::prepareRelay(const System& system)
+{
+    m_relay.prepare(touchingChunks(system), system.classStart);
+}
+
+// --- order --------------------------------------------------------------------------------------
 
 void ColouredSweeps::putInOrder(const System& system)
 {
     m_classOrder.resize(system.classStart.size() - 1);
     std::iota(m_classOrder.begin(), m_classOrder.end(), 0);
-    m_colorOrder.resize(m_runs.size());
+    m_colorOrder.resize(m_batches.runs.size());
     std::iota(m_colorOrder.begin(), m_colorOrder.end(), 0);
 }
 
@@ -199,130 +369,6 @@ void ColouredSweeps::shuffle(const System& system, std::uint64_t seed)
         const auto first = std::size_t(system.chunkStart[c]);
         const auto last = std::size_t(system.chunkStart[c + 1]);
         shuffleInts(std::span(m_colorOrder).subspan(first, last - first), seed + c + 1);
-    }
-}
-
-void ColouredSweeps::sweep(const System& system, Direction direction, Crew& crew)
-{
-    const bool back = direction == Direction::Back;
-    const std::size_t classes = m_classOrder.size();
-    for (std::size_t k = 0; k < classes; ++k) {
-        const auto c = std::size_t(m_classOrder[back ? classes - 1 - k : k]);
-        const auto begin = std::size_t(system.classStart[c]);
-        const auto end = std::size_t(system.classStart[c + 1]);
-        crew.tasks(end - begin, [&](std::size_t task) {
-            const auto first = std::size_t(system.chunkStart[begin + task]);
-            const auto last = std::size_t(system.chunkStart[begin + task + 1]);
-            for (std::size_t i = first; i < last; ++i)
-                sweep(m_runs[std::size_t(m_colorOrder[back ? first + last - 1 - i : i])]);
-        });
-    }
-}
-
-void ColouredSweeps::sweep(const Run& run)
-{
-    if (run.soft > run.first)
-        sweepPlain(&m_batches[run.first], run.soft - run.first, m_rows.data(),
-                   &m_multipliers[run.first]);
-    if (run.last > run.soft)
-        sweepSoft(&m_batches[run.soft], &m_softness[run.soft], run.last - run.soft, m_rows.data(),
-                  &m_multipliers[run.soft]);
-}
-
-namespace {
-
-RIPSTOP_INLINE Four& four(double* p) { return *reinterpret_cast<Four*>(p); }
-RIPSTOP_INLINE const Four& four(const double* p) { return *reinterpret_cast<const Four*>(p); }
-
-// XPBD, Macklin, Mueller and Chentanez 2016, equations 17 and 18, without damping. Plain rods,
-// which resist both ways and never stretch, are the same with softness 0 and no bounds.
-template <bool plain>
-RIPSTOP_INLINE void projectFour(const double* rest, const double* pullA, const double* pullB,
-                                const double* inverseWeight, const double* softness,
-                                const double* lowest, const double* highest, double* const a[4],
-                                double* const b[4], double* multiplier)
-{
-    const Four a0 = four(a[0]), a1 = four(a[1]), a2 = four(a[2]), a3 = four(a[3]);
-    const Four b0 = four(b[0]), b1 = four(b[1]), b2 = four(b[2]), b3 = four(b[3]);
-    const Four d0 = b0 - a0, d1 = b1 - a1, d2 = b2 - a2, d3 = b3 - a3;
-
-    // from four separations to four x, four y and four z
-    const Four xz01 = __builtin_shufflevector(d0, d1, 0, 4, 2, 6);
-    const Four xz23 = __builtin_shufflevector(d2, d3, 0, 4, 2, 6);
-    const Four yw01 = __builtin_shufflevector(d0, d1, 1, 5, 3, 7);
-    const Four yw23 = __builtin_shufflevector(d2, d3, 1, 5, 3, 7);
-    const Four x = __builtin_shufflevector(xz01, xz23, 0, 1, 4, 5);
-    const Four y = __builtin_shufflevector(yw01, yw23, 0, 1, 4, 5);
-    const Four z = __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7);
-
-    const Four square = x * x + y * y + z * z;
-    Four length;
-    for (int i = 0; i < 4; ++i)
-        length[i] = __builtin_sqrt(square[i]);
-
-    const Four stretch = length - four(rest);
-    const Four old = four(multiplier);
-    Four change;
-    if constexpr (plain) {
-        change = stretch * four(inverseWeight);
-    } else {
-        // Clamp the running total, not the change: a line may give back pull it took.
-        Four total = old + (stretch - four(softness) * old) * four(inverseWeight);
-        total = total < four(lowest) ? four(lowest) : total;
-        total = total > four(highest) ? four(highest) : total;
-        change = total - old;
-    }
-    // Coincident ends have no direction to move along.
-    change = square > 0.0 ? change : Four{};
-    const Four perLength = square > 0.0 ? change / length : Four{};
-    four(multiplier) = old + change;
-
-    const Four pa = perLength * four(pullA);
-    const Four pb = perLength * four(pullB);
-    four(a[0]) = a0 + d0 * __builtin_shufflevector(pa, pa, 0, 0, 0, 0);
-    four(a[1]) = a1 + d1 * __builtin_shufflevector(pa, pa, 1, 1, 1, 1);
-    four(a[2]) = a2 + d2 * __builtin_shufflevector(pa, pa, 2, 2, 2, 2);
-    four(a[3]) = a3 + d3 * __builtin_shufflevector(pa, pa, 3, 3, 3, 3);
-    four(b[0]) = b0 - d0 * __builtin_shufflevector(pb, pb, 0, 0, 0, 0);
-    four(b[1]) = b1 - d1 * __builtin_shufflevector(pb, pb, 1, 1, 1, 1);
-    four(b[2]) = b2 - d2 * __builtin_shufflevector(pb, pb, 2, 2, 2, 2);
-    four(b[3]) = b3 - d3 * __builtin_shufflevector(pb, pb, 3, 3, 3, 3);
-}
-
-RIPSTOP_INLINE double* at(void* rows, std::uint32_t bytes)
-{
-    return reinterpret_cast<double*>(static_cast<char*>(rows) + bytes);
-}
-
-} // namespace
-
-RIPSTOP_CLONES
-void ColouredSweeps::sweepPlain(const Batch* batch, std::size_t count, Row* row,
-                                Multipliers* multiplier)
-{
-    for (std::size_t i = 0; i < count; ++i) {
-        const Batch& four = batch[i];
-        double* const a[4] = {at(row, four.a[0]), at(row, four.a[1]), at(row, four.a[2]),
-                              at(row, four.a[3])};
-        double* const b[4] = {at(row, four.b[0]), at(row, four.b[1]), at(row, four.b[2]),
-                              at(row, four.b[3])};
-        projectFour<true>(four.rest, four.pullA, four.pullB, four.inverseWeight, nullptr, nullptr,
-                          nullptr, a, b, multiplier[i].value);
-    }
-}
-
-RIPSTOP_CLONES
-void ColouredSweeps::sweepSoft(const Batch* batch, const Softness* soft, std::size_t count,
-                               Row* row, Multipliers* multiplier)
-{
-    for (std::size_t i = 0; i < count; ++i) {
-        const Batch& four = batch[i];
-        double* const a[4] = {at(row, four.a[0]), at(row, four.a[1]), at(row, four.a[2]),
-                              at(row, four.a[3])};
-        double* const b[4] = {at(row, four.b[0]), at(row, four.b[1]), at(row, four.b[2]),
-                              at(row, four.b[3])};
-        projectFour<false>(four.rest, four.pullA, four.pullB, four.inverseWeight, soft[i].softness,
-                           soft[i].lowest, soft[i].highest, a, b, multiplier[i].value);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/crew.h"
+#include "sim/relay.h"
+#include "sim/rod_batches.h"
 #include "sim/system.h"
 
 #include <cstdint>
@@ -13,74 +14,55 @@ struct RodTask;
 
 // Gauss-Seidel in colours, four rods at a time.
 //
-// The rods of a system are cooked once into batches of four that share no particle; positions are
-// copied into rows of four doubles for the sweeps and back. The arithmetic is the same, to the bit,
-// with and without vector instructions, and for any number of threads.
+// The rods of a system are cooked once into batches of four that share no particle. The arithmetic
+// is the same, to the bit, with and without vector instructions, and for any number of threads.
 class ColouredSweeps
 {
 public:
     // All sweeps of one substep.
     void project(const RodTask& task, Crew& crew);
 
+    // Adds what each rod took since the last call, kg m.
+    void takeMultipliers(const System& system, std::span<double> sum);
+
 private:
-    struct alignas(32) Row // a particle
+    enum class Kind : std::uint8_t { Even, Plain, Soft };
+
+    struct Place // of a rod among the batches
     {
-        double x[4]; // m; the fourth is zero
-    };
-    struct alignas(32) Batch // four rods
-    {
-        double rest[4];          // m
-        double pullA[4];         // 1/kg, inverse mass of each end; 0 when pinned
-        double pullB[4];         // 1/kg
-        double inverseWeight[4]; // kg; 0 when the lane is idle, torn or pinned at both ends
-        std::uint32_t a[4];      // bytes from the first row
-        std::uint32_t b[4];
-    };
-    struct alignas(32) Softness // what a batch has besides when not all its rods are plain
-    {
-        double softness[4]; // 1/kg, compliance / h^2
-        double lowest[4];   // kg m, range of the multiplier
-        double highest[4];
-    };
-    struct alignas(32) Multipliers
-    {
-        double value[4]; // kg m
-    };
-    struct Run // the batches of one colour: plain ones first
-    {
-        std::uint32_t first;
-        std::uint32_t soft;
-        std::uint32_t last;
+        Kind kind = Kind::Even;
+        std::uint8_t lanes = 0; // the lanes that it has, one bit each; none when it is not ours
+        std::uint32_t batch = 0;
     };
 
     void cook(const RodTask& task);
-    void cookRun(const RodTask& task, int color, std::uint32_t idleRow);
+    void cookKind(const RodTask& task, Kind kind, int color);
+    template <typename Batch>
+    void cookBatch(const RodTask& task, std::vector<Batch>& batches, std::span<const int> four);
+    void fill(const RodTask& task, std::size_t rod);
+    void soften(const RodTask& task);
+    void renew(const RodTask& task);
+    void weigh(const System& system, std::size_t rod);
+    void prepareRelay(const System& system);
     void update(const RodTask& task);
-    void weigh(const System& system, std::size_t rod, bool torn);
-    enum class Direction { There, Back };
-
     void putInOrder(const System& system);
     void shuffle(const System& system, std::uint64_t seed);
-    void sweep(const System& system, Direction direction, Crew& crew);
-    void sweep(const Run& run);
+    void sweepChunk(const System& system, int chunk, bool backwards, PaddedVec3* position);
+    void noteSoft();
 
-    static void sweepPlain(const Batch* batch, std::size_t count, Row* row,
-                           Multipliers* multiplier);
-    static void sweepSoft(const Batch* batch, const Softness* soft, std::size_t count, Row* row,
-                          Multipliers* multiplier);
+    static Kind kindOf(const System& system, const Rod& rod);
 
     std::uint64_t m_serial = 0; // of the system that is cooked
     std::uint64_t m_valuesSerial = 0;
-    double m_h = 0.0;           // s, for which it is cooked
-    std::vector<Batch> m_batches;
-    std::vector<Softness> m_softness; // [batches], or empty when every rod is plain
-    std::vector<Multipliers> m_multipliers;
-    std::vector<Run> m_runs;           // [colours]
-    std::vector<std::uint32_t> m_lane; // [rods] 4 x batch + lane
-    std::vector<std::uint8_t> m_torn;  // [rods] as cooked
-    std::vector<Row> m_rows;           // [particles + idle rows]
-    std::vector<int> m_colorOrder;     // [colours] within each chunk
-    std::vector<int> m_classOrder;     // [classes]
+    double m_h = 0.0; // s, for which soft rods are cooked
+    RodBatches m_batches;
+    std::vector<Lanes> m_softSum;        // [soft] kg m, since takeMultipliers()
+    std::vector<Place> m_place;          // [rods]
+    std::vector<double> m_inverseWeight; // [rods] kg; 0 when pinned at both ends
+    std::vector<std::uint8_t> m_torn;    // [rods] as cooked
+    std::vector<int> m_colorOrder;       // [colours] within each chunk
+    std::vector<int> m_classOrder;       // [classes]
+    Relay m_relay;
 };
 
 } // namespace ripstop

@@ -56,8 +56,8 @@ Rebound rebound(const Obstacle& obstacle, const Vec3& velocity, const Vec3& norm
 
 } // namespace
 
-void resolveContacts(const System& system, State& state, std::span<const Vec3> before, double h,
-                     Crew& crew)
+void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
+                     double h, Crew& crew)
 {
     if (system.obstacles.empty())
         return;

@@ -18,7 +18,7 @@ namespace ripstop {
 // `h` is the substep, s: an impact that is slower than what gravity adds in two substeps counts as
 // rest and does not bounce.
 //   before  [particles]  m, position at the start of the substep
-void resolveContacts(const System& system, State& state, std::span<const Vec3> before, double h,
-                     Crew& crew);
+void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
+                     double h, Crew& crew);
 
 } // namespace ripstop

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
 #if defined(__SANITIZE_THREAD__)
@@ -53,7 +54,8 @@ struct Crew::Arena
 };
 
 Crew::Crew(int threads)
-    : m_arena(threads > 1 ? new Arena(threads) : nullptr)
+    : m_threads(threads > 1 ? threads : 1)
+    , m_arena(threads > 1 ? new Arena(threads) : nullptr)
 {}
 
 Crew::~Crew() = default;
@@ -65,12 +67,14 @@ void Crew::spread(std::size_t count, std::size_t least, const void* body,
 {
     release(handedOut);
     m_arena->arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least),
-                          [&](const tbb::blocked_range<std::size_t>& range) RIPSTOP_UNWATCHED {
-                              acquire(handedOut);
-                              call(body, range.begin(), range.end());
-                              release(takenBack);
-                          });
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, least),
+            [&](const tbb::blocked_range<std::size_t>& range) RIPSTOP_UNWATCHED {
+                acquire(handedOut);
+                call(body, range.begin(), range.end());
+                release(takenBack);
+            },
+            tbb::simple_partitioner());
     });
     acquire(takenBack);
 }

@@ -27,29 +27,34 @@ public:
             });
     }
 
-    // Items that are each worth a thread: body(item).
+    // Calls body(seat) for seats 0 .. threads() - 1, each on a thread of its own when there is one
+    // to spare; one after another otherwise.
     template <typename Body>
-    void tasks(std::size_t count, Body body)
+    void together(Body body)
     {
         const auto range = [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i)
-                body(i);
+            for (std::size_t seat = first; seat < last; ++seat)
+                body(int(seat));
         };
-        if (!m_arena || count < 2)
-            range(0, count);
+        if (!m_arena)
+            range(0, 1);
         else
-            spread(count, 1, &range, [](const void* r, std::size_t first, std::size_t last) {
-                (*static_cast<const decltype(range)*>(r))(first, last);
-            });
+            spread(std::size_t(m_threads), 1, &range,
+                   [](const void* r, std::size_t first, std::size_t last) {
+                       (*static_cast<const decltype(range)*>(r))(first, last);
+                   });
     }
 
+    int threads() const { return m_threads; }
+
 private:
-    static constexpr std::size_t grain = 2048;
+    static constexpr std::size_t grain = 4096; // handing out work takes some microseconds
 
     void spread(std::size_t count, std::size_t least, const void* body,
                 void (*call)(const void*, std::size_t, std::size_t));
 
     struct Arena;
+    int m_threads;
     std::unique_ptr<Arena> m_arena; // null for one thread
 };
 

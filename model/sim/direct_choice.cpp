@@ -282,7 +282,7 @@ std::vector<Candidate> frames(const System& system, std::span<const Candidate> r
         DirectSolver trial;
         if (found[g].particles <= mostParticles && found[g].sweeps >= manySweeps)
             trial.prepare(system, found[g].rods);
-        if (trial.rods() == 0 || trial.products() > mostProducts)
+        if (trial.rods().empty() || trial.products() > mostProducts)
             found[g].sweeps = 0.0;
     }
     return found;

@@ -164,7 +164,7 @@ void DirectSolver::soften(const System& system, double h)
     }
 }
 
-void DirectSolver::start(const RodTask& task)
+void DirectSolver::start(const RodTask& task, std::span<const double> multiplier)
 {
     if (task.h != m_h)
         soften(task.system, task.h);
@@ -172,11 +172,12 @@ void DirectSolver::start(const RodTask& task)
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
         bar.rest = task.restLength[r];
-        bar.multiplier = bar.torn ? 0.0 : task.multiplier[r] * (task.h * task.h);
+        bar.multiplier = bar.torn ? 0.0 : multiplier[r];
     }
 }
 
-int DirectSolver::project(const RodTask& task, int iterations, double tolerance)
+int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int iterations,
+                          double tolerance)
 {
     if (m_bars.empty())
         return 0;
@@ -211,12 +212,12 @@ int DirectSolver::project(const RodTask& task, int iterations, double tolerance)
         task.position[std::size_t(m_particle[i])] =
             Vec3(m_position[i].v[0], m_position[i].v[1], m_position[i].v[2]);
     for (const Bar& bar : m_bars) {
-        double multiplier = bar.multiplier;
+        double& held = multiplier[std::size_t(bar.rod)];
+        held = bar.multiplier;
         if (bar.resists == Resists::Tension)
-            multiplier = std::max(multiplier, 0.0);
+            held = std::max(held, 0.0);
         if (bar.resists == Resists::Compression)
-            multiplier = std::min(multiplier, 0.0);
-        task.multiplier[std::size_t(bar.rod)] = multiplier;
+            held = std::min(held, 0.0);
     }
     return taken;
 }

@@ -51,16 +51,18 @@ public:
     // Reads the numbers of the rods and the masses again, after they changed in place.
     void refresh(const System& system);
 
-    // Reads what the block's rods start from: what is torn, rest lengths, and the tensions of the
-    // substep before, before other solvers put multipliers in their place.
-    void start(const RodTask& task);
+    // Reads what the block's rods start from: what is torn, rest lengths, and the multipliers of
+    // the substep before.
+    //   multiplier  [rods of the system]  kg m
+    void start(const RodTask& task, std::span<const double> multiplier);
 
     // Moves the block's particles from where they are and fills the multipliers of its rods, in at
     // most so many iterations; returns how many it took. Fewer than two cannot follow a sudden
     // load.
-    int project(const RodTask& task, int iterations, double tolerance = 3e-4);
+    int project(const RodTask& task, std::span<double> multiplier, int iterations,
+                double tolerance = 3e-4);
 
-    std::size_t rods() const { return m_bars.size(); }
+    std::span<const int> rods() const { return m_rods; }         // that it was given
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
     std::size_t products() const { return m_matrix.products(); } // of blocks, in an iteration
 

@@ -1,12 +1,21 @@
-// Four doubles that are worked on together.
+// Four numbers in one vector register, for the loops where the time goes.
 //
-// One source for every machine: the compiler lowers these vectors to whatever there is, and GCC
-// picks the widest when the program starts, in functions marked RIPSTOP_CLONES and in what is
-// inlined into them. No operation is fused, so that all of them round alike.
+// One source for every machine, compiled once for any of them and once for AVX2 with FMA. Kernels
+// stand in files of their own, *_kernel.inl, which `sim/for_each_machine.inl` includes once for
+// each way; `wideMachine` says which one to take. Products and sums are fused where the source says
+// `fused`, and nowhere else, so that every machine rounds alike. Internal to sim/.
 #pragma once
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)                                \
-    && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#include "base/vec3.h"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define RIPSTOP_HAS_WIDE 1
+#else
+#define RIPSTOP_HAS_WIDE 0
+#endif
+
+// For functions outside of kernels, without `fused`: GCC picks the widest when the program starts.
+#if RIPSTOP_HAS_WIDE && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define RIPSTOP_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define RIPSTOP_CLONES
@@ -27,5 +36,16 @@ struct alignas(32) Row
 // By reference: passed by value, vectors would differ between functions with and without AVX.
 RIPSTOP_INLINE Four& four(double* p) { return *reinterpret_cast<Four*>(p); }
 RIPSTOP_INLINE const Four& four(const double* p) { return *reinterpret_cast<const Four*>(p); }
+RIPSTOP_INLINE Four& four(PaddedVec3& v) { return four(v.data()); }
+RIPSTOP_INLINE const Four& four(const PaddedVec3& v) { return four(v.data()); }
+
+#if RIPSTOP_HAS_WIDE
+inline const bool wideMachine = [] {
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}();
+#else
+inline constexpr bool wideMachine = false;
+#endif
 
 } // namespace ripstop

@@ -23,26 +23,60 @@ constexpr int leastIterations = 2; // that are allowed: one cannot follow a sudd
 
 } // namespace
 
+void RodSolver::start(const System& system, double h, std::span<const double> tension)
+{
+    m_sum.assign(system.rods.size(), 0.0);
+    m_substeps = 0;
+    m_multiplier.resize(system.rods.size());
+    prepareDirect(system);
+    for (const int rod : m_direct.rods())
+        m_multiplier[std::size_t(rod)] = tension[std::size_t(rod)] * h * h;
+}
+
 void RodSolver::project(const RodTask& task, Crew& crew)
 {
     if (task.system.rods.empty())
         return;
-    prepareDirect(task.system);
-    m_direct.start(task);
-    if (task.system.solver == Solver::GaussSeidel) {
+    ++m_substeps;
+    switch (task.system.solver) {
+    case Solver::GaussSeidel:
         m_coloured.project(task, crew);
-        m_direct.project(task, mostIterations);
-        return;
+        projectDirect(task, mostIterations);
+        break;
+    case Solver::Direct:
+        projectDirect(task, std::max(task.system.sweeps, leastIterations));
+        break;
+    case Solver::AveragedJacobi:
+    case Solver::PaperJacobi:
+        std::fill(m_multiplier.begin(), m_multiplier.end(), 0.0);
+        m_pull.resize(task.system.rods.size());
+        countRods(task);
+        for (int sweep = 0; sweep < task.system.sweeps; ++sweep)
+            averagedSweep(task, crew);
+        for (std::size_t i = 0; i < m_sum.size(); ++i)
+            m_sum[i] += m_multiplier[i];
+        break;
     }
-    if (task.system.solver == Solver::Direct) {
-        m_direct.project(task, std::max(task.system.sweeps, leastIterations));
+}
+
+void RodSolver::projectDirect(const RodTask& task, int iterations)
+{
+    m_direct.start(task, m_multiplier);
+    m_direct.project(task, m_multiplier, iterations);
+    for (const int rod : m_direct.rods())
+        m_sum[std::size_t(rod)] += m_multiplier[std::size_t(rod)];
+}
+
+void RodSolver::takeTensions(const System& system, double h, std::span<double> tension)
+{
+    if (m_substeps == 0)
         return;
-    }
-    std::fill(task.multiplier.begin(), task.multiplier.end(), 0.0);
-    m_pull.resize(task.system.rods.size());
-    countRods(task);
-    for (int sweep = 0; sweep < task.system.sweeps; ++sweep)
-        averagedSweep(task, crew);
+    if (system.solver == Solver::GaussSeidel)
+        m_coloured.takeMultipliers(system, m_sum);
+    for (std::size_t i = 0; i < m_sum.size(); ++i)
+        tension[i] = m_sum[i] / (h * h * m_substeps);
+    std::fill(m_sum.begin(), m_sum.end(), 0.0);
+    m_substeps = 0;
 }
 
 // The direct solver has all rods, those that the system marks, or none.
@@ -102,13 +136,13 @@ void RodSolver::averagedSweep(const RodTask& task, Crew& crew)
                 continue;
 
             const double stretch = length - task.restLength[i];
-            const double old = task.multiplier[i];
+            const double old = m_multiplier[i];
             const double total = allowed(rod.resists, old + (stretch - softness * old) / weight);
             m_pull[i] = ((total - old) / length) * separation;
             // The paper moves the ends by different shares of the pull; the mean share is the
             // best account of the force that it gives.
             const double share = paper ? 0.5 / m_valence[a] + 0.5 / m_valence[b] : 1.0;
-            task.multiplier[i] = old + share * (total - old);
+            m_multiplier[i] = old + share * (total - old);
         }
     });
 

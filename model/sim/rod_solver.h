@@ -1,7 +1,5 @@
-// Rod solvers: they move particles until rods have their lengths.
-//
-// Every solver works on one substep. `multiplier` collects, per rod, what it took to hold it
-// (kg m); multiplier / h^2 is the tension in newtons, positive when the rod pulls.
+// Rod solvers: they move particles until rods have their lengths. Every solver works on one
+// substep.
 #pragma once
 
 #include "sim/coloured_sweeps.h"
@@ -21,29 +19,40 @@ struct RodTask
     std::span<const double> restLength; // [rods] m, weight shifts included
     double h;                           // s
     std::uint64_t seed;                 // of the order of the colours; the number of the substep
-    std::span<Vec3> position;           // [particles] m, corrected in place
-    std::span<double> multiplier;       // [rods] kg m, filled; on entry the tensions of the substep
-                                        // before, N
+    std::span<PaddedVec3> position;     // [particles] m, corrected in place
 };
 
 class RodSolver
 {
 public:
+    // Before the substeps of a step, each of `h` seconds: the direct solver starts from the
+    // tensions of the step before, N.
+    void start(const System& system, double h, std::span<const double> tension);
+
     // All sweeps of one substep, with the solver that the system asks for.
     void project(const RodTask& task, Crew& crew);
+
+    // Mean tension of each rod, N, over the substeps since the last call, each of `h` seconds:
+    // multiplier / h^2, positive when the rod pulls. Single sweeps in changing order share a load
+    // out differently in each substep; their mean is what the rods carry.
+    void takeTensions(const System& system, double h, std::span<double> tension);
 
 private:
     void averagedSweep(const RodTask& task, Crew& crew);
     void countRods(const RodTask& task);
     void prepareDirect(const System& system);
+    void projectDirect(const RodTask& task, int iterations);
 
     ColouredSweeps m_coloured;
     DirectSolver m_direct;
     Solver m_directFor = Solver::AveragedJacobi; // what m_direct is prepared for
     std::uint64_t m_serial = 0;
     std::uint64_t m_valuesSerial = 0;
-    std::vector<Vec3> m_pull;      // [rods] kg m, or m for the paper's averaging
-    std::vector<double> m_valence; // [particles] rods that are not torn
+    int m_substeps = 0;               // since the last call of takeTensions()
+    std::vector<double> m_multiplier; // [rods] kg m, of this substep or the one before
+    std::vector<double> m_sum;        // [rods] kg m, of all substeps
+    std::vector<Vec3> m_pull;         // [rods] kg m, or m for the paper's averaging
+    std::vector<double> m_valence;    // [particles] rods that are not torn
 };
 
 } // namespace ripstop

@@ -21,6 +21,7 @@ void Stepper::step(const System& system, State& state)
         substep(system, state, h,
                 std::uint64_t(state.step) * std::uint64_t(system.substeps) + std::uint64_t(s));
     }
+    m_rods.takeTensions(system, h, state.rodTension);
     ++state.step;
 }
 
@@ -34,6 +35,12 @@ void Stepper::prepare(const System& system, State& state)
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     fillRestLengths(system, state, m_restLength);
+    m_rods.start(system, system.timeStep / system.substeps, state.rodTension);
+    m_tearsByForce = std::any_of(system.tearable.begin(), system.tearable.end(), [&](int link) {
+        const LinkPlace& place = system.links[std::size_t(link)];
+        return place.kind == LinkKind::Rod
+               && system.rods[std::size_t(place.index)].tear.rule == TearRule::Force;
+    });
 }
 
 void Stepper::substep(const System& system, State& state, double h, std::uint64_t number)
@@ -134,10 +141,9 @@ void Stepper::noteRodLengths(const System& system, const State& state)
 
 void Stepper::project(const System& system, State& state, double h, std::uint64_t number)
 {
-    m_rods.project(
-        {system, state.rodTorn, m_restLength, h, number, state.position, state.rodTension}, m_crew);
-    for (double& tension : state.rodTension) // so far multipliers
-        tension /= h * h;
+    m_rods.project({system, state.rodTorn, m_restLength, h, number, state.position}, m_crew);
+    if (m_tearsByForce)
+        m_rods.takeTensions(system, h, state.rodTension);
 }
 
 // Velocities take over what the rods did to the positions.

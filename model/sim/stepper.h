@@ -28,13 +28,15 @@ private:
 
     Crew m_crew;
     RodSolver m_rods;
-    std::vector<Vec3> m_springForce;  // [springs] N, on end `a`
-    std::vector<Vec3> m_panelLoad;    // [panels] N
-    std::vector<Vec3> m_acceleration; // [particles] m/s^2, of the forces, not of rods or contact
-    std::vector<Vec3> m_before;       // [particles] m, at the start of the substep
-    std::vector<Vec3> m_predicted;    // [particles] m, before projection
-    std::vector<double> m_restLength; // [rods] m, with the weight shifts of now
-    std::vector<double> m_rodLength;  // [rods] m, before projection
+    std::vector<Vec3> m_springForce; // [springs] N, on end `a`
+    std::vector<Vec3> m_panelLoad;   // [panels] N
+    std::vector<PaddedVec3>
+        m_acceleration;                  // [particles] m/s^2, of the forces, not of rods or contact
+    std::vector<PaddedVec3> m_before;    // [particles] m, at the start of the substep
+    std::vector<PaddedVec3> m_predicted; // [particles] m, before projection
+    std::vector<double> m_restLength;    // [rods] m, with the weight shifts of now
+    std::vector<double> m_rodLength;     // [rods] m, before projection
+    bool m_tearsByForce = false;         // some rod does, so tensions are needed in every substep
 };
 
 } // namespace ripstop

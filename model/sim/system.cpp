@@ -209,8 +209,8 @@ void finishOrdered(System& system, RodOrder order)
     fillPanelsBeside(system);
 
     State& start = system.start;
-    fill<Vec3>(start.velocity, n, Vec3::Zero());
-    fill<Vec3>(start.drift, n, Vec3::Zero());
+    fill(start.velocity, n, PaddedVec3());
+    fill(start.drift, n, PaddedVec3());
     fill(start.inputCommand, system.inputs.size(), 0.0);
     fill(start.inputValue, system.inputs.size(), 0.0);
     fill(start.springTorn, system.springs.size(), std::uint8_t(0));

@@ -152,9 +152,9 @@ struct State
     std::int64_t step = 0; // time steps since the start
     bool started = false;  // the integrator's own start has been made
 
-    std::vector<Vec3> position; // [particles] m
-    std::vector<Vec3> velocity; // [particles] m/s
-    std::vector<Vec3> drift;    // [particles] m/s, (x - previous x) / h: what both Verlets remember
+    std::vector<PaddedVec3> position; // [particles] m
+    std::vector<PaddedVec3> velocity; // [particles] m/s
+    std::vector<PaddedVec3> drift;    // [particles] m/s, (x - previous x) / h: Verlet's memory
 
     std::vector<double> inputCommand; // [inputs] m, where the input is told to go
     std::vector<double> inputValue;   // [inputs] m, where it is
@@ -162,7 +162,7 @@ struct State
     std::vector<std::uint8_t> springTorn; // [springs]
     std::vector<std::uint8_t> rodTorn;    // [rods]
     std::vector<std::uint8_t> panelGone;  // [panels]
-    std::vector<double> rodTension;       // [rods] N, from the last substep's multipliers
+    std::vector<double> rodTension;       // [rods] N, mean over the last step
 
     struct Tear
     {

@@ -14,8 +14,8 @@ namespace {
 
 struct Projected
 {
-    std::vector<Vec3> position;
-    std::vector<double> multiplier;
+    std::vector<PaddedVec3> position;
+    std::vector<double> multiplier; // kg m
 };
 
 // The positions of `system.start` after so many sweeps of its solver, with nothing else done.
@@ -30,8 +30,11 @@ Projected project(System system, Solver solver, int sweeps, double h = 1.0)
     Projected result{system.start.position, std::vector<double>(system.rods.size(), 0.0)};
     RodSolver rods;
     Crew crew(1);
-    rods.project(
-        {system, system.start.rodTorn, restLength, h, 0, result.position, result.multiplier}, crew);
+    rods.start(system, h, system.start.rodTension);
+    rods.project({system, system.start.rodTorn, restLength, h, 0, result.position}, crew);
+    rods.takeTensions(system, h, result.multiplier);
+    for (double& multiplier : result.multiplier) // so far tensions
+        multiplier *= h * h;
     return result;
 }
 

@@ -76,10 +76,8 @@ std::shared_ptr<const Frame> waitForStep(Runner& runner, std::int64_t step)
 
 bool samePositions(const Frame& frame, const State& state)
 {
-    return frame.position.size() == state.position.size()
-           && std::memcmp(frame.position.data(), state.position.data(),
-                          sizeof(Vec3) * state.position.size())
-                  == 0;
+    return std::equal(frame.position.begin(), frame.position.end(), state.position.begin(),
+                      state.position.end());
 }
 
 } // namespace

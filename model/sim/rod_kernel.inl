@@ -1,0 +1,140 @@
+// Projection of rods, four at a time; see rod_batches.h.
+
+RIPSTOP_INLINE Four& row(PaddedVec3* position, std::uint32_t bytes)
+{
+    return *reinterpret_cast<Four*>(reinterpret_cast<char*>(position) + bytes);
+}
+
+struct Ends
+{
+    Four a0, a1, a2, a3;
+    Four b0, b1, b2, b3;
+    Four d0, d1, d2, d3; // from a to b
+};
+
+template <typename Batch>
+RIPSTOP_INLINE Ends endsOf(const Batch& batch, PaddedVec3* position)
+{
+    Ends e;
+    e.a0 = row(position, batch.a[0]), e.b0 = row(position, batch.b[0]), e.d0 = e.b0 - e.a0;
+    e.a1 = row(position, batch.a[1]), e.b1 = row(position, batch.b[1]), e.d1 = e.b1 - e.a1;
+    e.a2 = row(position, batch.a[2]), e.b2 = row(position, batch.b[2]), e.d2 = e.b2 - e.a2;
+    e.a3 = row(position, batch.a[3]), e.b3 = row(position, batch.b[3]), e.d3 = e.b3 - e.a3;
+    return e;
+}
+
+RIPSTOP_INLINE Four squaredLength(const Ends& e)
+{
+    const Coordinates d = coordinates(e.d0, e.d1, e.d2, e.d3);
+    return dot(d, d);
+}
+
+// Moves the ends towards each other by these shares of their separation.
+template <typename Batch>
+RIPSTOP_INLINE void pull(const Batch& batch, PaddedVec3* position, const Ends& e, Four shareA,
+                         Four shareB)
+{
+    // One number is spread over a register faster by a load than by a shuffle, of which the
+    // separations need many; the empty statements keep the compiler from undoing that.
+    alignas(32) double a[4];
+    alignas(32) double b[4];
+    four(a) = shareA;
+    four(b) = -shareB;
+    asm("" : "+m"(a), "+m"(b));
+    row(position, batch.a[0]) = fused(e.d0, all(a[0]), e.a0);
+    row(position, batch.a[1]) = fused(e.d1, all(a[1]), e.a1);
+    row(position, batch.a[2]) = fused(e.d2, all(a[2]), e.a2);
+    row(position, batch.a[3]) = fused(e.d3, all(a[3]), e.a3);
+    row(position, batch.b[0]) = fused(e.d0, all(b[0]), e.b0);
+    row(position, batch.b[1]) = fused(e.d1, all(b[1]), e.b1);
+    row(position, batch.b[2]) = fused(e.d2, all(b[2]), e.b2);
+    row(position, batch.b[3]) = fused(e.d3, all(b[3]), e.b3);
+}
+
+// The same when both shares are equal.
+RIPSTOP_INLINE void pullEvenly(const EvenBatch& batch, PaddedVec3* position, const Ends& e,
+                               Four share)
+{
+    const Four s0 = spread<0>(share), s1 = spread<1>(share);
+    const Four s2 = spread<2>(share), s3 = spread<3>(share);
+    row(position, batch.a[0]) = fused(e.d0, s0, e.a0);
+    row(position, batch.a[1]) = fused(e.d1, s1, e.a1);
+    row(position, batch.a[2]) = fused(e.d2, s2, e.a2);
+    row(position, batch.a[3]) = fused(e.d3, s3, e.a3);
+    row(position, batch.b[0]) = fused(e.d0, -s0, e.b0);
+    row(position, batch.b[1]) = fused(e.d1, -s1, e.b1);
+    row(position, batch.b[2]) = fused(e.d2, -s2, e.b2);
+    row(position, batch.b[3]) = fused(e.d3, -s3, e.b3);
+}
+
+// Of shares: torn rods have no number for a length, and coincident ends no direction to move along.
+RIPSTOP_INLINE auto canMove(Four share)
+{
+    return share > all(std::numeric_limits<double>::lowest());
+}
+
+RIPSTOP_INLINE void project(const EvenBatch& batch, Lanes& stretch, PaddedVec3* position)
+{
+    const Ends e = endsOf(batch, position);
+    const Four length = root(squaredLength(e));
+    const Four halfRest = four(batch.halfRest);
+    const Four half = all(0.5);
+    const Four share = half - halfRest / length;
+    const auto moves = canMove(share);
+    four(stretch.value) += moves ? fused(length, half, -halfRest) : Four{};
+    pullEvenly(batch, position, e, moves ? share : Four{});
+}
+
+RIPSTOP_INLINE void project(const PlainBatch& batch, Lanes& stretch, PaddedVec3* position)
+{
+    const Ends e = endsOf(batch, position);
+    const Four length = root(squaredLength(e));
+    const Four rest = four(batch.rest);
+    const Four share = all(1.0) - rest / length;
+    const auto moves = canMove(share);
+    four(stretch.value) += moves ? length - rest : Four{};
+    const Four moved = moves ? share : Four{};
+    pull(batch, position, e, moved * four(batch.shareA), moved * four(batch.shareB));
+}
+
+RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec3* position)
+{
+    const Ends e = endsOf(batch, position);
+    const Four square = squaredLength(e);
+    const Four length = root(square);
+    const Four old = four(multiplier.value);
+    const Four stretch = length - four(batch.rest);
+    // Clamp the running total, not the change: a line may give back pull it took.
+    Four total = old + fused(-four(batch.softness), old, stretch) * four(batch.inverseWeight);
+    total = total < four(batch.lowest) ? four(batch.lowest) : total;
+    total = total > four(batch.highest) ? four(batch.highest) : total;
+    const Four change = square > 0.0 ? total - old : Four{};
+    const Four perLength = square > 0.0 ? change / length : Four{};
+    four(multiplier.value) = old + change;
+    pull(batch, position, e, perLength * four(batch.inverseMassA),
+         perLength * four(batch.inverseMassB));
+}
+
+template <typename Batch>
+RIPSTOP_INLINE void projectAll(BatchRange range, const Batch* batch, Lanes* lanes,
+                               PaddedVec3* position)
+{
+    for (std::uint32_t i = range.first; i < range.last; ++i)
+        project(batch[i], lanes[i], position);
+}
+
+RIPSTOP_INLINE void sweepRun(RodBatches& batches, const BatchRun& run, PaddedVec3* position)
+{
+    projectAll(run.even, batches.even.data(), batches.evenStretch.data(), position);
+    projectAll(run.plain, batches.plain.data(), batches.plainStretch.data(), position);
+    projectAll(run.soft, batches.soft.data(), batches.multiplier.data(), position);
+}
+
+void sweepRuns(RodBatches& batches, std::span<const int> order, bool backwards,
+               PaddedVec3* position)
+{
+    const std::size_t count = order.size();
+    for (std::size_t i = 0; i < count; ++i)
+        sweepRun(batches, batches.runs[std::size_t(order[backwards ? count - 1 - i : i])],
+                 position);
+}
