@@ -17,6 +17,9 @@ struct alignas(32) PaddedVec3 : Vec3
     PaddedVec3()
         : Vec3(Vec3::Zero())
     {}
+    PaddedVec3(double x, double y, double z)
+        : Vec3(x, y, z)
+    {}
     template <typename Derived>
     PaddedVec3(const Eigen::MatrixBase<Derived>& value) // NOLINT: as Eigen's own vectors
         : Vec3(value)
