@@ -24,7 +24,6 @@ struct alignas(32) PaddedVec3 : Vec3
     PaddedVec3(const Eigen::MatrixBase<Derived>& value) // NOLINT: as Eigen's own vectors
         : Vec3(value)
     {}
-    using Vec3::operator=;
 
     double padding = 0.0;
 };
