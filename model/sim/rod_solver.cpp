@@ -23,14 +23,13 @@ constexpr int leastIterations = 2; // that are allowed: one cannot follow a sudd
 
 } // namespace
 
-void RodSolver::start(const System& system, double h, std::span<const double> tension)
+void RodSolver::start(const System& system, std::span<const double> tension)
 {
     m_sum.assign(system.rods.size(), 0.0);
     m_substeps = 0;
     m_multiplier.resize(system.rods.size());
     prepareDirect(system);
-    for (const int rod : m_direct.rods())
-        m_multiplier[std::size_t(rod)] = tension[std::size_t(rod)] * h * h;
+    m_tension.assign(tension.begin(), tension.end());
 }
 
 void RodSolver::project(const RodTask& task, Crew& crew)
@@ -61,10 +60,12 @@ void RodSolver::project(const RodTask& task, Crew& crew)
 
 void RodSolver::projectDirect(const RodTask& task, int iterations)
 {
+    for (const int rod : m_direct.rods())
+        m_multiplier[std::size_t(rod)] = m_tension[std::size_t(rod)] * (task.h * task.h);
     m_direct.start(task, m_multiplier);
     m_direct.project(task, m_multiplier, iterations);
     for (const int rod : m_direct.rods())
-        m_sum[std::size_t(rod)] += m_multiplier[std::size_t(rod)];
+        m_tension[std::size_t(rod)] = m_multiplier[std::size_t(rod)] / (task.h * task.h);
 }
 
 void RodSolver::takeTensions(const System& system, double h, std::span<double> tension)
@@ -75,6 +76,8 @@ void RodSolver::takeTensions(const System& system, double h, std::span<double> t
         m_coloured.takeMultipliers(system, m_sum);
     for (std::size_t i = 0; i < m_sum.size(); ++i)
         tension[i] = m_sum[i] / (h * h * m_substeps);
+    for (const int rod : m_direct.rods())
+        tension[std::size_t(rod)] = m_tension[std::size_t(rod)];
     std::fill(m_sum.begin(), m_sum.end(), 0.0);
     m_substeps = 0;
 }

@@ -25,16 +25,17 @@ struct RodTask
 class RodSolver
 {
 public:
-    // Before the substeps of a step, each of `h` seconds: the direct solver starts from the
-    // tensions of the step before, N.
-    void start(const System& system, double h, std::span<const double> tension);
+    // Before the substeps of a step: the direct solver goes on from the tensions of the one before.
+    //   tension  [rods]  N
+    void start(const System& system, std::span<const double> tension);
 
     // All sweeps of one substep, with the solver that the system asks for.
     void project(const RodTask& task, Crew& crew);
 
-    // Mean tension of each rod, N, over the substeps since the last call, each of `h` seconds:
-    // multiplier / h^2, positive when the rod pulls. Single sweeps in changing order share a load
-    // out differently in each substep; their mean is what the rods carry.
+    // Tension of each rod, N, multiplier / h^2, positive when the rod pulls; `h` is the substep, s.
+    // It is the mean over the substeps since the last call, because single sweeps in changing order
+    // share a load out differently in each substep and their mean is what the rods carry. Of rods
+    // that are solved directly it is that of the last substep.
     void takeTensions(const System& system, double h, std::span<double> tension);
 
 private:
@@ -49,7 +50,8 @@ private:
     std::uint64_t m_serial = 0;
     std::uint64_t m_valuesSerial = 0;
     int m_substeps = 0;               // since the last call of takeTensions()
-    std::vector<double> m_multiplier; // [rods] kg m, of this substep or the one before
+    std::vector<double> m_multiplier; // [rods] kg m, of this substep
+    std::vector<double> m_tension;    // [rods] N, of the substep before; of direct rods only
     std::vector<double> m_sum;        // [rods] kg m, of all substeps
     std::vector<Vec3> m_pull;         // [rods] kg m, or m for the paper's averaging
     std::vector<double> m_valence;    // [particles] rods that are not torn

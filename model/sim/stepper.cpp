@@ -35,7 +35,7 @@ void Stepper::prepare(const System& system, State& state)
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     fillRestLengths(system, state, m_restLength);
-    m_rods.start(system, system.timeStep / system.substeps, state.rodTension);
+    m_rods.start(system, state.rodTension);
     m_tearsByForce = std::any_of(system.tearable.begin(), system.tearable.end(), [&](int link) {
         const LinkPlace& place = system.links[std::size_t(link)];
         return place.kind == LinkKind::Rod

@@ -30,7 +30,7 @@ Projected project(System system, Solver solver, int sweeps, double h = 1.0)
     Projected result{system.start.position, std::vector<double>(system.rods.size(), 0.0)};
     RodSolver rods;
     Crew crew(1);
-    rods.start(system, h, system.start.rodTension);
+    rods.start(system, system.start.rodTension);
     rods.project({system, system.start.rodTorn, restLength, h, 0, result.position}, crew);
     rods.takeTensions(system, h, result.multiplier);
     for (double& multiplier : result.multiplier) // so far tensions
