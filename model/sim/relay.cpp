@@ -8,8 +8,11 @@ namespace {
 // Some microseconds: about what a chunk takes. Then let others have the core.
 constexpr int patience = 200;
 
-void pause()
+// Waiting for another thread, `waited` times so far. That thread may need this core.
+void pause(int waited)
 {
+    if (waited >= patience)
+        return std::this_thread::yield();
 #if defined(__x86_64__)
     __builtin_ia32_pause();
 #endif
@@ -76,8 +79,8 @@ void Relay::finishRounds(int chunk, int rounds, Call call, const void* work)
     while (round < rounds) {
         if (!progress.begun.compare_exchange_strong(round, round + 1, std::memory_order_acq_rel))
             continue;
-        while (progress.done.load(std::memory_order_acquire) < round) // by another thread
-            pause();
+        for (int waited = 0; progress.done.load(std::memory_order_acquire) < round; ++waited)
+            pause(waited); // another thread is at it
         const int turn = rank(round, chunk);
         for (int i = m_touching.start[std::size_t(chunk)];
              i < m_touching.start[std::size_t(chunk) + 1]; ++i) {
@@ -95,13 +98,10 @@ void Relay::await(int chunk, int rounds, Call call, const void* work)
 {
     Progress& progress = m_progress[std::size_t(chunk)];
     for (int waited = 0; progress.done.load(std::memory_order_acquire) < rounds; ++waited) {
-        if (waited < patience) {
-            pause();
-        } else if (progress.begun.load(std::memory_order_acquire) < rounds) {
+        if (waited >= patience && progress.begun.load(std::memory_order_acquire) < rounds)
             finishRounds(chunk, rounds, call, work);
-        } else {
-            std::this_thread::yield();
-        }
+        else
+            pause(waited);
     }
 }
 
