@@ -170,10 +170,10 @@ std::vector<double> tensions(const System& system, const State& state)
 
 std::vector<Vec3> panelLoads(const System& system, const State& state)
 {
-    std::vector<Vec3> load(system.panels.size());
+    std::vector<PaddedVec3> load(system.panels.size());
     Crew alone(1);
     fillPanelLoads(system, state, alone, load);
-    return load;
+    return {load.begin(), load.end()};
 }
 
 std::uint64_t stateHash(const State& state)

@@ -4,8 +4,9 @@
 
 namespace ripstop {
 
-void moveInputs(const System& system, State& state, double h)
+bool moveInputs(const System& system, State& state, double h)
 {
+    bool changed = false;
     for (std::size_t i = 0; i < system.inputs.size(); ++i) {
         const Input& input = system.inputs[i];
         double& command = state.inputCommand[i];
@@ -14,16 +15,23 @@ void moveInputs(const System& system, State& state, double h)
         const double most = input.rate * h;
         const double change = std::clamp(command - state.inputValue[i], -most, most);
         state.inputValue[i] += change;
+        changed |= change != 0.0;
         if (input.kind == ControlKind::Move && change != 0.0)
             for (const int target : input.targets)
                 state.position[std::size_t(target)] += change * input.axis;
     }
+    return changed;
 }
 
 void fillRestLengths(const System& system, const State& state, std::span<double> restLength)
 {
     for (std::size_t i = 0; i < system.rods.size(); ++i)
         restLength[i] = system.rods[i].restLength;
+    shiftRestLengths(system, state, restLength);
+}
+
+void shiftRestLengths(const System& system, const State& state, std::span<double> restLength)
+{
     for (const ShiftedRod& shifted : system.shiftedRods) {
         Vec3 shift = Vec3::Zero();
         for (std::size_t i = 0; i < system.inputs.size(); ++i) {
@@ -33,9 +41,11 @@ void fillRestLengths(const System& system, const State& state, std::span<double>
                 && std::find(targets.begin(), targets.end(), shifted.weight) != targets.end())
                 shift += state.inputValue[i] * input.axis;
         }
+        const auto rod = std::size_t(shifted.rod);
         const double designed = shifted.anchor.norm();
+        restLength[rod] = system.rods[rod].restLength;
         if (designed > 0.0)
-            restLength[std::size_t(shifted.rod)] *= (shifted.anchor - shift).norm() / designed;
+            restLength[rod] *= (shifted.anchor - shift).norm() / designed;
     }
 }
 

@@ -10,10 +10,14 @@ namespace ripstop {
 
 // Moves commands and values on by h seconds. Targets of an input that moves are carried along
 // without gaining speed: position and previous position move together.
-void moveInputs(const System& system, State& state, double h);
+// Returns whether a value changed.
+bool moveInputs(const System& system, State& state, double h);
 
 // Rest length of every rod with the weight shifts of `state`.
 //   restLength  [rods]  m
 void fillRestLengths(const System& system, const State& state, std::span<double> restLength);
+
+// The same for rods with a weight shift only; others are left alone.
+void shiftRestLengths(const System& system, const State& state, std::span<double> restLength);
 
 } // namespace ripstop

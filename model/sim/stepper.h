@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/crew.h"
+#include "sim/particle_motion.h"
 #include "sim/rod_solver.h"
 #include "sim/system.h"
 
@@ -21,21 +22,20 @@ private:
     void prepare(const System& system, State& state);
     void substep(const System& system, State& state, double h, std::uint64_t number);
     void fillAccelerations(const System& system, const State& state);
-    void predict(const System& system, State& state, double h);
+    void move(ParticlePass pass, const System& system, State& state, double h);
     void noteRodLengths(const System& system, const State& state);
     void project(const System& system, State& state, double h, std::uint64_t number);
-    void updateVelocities(const System& system, State& state, double h);
 
     Crew m_crew;
     RodSolver m_rods;
-    std::vector<Vec3> m_springForce; // [springs] N, on end `a`
-    std::vector<Vec3> m_panelLoad;   // [panels] N
-    std::vector<PaddedVec3>
-        m_acceleration;                  // [particles] m/s^2, of the forces, not of rods or contact
-    std::vector<PaddedVec3> m_before;    // [particles] m, at the start of the substep
-    std::vector<PaddedVec3> m_predicted; // [particles] m, before projection
+    std::vector<PaddedVec3> m_springForce;  // [springs] N, on end `a`
+    std::vector<PaddedVec3> m_panelLoad;    // [panels] N
+    std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
+    std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
+    std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
     std::vector<double> m_restLength;    // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;     // [rods] m, before projection
+    double m_keep = 1.0;                 // share of the speed that viscosity leaves in a substep
     bool m_tearsByForce = false;         // some rod does, so tensions are needed in every substep
 };
 

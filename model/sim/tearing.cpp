@@ -29,7 +29,7 @@ bool breaks(const TearLimit& tear, const Load& load)
 } // namespace
 
 void tearLinks(const System& system, State& state, std::span<const double> rodLength,
-               std::span<const Vec3> springForce, std::span<const double> restLength)
+               std::span<const PaddedVec3> springForce, std::span<const double> restLength)
 {
     for (const int tearable : system.tearable) {
         const auto l = std::size_t(tearable);

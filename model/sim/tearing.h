@@ -12,6 +12,6 @@ namespace ripstop {
 //   rodLength    [rods]     m, before projection
 //   springForce  [springs]  N, on end `a`
 void tearLinks(const System& system, State& state, std::span<const double> rodLength,
-               std::span<const Vec3> springForce, std::span<const double> restLength);
+               std::span<const PaddedVec3> springForce, std::span<const double> restLength);
 
 } // namespace ripstop
