@@ -145,7 +145,7 @@ void ColouredSweeps::takeMultipliers(const System& system, std::span<double> sum
         return; // not one substep yet
     for (std::size_t r = 0; r < m_place.size(); ++r) {
         const Place& place = m_place[r];
-        if (place.lanes == 0) // another solver has it
+        if (!place.ours)
             continue;
         const int lane = std::countr_zero(place.lanes);
         if (place.kind == Kind::Soft)
@@ -180,7 +180,7 @@ void ColouredSweeps::cook(const RodTask& task)
     m_valuesSerial = system.valuesSerial;
     m_h = task.h;
     m_batches = {};
-    m_place.assign(system.rods.size(), Place{});
+    m_place.resize(system.rods.size());
     m_torn.assign(task.torn.begin(), task.torn.end());
     m_inverseWeight.resize(system.rods.size());
     for (std::size_t r = 0; r < system.rods.size(); ++r)
@@ -192,8 +192,7 @@ void ColouredSweeps::cook(const RodTask& task)
         const std::size_t even = m_batches.even.size();
         const std::size_t plain = m_batches.plain.size();
         const std::size_t soft = m_batches.soft.size();
-        for (const Kind kind : {Kind::Even, Kind::Plain, Kind::Soft})
-            cookKind(task, kind, color);
+        cookColor(task, color);
         m_batches.runs.push_back({range(even, m_batches.even.size()),
                                   range(plain, m_batches.plain.size()),
                                   range(soft, m_batches.soft.size())});
@@ -205,6 +204,29 @@ void ColouredSweeps::cook(const RodTask& task)
     for (std::size_t r = 0; r < system.rods.size(); ++r)
         fill(task, r);
     prepareRelay(system);
+}
+
+// Even rods that would not fill a batch go with the plain ones.
+void ColouredSweeps::cookColor(const RodTask& task, int color)
+{
+    const auto first = std::size_t(task.system.colorStart[std::size_t(color)]);
+    const auto last = std::size_t(task.system.colorStart[std::size_t(color) + 1]);
+    std::size_t even = 0;
+    for (std::size_t r = first; r < last; ++r) {
+        const bool elsewhere = !task.system.direct.empty() && task.system.direct[r];
+        m_place[r] = Place{};
+        m_place[r].ours = !elsewhere;
+        m_place[r].nature = m_place[r].kind = kindOf(task.system, task.system.rods[r]);
+        even += m_place[r].ours && m_place[r].kind == Kind::Even;
+    }
+    std::size_t left = even % 4;
+    for (std::size_t r = last; left > 0 && r-- > first;)
+        if (m_place[r].ours && m_place[r].kind == Kind::Even) {
+            m_place[r].kind = Kind::Plain;
+            --left;
+        }
+    for (const Kind kind : {Kind::Even, Kind::Plain, Kind::Soft})
+        cookKind(task, kind, color);
 }
 
 // The rods of one kind in a colour, four by four; the last batch repeats its last rod.
@@ -224,8 +246,8 @@ void ColouredSweeps::cookKind(const RodTask& task, Kind kind, int color)
     std::size_t count = 0;
     for (int r = task.system.colorStart[std::size_t(color)];
          r < task.system.colorStart[std::size_t(color) + 1]; ++r) {
-        const bool elsewhere = !task.system.direct.empty() && task.system.direct[std::size_t(r)];
-        if (elsewhere || kindOf(task.system, task.system.rods[std::size_t(r)]) != kind)
+        const Place& place = m_place[std::size_t(r)];
+        if (!place.ours || place.kind != kind)
             continue;
         four[count++] = r;
         if (count == four.size()) {
@@ -247,8 +269,7 @@ void ColouredSweeps::cookBatch(const RodTask& task, std::vector<Batch>& batches,
         const Rod& rod = task.system.rods[r];
         batch.a[lane] = bytesTo(rod.a);
         batch.b[lane] = bytesTo(rod.b);
-        if (lane < four.size())
-            m_place[r] = {kindOf(task.system, rod), 0, std::uint32_t(batches.size() - 1)};
+        m_place[r].batch = std::uint32_t(batches.size() - 1);
         m_place[r].lanes |= std::uint8_t(1u << lane);
     }
 }
@@ -301,8 +322,7 @@ void ColouredSweeps::renew(const RodTask& task)
     bool sameKind = known;
     const auto look = [&](int rod) {
         const auto r = std::size_t(rod);
-        sameKind = sameKind
-                   && (m_place[r].lanes == 0 || kindOf(system, system.rods[r]) == m_place[r].kind);
+        sameKind = sameKind && kindOf(system, system.rods[r]) == m_place[r].nature;
         weigh(system, r);
         fill(task, r);
     };

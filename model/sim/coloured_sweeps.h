@@ -30,12 +30,15 @@ private:
 
     struct Place // of a rod among the batches
     {
-        Kind kind = Kind::Even;
-        std::uint8_t lanes = 0; // the lanes that it has, one bit each; none when it is not ours
+        bool ours = true;         // else another solver has it
+        Kind nature = Kind::Even; // the simplest kind that would do
+        Kind kind = Kind::Even;   // of its batch
+        std::uint8_t lanes = 0;   // the lanes that it has, one bit each
         std::uint32_t batch = 0;
     };
 
     void cook(const RodTask& task);
+    void cookColor(const RodTask& task, int color);
     void cookKind(const RodTask& task, Kind kind, int color);
     template <typename Batch>
     void cookBatch(const RodTask& task, std::vector<Batch>& batches, std::span<const int> four);

@@ -23,7 +23,8 @@ Vec3 panelLoad(const FabricPanel& panel, const Vec3& a, const Vec3& b, const Vec
     return (0.5 * airDensity * area) * load;
 }
 
-void fillPanelLoads(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> load)
+void fillPanelLoads(const System& system, const State& state, Crew& crew,
+                    std::span<PaddedVec3> load)
 {
     crew.each(system.panels.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

@@ -26,6 +26,7 @@ Vec3 panelLoad(const FabricPanel& panel, const Vec3& a, const Vec3& b, const Vec
 
 // Load of every panel, N, zero where the panel is gone.
 //   load  [panels]  N
-void fillPanelLoads(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> load);
+void fillPanelLoads(const System& system, const State& state, Crew& crew,
+                    std::span<PaddedVec3> load);
 
 } // namespace ripstop

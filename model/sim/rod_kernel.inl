@@ -29,26 +29,42 @@ RIPSTOP_INLINE Four squaredLength(const Ends& e)
     return dot(d, d);
 }
 
+RIPSTOP_INLINE void move(Four& position, Four from, Four separation, Four share)
+{
+    position = fused(separation, share, from);
+}
+
+// How one number of four is spread over a register: by a load is less work, as separations need
+// many shuffles already; by a shuffle is sooner, where the next batch waits for this one.
+enum class Spread { ByLoad, ByShuffle };
+
+template <Spread way, int lane>
+RIPSTOP_INLINE Four spreadOf(Four inRegister, const double* inMemory)
+{
+    return way == Spread::ByLoad ? all(inMemory[lane]) : spread<lane>(inRegister);
+}
+
 // Moves the ends towards each other by these shares of their separation.
-template <typename Batch>
+template <Spread way, typename Batch>
 RIPSTOP_INLINE void pull(const Batch& batch, PaddedVec3* position, const Ends& e, Four shareA,
                          Four shareB)
 {
-    // One number is spread over a register faster by a load than by a shuffle, of which the
-    // separations need many; the empty statements keep the compiler from undoing that.
+    const Four backB = -shareB;
     alignas(32) double a[4];
     alignas(32) double b[4];
-    four(a) = shareA;
-    four(b) = -shareB;
-    asm("" : "+m"(a), "+m"(b));
-    row(position, batch.a[0]) = fused(e.d0, all(a[0]), e.a0);
-    row(position, batch.a[1]) = fused(e.d1, all(a[1]), e.a1);
-    row(position, batch.a[2]) = fused(e.d2, all(a[2]), e.a2);
-    row(position, batch.a[3]) = fused(e.d3, all(a[3]), e.a3);
-    row(position, batch.b[0]) = fused(e.d0, all(b[0]), e.b0);
-    row(position, batch.b[1]) = fused(e.d1, all(b[1]), e.b1);
-    row(position, batch.b[2]) = fused(e.d2, all(b[2]), e.b2);
-    row(position, batch.b[3]) = fused(e.d3, all(b[3]), e.b3);
+    if constexpr (way == Spread::ByLoad) {
+        four(a) = shareA;
+        four(b) = backB;
+        asm("" : "+m"(a), "+m"(b)); // else the compiler makes shuffles of it
+    }
+    move(row(position, batch.a[0]), e.a0, e.d0, spreadOf<way, 0>(shareA, a));
+    move(row(position, batch.a[1]), e.a1, e.d1, spreadOf<way, 1>(shareA, a));
+    move(row(position, batch.a[2]), e.a2, e.d2, spreadOf<way, 2>(shareA, a));
+    move(row(position, batch.a[3]), e.a3, e.d3, spreadOf<way, 3>(shareA, a));
+    move(row(position, batch.b[0]), e.b0, e.d0, spreadOf<way, 0>(backB, b));
+    move(row(position, batch.b[1]), e.b1, e.d1, spreadOf<way, 1>(backB, b));
+    move(row(position, batch.b[2]), e.b2, e.d2, spreadOf<way, 2>(backB, b));
+    move(row(position, batch.b[3]), e.b3, e.d3, spreadOf<way, 3>(backB, b));
 }
 
 // The same when both shares are equal.
@@ -57,14 +73,14 @@ RIPSTOP_INLINE void pullEvenly(const EvenBatch& batch, PaddedVec3* position, con
 {
     const Four s0 = spread<0>(share), s1 = spread<1>(share);
     const Four s2 = spread<2>(share), s3 = spread<3>(share);
-    row(position, batch.a[0]) = fused(e.d0, s0, e.a0);
-    row(position, batch.a[1]) = fused(e.d1, s1, e.a1);
-    row(position, batch.a[2]) = fused(e.d2, s2, e.a2);
-    row(position, batch.a[3]) = fused(e.d3, s3, e.a3);
-    row(position, batch.b[0]) = fused(e.d0, -s0, e.b0);
-    row(position, batch.b[1]) = fused(e.d1, -s1, e.b1);
-    row(position, batch.b[2]) = fused(e.d2, -s2, e.b2);
-    row(position, batch.b[3]) = fused(e.d3, -s3, e.b3);
+    move(row(position, batch.a[0]), e.a0, e.d0, s0);
+    move(row(position, batch.a[1]), e.a1, e.d1, s1);
+    move(row(position, batch.a[2]), e.a2, e.d2, s2);
+    move(row(position, batch.a[3]), e.a3, e.d3, s3);
+    move(row(position, batch.b[0]), e.b0, e.d0, -s0);
+    move(row(position, batch.b[1]), e.b1, e.d1, -s1);
+    move(row(position, batch.b[2]), e.b2, e.d2, -s2);
+    move(row(position, batch.b[3]), e.b3, e.d3, -s3);
 }
 
 // Of shares: torn rods have no number for a length, and coincident ends no direction to move along.
@@ -73,30 +89,37 @@ RIPSTOP_INLINE auto canMove(Four share)
     return share > all(std::numeric_limits<double>::lowest());
 }
 
+// The share is (1 - rest / length) of what both ends move. rest / length is taken as
+// (rest / square) length, so that root and division need not wait for each other.
+template <Spread way>
 RIPSTOP_INLINE void project(const EvenBatch& batch, Lanes& stretch, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
-    const Four length = root(squaredLength(e));
+    const Four square = squaredLength(e);
+    const Four length = root(square);
     const Four halfRest = four(batch.halfRest);
     const Four half = all(0.5);
-    const Four share = half - halfRest / length;
+    const Four share = fused(-(halfRest / square), length, half);
     const auto moves = canMove(share);
     four(stretch.value) += moves ? fused(length, half, -halfRest) : Four{};
     pullEvenly(batch, position, e, moves ? share : Four{});
 }
 
+template <Spread way>
 RIPSTOP_INLINE void project(const PlainBatch& batch, Lanes& stretch, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
-    const Four length = root(squaredLength(e));
+    const Four square = squaredLength(e);
+    const Four length = root(square);
     const Four rest = four(batch.rest);
-    const Four share = all(1.0) - rest / length;
+    const Four share = fused(-(rest / square), length, all(1.0));
     const auto moves = canMove(share);
     four(stretch.value) += moves ? length - rest : Four{};
     const Four moved = moves ? share : Four{};
-    pull(batch, position, e, moved * four(batch.shareA), moved * four(batch.shareB));
+    pull<way>(batch, position, e, moved * four(batch.shareA), moved * four(batch.shareB));
 }
 
+template <Spread way>
 RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
@@ -111,16 +134,23 @@ RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec
     const Four change = square > 0.0 ? total - old : Four{};
     const Four perLength = square > 0.0 ? change / length : Four{};
     four(multiplier.value) = old + change;
-    pull(batch, position, e, perLength * four(batch.inverseMassA),
-         perLength * four(batch.inverseMassB));
+    pull<way>(batch, position, e, perLength * four(batch.inverseMassA),
+              perLength * four(batch.inverseMassB));
 }
+
+// In short runs each batch waits for one of the run before.
+constexpr std::uint32_t shortRun = 4; // batches
 
 template <typename Batch>
 RIPSTOP_INLINE void projectAll(BatchRange range, const Batch* batch, Lanes* lanes,
                                PaddedVec3* position)
 {
-    for (std::uint32_t i = range.first; i < range.last; ++i)
-        project(batch[i], lanes[i], position);
+    if (range.last - range.first < shortRun)
+        for (std::uint32_t i = range.first; i < range.last; ++i)
+            project<Spread::ByShuffle>(batch[i], lanes[i], position);
+    else
+        for (std::uint32_t i = range.first; i < range.last; ++i)
+            project<Spread::ByLoad>(batch[i], lanes[i], position);
 }
 
 RIPSTOP_INLINE void sweepRun(RodBatches& batches, const BatchRun& run, PaddedVec3* position)

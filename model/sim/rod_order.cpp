@@ -32,6 +32,17 @@ public:
         return bit;
     }
 
+    // Of colours below 64 only.
+    bool isFree(int color, std::array<int, 2> things) const
+    {
+        return ((m_low[std::size_t(things[0])] | m_low[std::size_t(things[1])]) >> color & 1) == 0;
+    }
+    void change(int from, int to, std::array<int, 2> things)
+    {
+        for (const int thing : things)
+            m_low[std::size_t(thing)] ^= std::uint64_t(1) << from | std::uint64_t(1) << to;
+    }
+
     bool isUntouched(int thing) const { return m_low[std::size_t(thing)] == 0; }
 
     void clear(int thing)
@@ -88,6 +99,48 @@ std::vector<int> sortedByHigherEnd(std::size_t particles, std::span<const RodEnd
     return sorted;
 }
 
+// Rods are projected in fours. Where colours are small, as hubs make them, most would end with a
+// batch that is not full: moves rods to other colours where they may be, so that few do.
+void fillFours(std::span<int> colorOf, std::span<const int> near, std::span<const RodEnds> rods,
+               ColorSets& taken)
+{
+    const int colors = *std::max_element(colorOf.begin(), colorOf.end()) + 1;
+    if (colors > 64 || int(colorOf.size()) > 64 * colors)
+        return;
+    std::vector<int> size(std::size_t(colors), 0);
+    for (const int color : colorOf)
+        ++size[std::size_t(color)];
+    const int level = (int(colorOf.size()) / colors + 3) / 4 * 4;
+
+    const auto moveTo = [&](std::size_t i, auto&& isBetter) {
+        const RodEnds& rod = rods[std::size_t(near[i])];
+        const std::array ends{rod.a, rod.b};
+        const int from = colorOf[i];
+        int best = -1;
+        for (int to = 0; to < colors; ++to)
+            if (to != from && taken.isFree(to, ends) && isBetter(from, to)
+                && (best < 0 || size[std::size_t(to)] < size[std::size_t(best)]))
+                best = to;
+        if (best < 0)
+            return;
+        taken.change(from, best, ends);
+        --size[std::size_t(from)];
+        ++size[std::size_t(best)];
+        colorOf[i] = best;
+    };
+    for (std::size_t i = 0; i < colorOf.size(); ++i)
+        if (size[std::size_t(colorOf[i])] > level)
+            moveTo(i, [&](int, int to) { return size[std::size_t(to)] < level; });
+    // A rod more than full fours goes where it is one of a four.
+    for (int turn = 0; turn < 3; ++turn)
+        for (std::size_t i = 0; i < colorOf.size(); ++i)
+            moveTo(i, [&](int from, int to) {
+                const int over = size[std::size_t(from)] % 4;
+                const int there = size[std::size_t(to)] % 4;
+                return over > 0 && there >= over;
+            });
+}
+
 // Stable order of 0, 1, ... by small numbers.
 void sortByNumber(std::span<const int> number, std::vector<int>& start, std::vector<int>& sorted)
 {
@@ -133,6 +186,8 @@ RodOrder orderRods(std::size_t particles, std::span<const RodEnds> rods)
                     touched.push_back(end);
             colorOf[i] = inChunk.take(std::array{rod.a, rod.b});
         }
+        fillFours(std::span(colorOf).subspan(first, last - first),
+                  std::span(near).subspan(first, last - first), rods, inChunk);
         classOf[c] = ofChunks.take(touched);
         for (const int particle : touched)
             inChunk.clear(particle);

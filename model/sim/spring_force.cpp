@@ -23,7 +23,8 @@ double springTension(const Spring& spring, const Vec3& separation, const Vec3& v
     return tension;
 }
 
-void fillSpringForces(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> force)
+void fillSpringForces(const System& system, const State& state, Crew& crew,
+                      std::span<PaddedVec3> force)
 {
     crew.each(system.springs.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

@@ -14,6 +14,7 @@ namespace ripstop {
 double springTension(const Spring& spring, const Vec3& separation, const Vec3& velocityDifference);
 
 //   force  [springs]  N, on end `a`
-void fillSpringForces(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> force);
+void fillSpringForces(const System& system, const State& state, Crew& crew,
+                      std::span<PaddedVec3> force);
 
 } // namespace ripstop

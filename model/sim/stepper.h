@@ -33,10 +33,10 @@ private:
     std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
     std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
     std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
-    std::vector<double> m_restLength;    // [rods] m, with the weight shifts of now
-    std::vector<double> m_rodLength;     // [rods] m, before projection
-    double m_keep = 1.0;                 // share of the speed that viscosity leaves in a substep
-    bool m_tearsByForce = false;         // some rod does, so tensions are needed in every substep
+    std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
+    std::vector<double> m_rodLength;        // [rods] m, before projection
+    double m_keep = 1.0;                    // share of the speed that viscosity leaves in a substep
+    bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep
 };
 
 } // namespace ripstop
