@@ -3,9 +3,11 @@
 
 #include "builders/builder.h"
 #include "compile/compile.h"
+#include "io/scene_file.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 
+#include <QDir>
 #include <QtTest>
 
 #include <cstring>
@@ -81,6 +83,89 @@ System tangle(Integrator integrator, Solver solver)
     return system;
 }
 
+// 6000 particles whose rods go to neighbours at random, eight each, and hubs of 100 rods that go
+// further, so that their chunks touch many others. Some rods are soft, some pull or push only,
+// some are torn from the start, some break on the way; one pilot shifts his weight. Single sweeps
+// of it are worth threads too.
+System hubs(std::uint32_t seed, int sweeps)
+{
+    const int count = 6000;
+    Dice dice(seed);
+    System system = emptySystem(1.0 / 240.0);
+    system.solver = Solver::GaussSeidel;
+    system.sweeps = sweeps;
+    system.substeps = 3;
+    system.gravity = {0.0, -standardGravity, 0.0};
+    system.viscosity = 1.0;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 place = Vec3(0.001 * i, 0.0, 0.0) + dice.vector(0.2);
+        if (dice.below(200) == 0)
+            addPin(system, place);
+        else // half of them alike, so that there are rods of every kind
+            addParticle(system, place, i % 2 ? 0.05 : dice(0.01, 0.1), dice.vector(0.5));
+    }
+    const auto join = [&](int a, int b) {
+        if (a == b)
+            return;
+        const bool isSoft = dice.below(6) == 0;
+        Rod& rod = addRod(system, a, b, distance(system, a, b), isSoft ? dice(1e-7, 1e-4) : 0.0);
+        const int kind = dice.below(12);
+        rod.resists = kind == 0   ? Resists::Tension
+                      : kind == 1 ? Resists::Compression
+                                  : Resists::Both;
+        if (dice.below(10) == 0)
+            rod.tear = {TearRule::Strain, 0.02};
+    };
+    for (int a = 0; a < count; ++a)
+        for (int k = 0; k < 8; ++k)
+            join(a, (a + 1 + dice.below(60)) % count);
+    for (int hub = 50; hub < count; hub += 600)
+        for (int k = 0; k < 100; ++k)
+            join(hub, (hub + 1 + dice.below(500)) % count);
+
+    const int pilot = addParticle(system, {3.0, -0.5, 0.0}, 2.0);
+    for (int k = 0; k < 3; ++k) {
+        const int end = 2900 + 100 * k;
+        system.shiftedRods.push_back(
+            {int(system.rods.size()), pilot,
+             system.start.position[std::size_t(end)] - system.start.position[std::size_t(pilot)]});
+        join(pilot, end);
+    }
+    system.inputs = {{1, ControlKind::WeightShift, Vec3::UnitX(), 0.1, 0.5, 0.5, {pilot}}};
+    finish(system);
+    for (std::uint8_t& torn : system.start.rodTorn)
+        torn = dice.below(30) == 0;
+    return system;
+}
+
+// 90 ropes of 100 particles, hung side by side and tied by springs: what the direct solver likes,
+// and large enough for all other loops to be shared out.
+System ropes()
+{
+    System system = emptySystem(1.0 / 240.0);
+    system.solver = Solver::Direct;
+    system.sweeps = 3;
+    system.substeps = 2;
+    system.gravity = {1.0, -standardGravity, 0.5};
+    for (int rope = 0; rope < 90; ++rope)
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 place(0.1 * rope, -0.05 * i, 0.0);
+            const int at = i == 0 ? addPin(system, place) : addParticle(system, place, 0.01);
+            if (i > 0)
+                addRod(system, at - 1, at, 0.05).resists =
+                    rope % 2 ? Resists::Tension : Resists::Both;
+            if (rope > 0)
+                addSpring(system, at - 100, at, 0.09, 5.0, 0.01);
+        }
+    finish(system);
+    return system;
+}
+
+QStringList shippedScenes()
+{
+    return QDir(QStringLiteral(SCENES_DIR)).entryList({"*.ripstop.json"}, QDir::Files, QDir::Name);
+}
+
 } // namespace
 
 class TestDeterminism : public QObject
@@ -118,6 +203,82 @@ private slots:
         for (const int threads : {2, 3, 8})
             QVERIFY2(sameBits(run(system, steps, threads), alone),
                      qPrintable(QString("%1 threads").arg(threads)));
+    }
+
+    void networks_data()
+    {
+        QTest::addColumn<int>("seed");
+        QTest::addColumn<int>("sweeps");
+        QTest::addColumn<bool>("beside");
+        for (const int seed : {1, 2, 3})
+            for (const int sweeps : {1, 2, 7})
+                QTest::addRow("C9 hubs %d, %d sweeps", seed, sweeps) << seed << sweeps << false;
+        QTest::newRow("C9 hubs beside a direct block, 1 sweep") << 4 << 1 << true;
+        QTest::newRow("C9 hubs beside a direct block, 4 sweeps") << 4 << 4 << true;
+    }
+
+    void networks()
+    {
+        QFETCH(int, seed);
+        QFETCH(int, sweeps);
+        QFETCH(bool, beside);
+        System system = hubs(std::uint32_t(seed), sweeps);
+        if (beside) { // what few particles lie within is small enough
+            system.direct.assign(system.rods.size(), 0);
+            for (std::size_t i = 0; i < system.rods.size(); ++i)
+                system.direct[i] = system.rods[i].a < 150 && system.rods[i].b < 150;
+        }
+        // what coloured_sweeps.cpp asks for before it calls threads, and something to share
+        QVERIFY(system.rods.size() * std::size_t(sweeps) >= 30000);
+        QVERIFY(system.classStart[1] > 1);
+        const int steps = 12;
+        const State alone = run(system, steps);
+        QVERIFY(!alone.tears.empty());
+        QVERIFY(alone.inputValue[0] > 0.0);
+        for (const Vec3& position : alone.position)
+            QVERIFY(position.allFinite());
+        for (const int threads : {1, 2, 3, 8})
+            QVERIFY2(sameBits(run(system, steps, threads), alone),
+                     qPrintable(QString("%1 threads").arg(threads)));
+    }
+
+    void directSolver()
+    {
+        const System system = ropes();
+        const State alone = run(system, 10);
+        for (const int threads : {1, 2, 3, 8})
+            QVERIFY2(sameBits(run(system, 10, threads), alone),
+                     qPrintable(QString("%1 threads").arg(threads)));
+    }
+
+    // What is shipped, with every control in use.
+    void scenes_data()
+    {
+        QTest::addColumn<QString>("file");
+        for (const QString& file : shippedScenes())
+            QTest::addRow("C9 %s", qPrintable(file)) << file;
+    }
+
+    void scenes()
+    {
+        QFETCH(QString, file);
+        const auto scene = readScene((QStringLiteral(SCENES_DIR) + "/" + file).toStdString());
+        QVERIFY2(bool(scene), scene ? "" : scene.message().c_str());
+        std::vector<State> states;
+        for (const int threads : {1, 1, 2, 3, 8}) {
+            const auto system = compile(*scene);
+            QVERIFY(bool(system));
+            Simulation simulation(*system, threads);
+            Commands commands;
+            for (const Input& input : (*system)->inputs)
+                commands[input.key] = 0.3 * input.limit;
+            simulation.command(commands);
+            QVERIFY(simulation.runUntil(0.5));
+            states.push_back(simulation.state());
+        }
+        QVERIFY(states[0].step > 0);
+        for (const State& state : states)
+            QVERIFY(sameBits(state, states[0]));
     }
 
     // Compiling and running once more, and running on more threads, changes no bit of any design.
