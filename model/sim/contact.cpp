@@ -1,6 +1,9 @@
 #include "sim/contact.h"
 
+#include "sim/four.h"
+
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace ripstop {
@@ -54,36 +57,56 @@ Rebound rebound(const Obstacle& obstacle, const Vec3& velocity, const Vec3& norm
     return {kept * along + (restitution * inward) * normal, kept};
 }
 
+struct ContactWork
+{
+    const System& system;
+    State& state;
+    std::span<const PaddedVec3> before; // [particles] m
+    double restSpeed;                   // m/s
+};
+
+// In the order of the obstacles: one may push a particle into the next. A particle is looked at
+// only if it began inside of one of them.
+void resolveContact(const ContactWork& work, std::size_t i)
+{
+    const auto& [system, state, before, restSpeed] = work;
+    if (system.inverseMass[i] == 0.0)
+        return;
+    const bool verlet = system.integrator == Integrator::Verlet;
+    for (const Obstacle& obstacle : system.obstacles) {
+        const std::optional<Touch> found = touch(obstacle, state.position[i]);
+        if (!found)
+            continue;
+        const Vec3& n = found->normal;
+        const Rebound now = rebound(obstacle, state.velocity[i], n, restSpeed);
+        const Rebound lag = rebound(obstacle, state.drift[i], n, restSpeed);
+        state.velocity[i] = now.velocity;
+        state.drift[i] = lag.velocity;
+
+        // What holds a particle also takes back the way it went along the surface in this
+        // substep; else whatever sticks to a slope creeps down by g h sin(slope).
+        const Vec3 way = found->surface - before[i];
+        const double kept = verlet ? lag.kept : now.kept;
+        state.position[i] = found->surface - (1.0 - kept) * (way - way.dot(n) * n);
+    }
+}
+
 } // namespace
+} // namespace ripstop
+
+#define RIPSTOP_KERNEL "sim/contact_kernel.inl"
+#include "sim/for_each_machine.inl"
+
+namespace ripstop {
 
 void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
                      double h, Crew& crew)
 {
     if (system.obstacles.empty())
         return;
-    const double restSpeed = 2.0 * system.gravity.norm() * h;
-    const bool verlet = system.integrator == Integrator::Verlet;
+    const ContactWork work = {system, state, before, 2.0 * system.gravity.norm() * h};
     crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            if (system.inverseMass[i] == 0.0)
-                continue;
-            for (const Obstacle& obstacle : system.obstacles) {
-                const std::optional<Touch> found = touch(obstacle, state.position[i]);
-                if (!found)
-                    continue;
-                const Vec3& n = found->normal;
-                const Rebound now = rebound(obstacle, state.velocity[i], n, restSpeed);
-                const Rebound lag = rebound(obstacle, state.drift[i], n, restSpeed);
-                state.velocity[i] = now.velocity;
-                state.drift[i] = lag.velocity;
-
-                // What holds a particle also takes back the way it went along the surface in this
-                // substep; else whatever sticks to a slope creeps down by g h sin(slope).
-                const Vec3 way = found->surface - before[i];
-                const double kept = verlet ? lag.kept : now.kept;
-                state.position[i] = found->surface - (1.0 - kept) * (way - way.dot(n) * n);
-            }
-        }
+        (wideMachine ? wide::findContacts : anywhere::findContacts)(work, first, last);
     });
 }
 

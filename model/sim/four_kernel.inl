@@ -28,6 +28,12 @@ RIPSTOP_INLINE Four root(Four x)
     return r;
 }
 
+using Mask = decltype(Four{} < Four{}); // all bits of a lane, or none
+
+RIPSTOP_INLINE bool any(Mask m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+
+RIPSTOP_INLINE Four magnitude(Four x) { return (Four)((Mask)x & INT64_MAX); }
+
 struct Coordinates // of four vectors
 {
     Four x;
@@ -49,4 +55,34 @@ RIPSTOP_INLINE Coordinates coordinates(Four v0, Four v1, Four v2, Four v3)
 RIPSTOP_INLINE Four dot(const Coordinates& a, const Coordinates& b)
 {
     return fused(a.x, b.x, fused(a.y, b.y, a.z * b.z));
+}
+
+RIPSTOP_INLINE Coordinates operator*(Four s, const Coordinates& a)
+{
+    return {s * a.x, s * a.y, s * a.z};
+}
+
+// Not fused, so that parallel vectors have none to the last bit.
+RIPSTOP_INLINE Coordinates cross(const Coordinates& a, const Coordinates& b)
+{
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+RIPSTOP_INLINE Coordinates select(Mask m, const Coordinates& a, const Coordinates& b)
+{
+    return {m ? a.x : b.x, m ? a.y : b.y, m ? a.z : b.z};
+}
+
+// Rows of x, y, z and a zero; the way back from coordinates().
+RIPSTOP_INLINE void store(const Coordinates& a, PaddedVec3& v0, PaddedVec3& v1, PaddedVec3& v2,
+                          PaddedVec3& v3)
+{
+    const Four xy02 = __builtin_shufflevector(a.x, a.y, 0, 4, 2, 6);
+    const Four xy13 = __builtin_shufflevector(a.x, a.y, 1, 5, 3, 7);
+    const Four z02 = __builtin_shufflevector(a.z, Four{}, 0, 4, 2, 6);
+    const Four z13 = __builtin_shufflevector(a.z, Four{}, 1, 5, 3, 7);
+    four(v0) = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
+    four(v1) = __builtin_shufflevector(xy13, z13, 0, 1, 4, 5);
+    four(v2) = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
+    four(v3) = __builtin_shufflevector(xy13, z13, 2, 3, 6, 7);
 }

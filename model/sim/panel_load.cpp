@@ -1,45 +1,64 @@
 #include "sim/panel_load.h"
 
-#include <Eigen/Geometry>
+#include "sim/four.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace ripstop {
+namespace {
+
+struct PanelWork
+{
+    const FabricPanel* panels;
+    const std::uint8_t* gone;   // [panels]
+    const PaddedVec3* position; // [particles] m
+    const PaddedVec3* velocity; // [particles] m/s
+    Vec3 wind;                  // m/s
+    double airDensity;          // kg/m^3
+    PaddedVec3* load;           // [panels] N
+};
+
+} // namespace
+} // namespace ripstop
+
+#define RIPSTOP_KERNEL "sim/panel_kernel.inl"
+#include "sim/for_each_machine.inl"
 
 namespace ripstop {
 
 Vec3 panelLoad(const FabricPanel& panel, const Vec3& a, const Vec3& b, const Vec3& c,
                const Vec3& apparentWind, double airDensity)
 {
-    const Vec3 areaVector = 0.5 * (b - a).cross(c - a); // its length is the area
-    const double area = areaVector.norm();
-    if (area == 0.0 || panel.law == AirLaw::None)
-        return Vec3::Zero();
-
-    const Vec3 normal = areaVector / area;
-    const double headOn = normal.dot(apparentWind);                                          // m/s
-    const double pace = panel.law == AirLaw::Paper ? std::abs(headOn) : apparentWind.norm(); // m/s
-    Vec3 load = (panel.normalCoefficient * pace * headOn) * normal;
-    if (panel.skinFriction > 0.0) {
-        const Vec3 along = apparentWind - headOn * normal;
-        load += (panel.skinFriction * along.norm()) * along;
-    }
-    return (0.5 * airDensity * area) * load;
+    FabricPanel alone = panel;
+    alone.corner = {0, 1, 2};
+    const std::uint8_t gone = 0;
+    const PaddedVec3 position[3] = {a, b, c};
+    const PaddedVec3 velocity[3];
+    PaddedVec3 load;
+    const PanelWork work = {&alone, &gone, position, velocity, apparentWind, airDensity, &load};
+    (wideMachine ? wide::fillPanels : anywhere::fillPanels)(work, 0, 1);
+    return load;
 }
 
 void fillPanelLoads(const System& system, const State& state, Crew& crew,
                     std::span<PaddedVec3> load)
 {
+    fillPanelLoads(system, state, crew, load, wideMachine);
+}
+
+void fillPanelLoads(const System& system, const State& state, Crew& crew,
+                    std::span<PaddedVec3> load, bool asWide)
+{
+    const PanelWork work = {system.panels.data(),
+                            state.panelGone.data(),
+                            state.position.data(),
+                            state.velocity.data(),
+                            system.wind,
+                            system.airDensity,
+                            load.data()};
     crew.each(system.panels.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            if (state.panelGone[i]) {
-                load[i].setZero();
-                continue;
-            }
-            const auto a = std::size_t(system.panels[i].corner[0]);
-            const auto b = std::size_t(system.panels[i].corner[1]);
-            const auto c = std::size_t(system.panels[i].corner[2]);
-            const Vec3 panelVelocity =
-                (state.velocity[a] + state.velocity[b] + state.velocity[c]) / 3.0;
-            load[i] = panelLoad(system.panels[i], state.position[a], state.position[b],
-                                state.position[c], system.wind - panelVelocity, system.airDensity);
-        }
+        (asWide ? wide::fillPanels : anywhere::fillPanels)(work, first, last);
     });
 }
 

@@ -29,4 +29,9 @@ Vec3 panelLoad(const FabricPanel& panel, const Vec3& a, const Vec3& b, const Vec
 void fillPanelLoads(const System& system, const State& state, Crew& crew,
                     std::span<PaddedVec3> load);
 
+// The same, told whether the machine is wide (four.h), which must not be said of one that is not;
+// both ways give the same bits.
+void fillPanelLoads(const System& system, const State& state, Crew& crew,
+                    std::span<PaddedVec3> load, bool wide);
+
 } // namespace ripstop

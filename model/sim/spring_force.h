@@ -17,4 +17,9 @@ double springTension(const Spring& spring, const Vec3& separation, const Vec3& v
 void fillSpringForces(const System& system, const State& state, Crew& crew,
                       std::span<PaddedVec3> force);
 
+// The same, told whether the machine is wide (four.h), which must not be said of one that is not;
+// both ways give the same bits.
+void fillSpringForces(const System& system, const State& state, Crew& crew,
+                      std::span<PaddedVec3> force, bool wide);
+
 } // namespace ripstop

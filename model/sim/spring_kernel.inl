@@ -1,0 +1,96 @@
+// Forces of springs, four at a time; see spring_force.h.
+//
+// What a spring gets does not depend on the three beside it.
+
+struct SpringNumbers
+{
+    Four rest;      // m
+    Four stiffness; // N/m
+    Four damping;   // N s/m
+    Mask resists;
+};
+
+struct Pull
+{
+    Four tension;   // N
+    Four perLength; // N/m
+};
+
+RIPSTOP_INLINE Pull pullOf(const SpringNumbers& spring, const Coordinates& separation,
+                           const Coordinates& velocityDifference)
+{
+    const Four length = root(dot(separation, separation));
+    const Four perMetre = all(1.0) / length;
+    const Four stretch = length - spring.rest;
+    const Four rate = dot(velocityDifference, separation) * perMetre;
+    Four tension = fused(spring.stiffness, stretch, spring.damping * rate);
+
+    const Mask onlyTension = spring.resists == std::int64_t(Resists::Tension);
+    const Mask onlyCompression = spring.resists == std::int64_t(Resists::Compression);
+    if (any(onlyTension | onlyCompression)) {
+        const Mask pulls = (stretch > all(0.0)) & (tension > all(0.0));
+        const Mask pushes = (stretch < all(0.0)) & (tension < all(0.0));
+        tension = (onlyTension & ~pulls) | (onlyCompression & ~pushes) ? Four{} : tension;
+    }
+    const Mask hasDirection = length != all(0.0);
+    return {hasDirection ? tension : Four{}, hasDirection ? tension * perMetre : Four{}};
+}
+
+RIPSTOP_INLINE SpringNumbers numbersOf(const Spring& s0, const Spring& s1, const Spring& s2,
+                                       const Spring& s3)
+{
+    return {Four{s0.restLength, s1.restLength, s2.restLength, s3.restLength},
+            Four{s0.stiffness, s1.stiffness, s2.stiffness, s3.stiffness},
+            Four{s0.damping, s1.damping, s2.damping, s3.damping},
+            Mask{std::int64_t(s0.resists), std::int64_t(s1.resists), std::int64_t(s2.resists),
+                 std::int64_t(s3.resists)}};
+}
+
+double tensionOf(const Spring& spring, const PaddedVec3& separation,
+                 const PaddedVec3& velocityDifference)
+{
+    const Four& d = four(separation);
+    const Four& v = four(velocityDifference);
+    return pullOf(numbersOf(spring, spring, spring, spring), coordinates(d, d, d, d),
+                  coordinates(v, v, v, v))
+        .tension[0];
+}
+
+RIPSTOP_INLINE Four between(const PaddedVec3* rows, const Spring& s)
+{
+    return four(rows[s.b]) - four(rows[s.a]);
+}
+
+void fillSprings(const SpringWork& work, std::size_t first, std::size_t last)
+{
+    const PaddedVec3* x = work.position;
+    const PaddedVec3* v = work.velocity;
+
+    for (std::size_t i0 = first; i0 < last; i0 += 4) {
+        // Past the end the last spring is repeated, and written again.
+        const std::size_t i1 = std::min(i0 + 1, last - 1);
+        const std::size_t i2 = std::min(i0 + 2, last - 1);
+        const std::size_t i3 = std::min(i0 + 3, last - 1);
+        const Spring& s0 = work.springs[i0];
+        const Spring& s1 = work.springs[i1];
+        const Spring& s2 = work.springs[i2];
+        const Spring& s3 = work.springs[i3];
+
+        const Four d0 = between(x, s0), d1 = between(x, s1);
+        const Four d2 = between(x, s2), d3 = between(x, s3);
+        Four perLength =
+            pullOf(numbersOf(s0, s1, s2, s3), coordinates(d0, d1, d2, d3),
+                   coordinates(between(v, s0), between(v, s1), between(v, s2), between(v, s3)))
+                .perLength;
+        const std::uint8_t t0 = work.torn[i0], t1 = work.torn[i1];
+        const std::uint8_t t2 = work.torn[i2], t3 = work.torn[i3];
+        if (t0 | t1 | t2 | t3)
+            perLength = Mask{t0, t1, t2, t3} == 0 ? perLength : Four{};
+
+        // Fused with zero, which keeps the fourth number from becoming a negative zero.
+        four(work.force[i0]) = fused(d0, spread<0>(perLength), Four{});
+        four(work.force[i1]) = fused(d1, spread<1>(perLength), Four{});
+        four(work.force[i2]) = fused(d2, spread<2>(perLength), Four{});
+        four(work.force[i3]) = fused(d3, spread<3>(perLength), Four{});
+    }
+}

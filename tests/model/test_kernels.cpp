@@ -1,0 +1,358 @@
+// Kernels that take four panels, springs, particles or rods at a time (sim/four.h): with and
+// without vector instructions, alone or beside others, each gets the same bits.
+#include "model/systems.h"
+
+#include "sim/contact.h"
+#include "sim/four.h"
+#include "sim/panel_load.h"
+#include "sim/rod_batches.h"
+#include "sim/spring_force.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr int particles = 64;
+
+template <typename T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b)
+{
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+bool isPadded(const std::vector<PaddedVec3>& rows)
+{
+    return std::all_of(rows.begin(), rows.end(), [](const PaddedVec3& row) {
+        return std::bit_cast<std::uint64_t>(row.padding) == 0;
+    });
+}
+
+// Particles here and there; the last one is where the first one is.
+System scattered(Dice& dice, double speed)
+{
+    System system = emptySystem(0.01);
+    system.wind = {7.0, -1.0, 2.0};
+    for (int i = 0; i < particles; ++i)
+        addParticle(system, dice.vector(1.0), dice(0.1, 1.0), dice.vector(speed));
+    system.start.position.back() = system.start.position.front();
+    return system;
+}
+
+int another(Dice& dice, int particle)
+{
+    return (particle + 1 + dice.below(particles - 1)) % particles;
+}
+
+// Of each law, rough and smooth, some gone, some without area; not a multiple of four.
+System panels(std::uint32_t seed, double speed)
+{
+    constexpr std::array laws{AirLaw::None, AirLaw::Paper, AirLaw::LinearNormal};
+    Dice dice(seed);
+    System system = scattered(dice, speed);
+    for (int i = 0; i < 403; ++i) {
+        const int a = dice.below(particles);
+        const int b = another(dice, a);
+        const int c = dice.below(20) ? another(dice, b) : b;
+        // runs of one law and mixtures
+        const AirLaw law = laws[std::size_t(i < 200 ? i / 50 % 3 : dice.below(3))];
+        addPanel(system, a, b, c, law, dice(0.5, 4.0), dice.below(2) ? dice(0.0, 0.1) : 0.0);
+    }
+    addPanel(system, 0, particles - 1, 5, AirLaw::Paper, 2.0, 0.02);
+    finish(system);
+    for (int i = 0; i < 30; ++i)
+        system.start.panelGone[std::size_t(dice.below(int(system.panels.size())))] = 1;
+    return system;
+}
+
+// Of each kind, slack and taut, some torn, one without length; not a multiple of four.
+System springs(std::uint32_t seed)
+{
+    Dice dice(seed);
+    System system = scattered(dice, 3.0);
+    for (int i = 0; i < 401; ++i) {
+        const int a = dice.below(particles);
+        Spring& spring = addSpring(system, a, another(dice, a), dice(0.0, 2.0), dice(1.0, 100.0),
+                                   dice(0.0, 9.0));
+        spring.resists = Resists(i < 100 ? 0 : dice.below(3));
+    }
+    addSpring(system, 0, particles - 1, 0.5, 10.0, 1.0);
+    finish(system);
+    for (int i = 0; i < 30; ++i)
+        system.start.springTorn[std::size_t(dice.below(int(system.springs.size())))] = 1;
+    return system;
+}
+
+std::vector<PaddedVec3> loads(const System& system, bool wide)
+{
+    std::vector<PaddedVec3> load(system.panels.size(), Vec3(1.0, 2.0, 3.0));
+    Crew crew(1);
+    fillPanelLoads(system, system.start, crew, load, wide);
+    return load;
+}
+
+std::vector<PaddedVec3> forces(const System& system, bool wide)
+{
+    std::vector<PaddedVec3> force(system.springs.size(), Vec3(1.0, 2.0, 3.0));
+    Crew crew(1);
+    fillSpringForces(system, system.start, crew, force, wide);
+    return force;
+}
+
+// Rods of three kinds in three colours. Within a colour no two rods share a particle; but the last
+// batch of each kind has two rods only, which are repeated.
+class Batches
+{
+public:
+    explicit Batches(std::uint32_t seed)
+        : m_dice(seed)
+    {
+        for (int i = 0; i < particles; ++i)
+            position.push_back(m_dice.vector(1.0));
+        position[particles - 2] = position[particles - 1];
+        for (int colour = 0; colour < 3; ++colour)
+            addColour();
+        batches.evenStretch.resize(batches.even.size());
+        batches.plainStretch.resize(batches.plain.size());
+        batches.multiplier.resize(batches.soft.size());
+    }
+
+    void sweep(bool wide)
+    {
+        const std::array order{2, 0, 1};
+        for (int i = 0; i < 20; ++i)
+            sweepRuns(batches, order, i % 2 != 0, position.data(), wide);
+    }
+
+    RodBatches batches;
+    std::vector<PaddedVec3> position;
+
+private:
+    void addColour()
+    {
+        m_free.resize(particles);
+        std::iota(m_free.begin(), m_free.end(), 0);
+        // The first colour begins with the two particles that are in one place.
+        for (std::size_t i = batches.runs.empty() ? 0 : m_free.size(); i > 1; --i)
+            std::swap(m_free[i - 1], m_free[std::size_t(m_dice.below(int(i)))]);
+        BatchRun run{};
+        run.even = add(batches.even);
+        run.plain = add(batches.plain);
+        run.soft = add(batches.soft);
+        batches.runs.push_back(run);
+    }
+
+    template <typename Batch>
+    BatchRange add(std::vector<Batch>& kind)
+    {
+        const auto first = std::uint32_t(kind.size());
+        for (const int rods : {4, 2}) {
+            Batch& batch = kind.emplace_back();
+            for (int lane = 0; lane < 4; ++lane)
+                if (lane < rods)
+                    fill(batch, lane);
+                else
+                    repeat(batch, lane, lane % rods);
+        }
+        return {first, std::uint32_t(kind.size())};
+    }
+
+    std::uint32_t take()
+    {
+        const int particle = m_free.back();
+        m_free.pop_back();
+        return std::uint32_t(particle) * std::uint32_t(sizeof(PaddedVec3));
+    }
+
+    double restOrTorn() // m
+    {
+        return m_dice.below(6) ? m_dice(0.2, 2.0) : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    void fill(EvenBatch& batch, int lane)
+    {
+        batch.a[lane] = take(), batch.b[lane] = take();
+        batch.halfRest[lane] = 0.5 * restOrTorn();
+    }
+
+    void fill(PlainBatch& batch, int lane)
+    {
+        batch.a[lane] = take(), batch.b[lane] = take();
+        batch.rest[lane] = restOrTorn();
+        batch.shareA[lane] = m_dice(0.0, 1.0);
+        batch.shareB[lane] = 1.0 - batch.shareA[lane];
+    }
+
+    void fill(SoftBatch& batch, int lane)
+    {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const int resists = m_dice.below(3);
+        batch.a[lane] = take(), batch.b[lane] = take();
+        batch.rest[lane] = m_dice(0.2, 2.0);
+        batch.inverseMassA[lane] = m_dice(0.0, 10.0);
+        batch.inverseMassB[lane] = m_dice.below(3) ? m_dice(0.0, 10.0) : 0.0;
+        batch.softness[lane] = m_dice.below(2) ? m_dice(0.0, 10.0) : 0.0;
+        batch.inverseWeight[lane] =
+            1.0 / (batch.inverseMassA[lane] + batch.inverseMassB[lane] + batch.softness[lane]);
+        if (m_dice.below(6) == 0)
+            batch.inverseWeight[lane] = 0.0;
+        batch.lowest[lane] = resists == 1 ? 0.0 : -infinity;
+        batch.highest[lane] = resists == 2 ? 0.0 : infinity;
+    }
+
+    static void repeat(EvenBatch& batch, int to, int from)
+    {
+        batch.a[to] = batch.a[from], batch.b[to] = batch.b[from];
+        batch.halfRest[to] = batch.halfRest[from];
+    }
+
+    static void repeat(PlainBatch& batch, int to, int from)
+    {
+        batch.a[to] = batch.a[from], batch.b[to] = batch.b[from];
+        for (double* numbers : {batch.rest, batch.shareA, batch.shareB})
+            numbers[to] = numbers[from];
+    }
+
+    static void repeat(SoftBatch& batch, int to, int from)
+    {
+        batch.a[to] = batch.a[from], batch.b[to] = batch.b[from];
+        for (double* numbers : {batch.rest, batch.inverseMassA, batch.inverseMassB,
+                                batch.inverseWeight, batch.softness, batch.lowest, batch.highest})
+            numbers[to] = numbers[from];
+    }
+
+    Dice m_dice;
+    std::vector<int> m_free; // particles that the colour has not used
+};
+
+} // namespace
+
+class TestKernels : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void panelsEitherWay()
+    {
+        for (std::uint32_t seed = 1; seed < 20; ++seed) {
+            const System system = panels(seed, 3.0);
+            const std::vector<PaddedVec3> load = loads(system, wideMachine);
+            QVERIFY(sameBits(load, loads(system, false)));
+            QVERIFY(isPadded(load));
+            for (std::size_t i = 0; i < load.size(); ++i)
+                if (system.start.panelGone[i] || system.panels[i].law == AirLaw::None)
+                    QCOMPARE(load[i].norm(), 0.0);
+            QCOMPARE(load.back().norm(), 0.0); // no area
+        }
+    }
+
+    // Whom a panel stands beside changes nothing. Corners at rest, so that the apparent wind is
+    // the wind to the last bit.
+    void panelsAlone()
+    {
+        const System system = panels(21, 0.0);
+        const std::vector<PaddedVec3> load = loads(system, wideMachine);
+        const auto at = [&](int corner) -> Vec3 {
+            return system.start.position[std::size_t(corner)];
+        };
+        for (std::size_t i = 0; i < load.size(); ++i) {
+            if (system.start.panelGone[i])
+                continue;
+            const auto [a, b, c] = system.panels[i].corner;
+            const Vec3 alone =
+                panelLoad(system.panels[i], at(a), at(b), at(c), system.wind, system.airDensity);
+            QVERIFY(std::memcmp(alone.data(), load[i].data(), sizeof(Vec3)) == 0);
+        }
+    }
+
+    void springsEitherWay()
+    {
+        for (std::uint32_t seed = 1; seed < 20; ++seed) {
+            const System system = springs(seed);
+            const std::vector<PaddedVec3> force = forces(system, wideMachine);
+            QVERIFY(sameBits(force, forces(system, false)));
+            QVERIFY(isPadded(force));
+            for (std::size_t i = 0; i < force.size(); ++i)
+                if (system.start.springTorn[i])
+                    QCOMPARE(force[i].norm(), 0.0);
+            QCOMPARE(force.back().norm(), 0.0); // no direction
+        }
+    }
+
+    // F = k (|d| - l) + nu (vb - va).u along u, none when slack.
+    void springLaw()
+    {
+        const System system = springs(22);
+        const State& state = system.start;
+        const std::vector<PaddedVec3> force = forces(system, wideMachine);
+        for (std::size_t i = 0; i < force.size(); ++i) {
+            const Spring& s = system.springs[i];
+            const Vec3 d = state.position[std::size_t(s.b)] - state.position[std::size_t(s.a)];
+            const Vec3 v = state.velocity[std::size_t(s.b)] - state.velocity[std::size_t(s.a)];
+            if (state.springTorn[i] || d.norm() == 0.0)
+                continue;
+            const double stretch = d.norm() - s.restLength;
+            double tension = s.stiffness * stretch + s.damping * v.dot(d.normalized());
+            if (s.resists == Resists::Tension && (stretch <= 0.0 || tension <= 0.0))
+                tension = 0.0;
+            if (s.resists == Resists::Compression && (stretch >= 0.0 || tension >= 0.0))
+                tension = 0.0;
+            QVERIFY2(isNear(springTension(s, d, v), tension, 1e-11),
+                     told(springTension(s, d, v), tension));
+            const Vec3 expected = tension * d.normalized();
+            QVERIFY2(isNear(force[i], expected, 1e-11), told(force[i], expected));
+        }
+    }
+
+    // Contact finds each particle that is inside, wherever it stands among the others.
+    void contacts()
+    {
+        for (int count = 1; count <= 9; ++count)
+            for (int inside = 0; inside < count; ++inside) {
+                System system = emptySystem(0.01);
+                for (int i = 0; i < count; ++i)
+                    addParticle(system, {0.0, i == inside ? -1.0 : 1.0, double(i)}, 1.0);
+                Obstacle ground{};
+                ground.shape = ColliderShape::Plane;
+                ground.position = Vec3::Zero();
+                ground.normal = {0.0, 1.0, 0.0};
+                ground.response = Response::Stop;
+                system.obstacles = {ground};
+                finish(system);
+                State state = system.start;
+                Crew crew(1);
+                resolveContacts(system, state, system.start.position, 0.01, crew);
+                for (int i = 0; i < count; ++i)
+                    QCOMPARE(state.position[std::size_t(i)].y(), i == inside ? 0.0 : 1.0);
+            }
+    }
+
+    void rodsEitherWay()
+    {
+        for (std::uint32_t seed = 1; seed < 50; ++seed) {
+            Batches wide(seed);
+            Batches narrow(seed);
+            const std::vector<PaddedVec3> before = wide.position;
+            wide.sweep(wideMachine);
+            narrow.sweep(false);
+            QVERIFY(!sameBits(wide.position, before));
+            QVERIFY(sameBits(wide.position, narrow.position));
+            QVERIFY(sameBits(wide.batches.evenStretch, narrow.batches.evenStretch));
+            QVERIFY(sameBits(wide.batches.plainStretch, narrow.batches.plainStretch));
+            QVERIFY(sameBits(wide.batches.multiplier, narrow.batches.multiplier));
+            QVERIFY(isPadded(wide.position));
+            for (const PaddedVec3& x : wide.position)
+                QVERIFY(x.allFinite());
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestKernels)
+#include "test_kernels.moc"
