@@ -30,7 +30,14 @@ RIPSTOP_INLINE Four root(Four x)
 
 using Mask = decltype(Four{} < Four{}); // all bits of a lane, or none
 
-RIPSTOP_INLINE bool any(Mask m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+RIPSTOP_INLINE bool any(Mask m)
+{
+#if RIPSTOP_WIDE
+    return __builtin_ia32_movmskpd256((Four)m) != 0;
+#else
+    return (m[0] | m[1] | m[2] | m[3]) != 0;
+#endif
+}
 
 RIPSTOP_INLINE Four magnitude(Four x) { return (Four)((Mask)x & INT64_MAX); }
 

@@ -34,47 +34,56 @@ RIPSTOP_INLINE Coordinates panelLoads(const Coordinates& normal, const Coordinat
     return select(meetsAir, load, Coordinates{});
 }
 
-RIPSTOP_INLINE std::int64_t lawNow(const PanelWork& work, std::size_t i)
+RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t i1, std::size_t i2,
+                             std::size_t i3)
 {
-    return std::int64_t(work.gone[i] ? AirLaw::None : work.panels[i].law);
+    const FabricPanel& p0 = work.panels[i0];
+    const FabricPanel& p1 = work.panels[i1];
+    const FabricPanel& p2 = work.panels[i2];
+    const FabricPanel& p3 = work.panels[i3];
+    const auto [a0, b0, c0] = p0.corner;
+    const auto [a1, b1, c1] = p1.corner;
+    const auto [a2, b2, c2] = p2.corner;
+    const auto [a3, b3, c3] = p3.corner;
+
+    const PaddedVec3* x = work.position;
+    const Four from0 = four(x[a0]), from1 = four(x[a1]);
+    const Four from2 = four(x[a2]), from3 = four(x[a3]);
+    const Coordinates ab = coordinates(four(x[b0]) - from0, four(x[b1]) - from1,
+                                       four(x[b2]) - from2, four(x[b3]) - from3);
+    const Coordinates ac = coordinates(four(x[c0]) - from0, four(x[c1]) - from1,
+                                       four(x[c2]) - from2, four(x[c3]) - from3);
+
+    const PaddedVec3* v = work.velocity;
+    const Coordinates sum = coordinates(
+        four(v[a0]) + four(v[b0]) + four(v[c0]), four(v[a1]) + four(v[b1]) + four(v[c1]),
+        four(v[a2]) + four(v[b2]) + four(v[c2]), four(v[a3]) + four(v[b3]) + four(v[c3]));
+    const Four third = all(-1.0 / 3.0);
+    const Coordinates wind = {fused(sum.x, third, all(work.wind.x())),
+                              fused(sum.y, third, all(work.wind.y())),
+                              fused(sum.z, third, all(work.wind.z()))};
+
+    Mask law = {std::int64_t(p0.law), std::int64_t(p1.law), std::int64_t(p2.law),
+                std::int64_t(p3.law)};
+    const std::uint8_t g0 = work.gone[i0], g1 = work.gone[i1];
+    const std::uint8_t g2 = work.gone[i2], g3 = work.gone[i3];
+    if (g0 | g1 | g2 | g3)
+        law = Mask{g0, g1, g2, g3} == 0 ? law : Mask{} + std::int64_t(AirLaw::None);
+
+    const Four quarterDensity = all(0.25 * work.airDensity);
+    const Four strength = {p0.normalCoefficient, p1.normalCoefficient, p2.normalCoefficient,
+                           p3.normalCoefficient};
+    const Four friction = {p0.skinFriction, p1.skinFriction, p2.skinFriction, p3.skinFriction};
+    store(
+        panelLoads(cross(ab, ac), wind, law, quarterDensity * strength, quarterDensity * friction),
+        work.load[i0], work.load[i1], work.load[i2], work.load[i3]);
 }
 
 void fillPanels(const PanelWork& work, std::size_t first, std::size_t last)
 {
-    const auto x = [&](int particle) -> const Four& { return four(work.position[particle]); };
-    const auto v = [&](int particle) -> const Four& { return four(work.velocity[particle]); };
-    const Four third = all(-1.0 / 3.0);
-    const Four quarterDensity = all(0.25 * work.airDensity);
-    const Coordinates air = {all(work.wind.x()), all(work.wind.y()), all(work.wind.z())};
-
-    for (std::size_t i0 = first; i0 < last; i0 += 4) {
-        // Past the end the last panel is repeated, and written again.
-        const std::size_t i1 = std::min(i0 + 1, last - 1);
-        const std::size_t i2 = std::min(i0 + 2, last - 1);
-        const std::size_t i3 = std::min(i0 + 3, last - 1);
-        const FabricPanel& p0 = work.panels[i0];
-        const FabricPanel& p1 = work.panels[i1];
-        const FabricPanel& p2 = work.panels[i2];
-        const FabricPanel& p3 = work.panels[i3];
-        const auto [a0, b0, c0] = p0.corner;
-        const auto [a1, b1, c1] = p1.corner;
-        const auto [a2, b2, c2] = p2.corner;
-        const auto [a3, b3, c3] = p3.corner;
-
-        const Coordinates ab =
-            coordinates(x(b0) - x(a0), x(b1) - x(a1), x(b2) - x(a2), x(b3) - x(a3));
-        const Coordinates ac =
-            coordinates(x(c0) - x(a0), x(c1) - x(a1), x(c2) - x(a2), x(c3) - x(a3));
-        const Coordinates sum = coordinates(v(a0) + v(b0) + v(c0), v(a1) + v(b1) + v(c1),
-                                            v(a2) + v(b2) + v(c2), v(a3) + v(b3) + v(c3));
-        const Coordinates wind = {fused(sum.x, third, air.x), fused(sum.y, third, air.y),
-                                  fused(sum.z, third, air.z)};
-        const Mask law = {lawNow(work, i0), lawNow(work, i1), lawNow(work, i2), lawNow(work, i3)};
-        const Four strength = {p0.normalCoefficient, p1.normalCoefficient, p2.normalCoefficient,
-                               p3.normalCoefficient};
-        const Four friction = {p0.skinFriction, p1.skinFriction, p2.skinFriction, p3.skinFriction};
-        store(panelLoads(cross(ab, ac), wind, law, quarterDensity * strength,
-                         quarterDensity * friction),
-              work.load[i0], work.load[i1], work.load[i2], work.load[i3]);
-    }
+    std::size_t i = first;
+    for (; i + 4 <= last; i += 4)
+        fillFour(work, i, i + 1, i + 2, i + 3);
+    if (i < last) // the last one is repeated, and written again
+        fillFour(work, i, std::min(i + 1, last - 1), std::min(i + 2, last - 1), last - 1);
 }

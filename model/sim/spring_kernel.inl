@@ -61,36 +61,39 @@ RIPSTOP_INLINE Four between(const PaddedVec3* rows, const Spring& s)
     return four(rows[s.b]) - four(rows[s.a]);
 }
 
-void fillSprings(const SpringWork& work, std::size_t first, std::size_t last)
+RIPSTOP_INLINE void fillFour(const SpringWork& work, std::size_t i0, std::size_t i1, std::size_t i2,
+                             std::size_t i3)
 {
+    const Spring& s0 = work.springs[i0];
+    const Spring& s1 = work.springs[i1];
+    const Spring& s2 = work.springs[i2];
+    const Spring& s3 = work.springs[i3];
     const PaddedVec3* x = work.position;
     const PaddedVec3* v = work.velocity;
 
-    for (std::size_t i0 = first; i0 < last; i0 += 4) {
-        // Past the end the last spring is repeated, and written again.
-        const std::size_t i1 = std::min(i0 + 1, last - 1);
-        const std::size_t i2 = std::min(i0 + 2, last - 1);
-        const std::size_t i3 = std::min(i0 + 3, last - 1);
-        const Spring& s0 = work.springs[i0];
-        const Spring& s1 = work.springs[i1];
-        const Spring& s2 = work.springs[i2];
-        const Spring& s3 = work.springs[i3];
+    const Four d0 = between(x, s0), d1 = between(x, s1);
+    const Four d2 = between(x, s2), d3 = between(x, s3);
+    Four perLength =
+        pullOf(numbersOf(s0, s1, s2, s3), coordinates(d0, d1, d2, d3),
+               coordinates(between(v, s0), between(v, s1), between(v, s2), between(v, s3)))
+            .perLength;
+    const std::uint8_t t0 = work.torn[i0], t1 = work.torn[i1];
+    const std::uint8_t t2 = work.torn[i2], t3 = work.torn[i3];
+    if (t0 | t1 | t2 | t3)
+        perLength = Mask{t0, t1, t2, t3} == 0 ? perLength : Four{};
 
-        const Four d0 = between(x, s0), d1 = between(x, s1);
-        const Four d2 = between(x, s2), d3 = between(x, s3);
-        Four perLength =
-            pullOf(numbersOf(s0, s1, s2, s3), coordinates(d0, d1, d2, d3),
-                   coordinates(between(v, s0), between(v, s1), between(v, s2), between(v, s3)))
-                .perLength;
-        const std::uint8_t t0 = work.torn[i0], t1 = work.torn[i1];
-        const std::uint8_t t2 = work.torn[i2], t3 = work.torn[i3];
-        if (t0 | t1 | t2 | t3)
-            perLength = Mask{t0, t1, t2, t3} == 0 ? perLength : Four{};
+    // Fused with zero, which keeps the fourth number from becoming a negative zero.
+    four(work.force[i0]) = fused(d0, spread<0>(perLength), Four{});
+    four(work.force[i1]) = fused(d1, spread<1>(perLength), Four{});
+    four(work.force[i2]) = fused(d2, spread<2>(perLength), Four{});
+    four(work.force[i3]) = fused(d3, spread<3>(perLength), Four{});
+}
 
-        // Fused with zero, which keeps the fourth number from becoming a negative zero.
-        four(work.force[i0]) = fused(d0, spread<0>(perLength), Four{});
-        four(work.force[i1]) = fused(d1, spread<1>(perLength), Four{});
-        four(work.force[i2]) = fused(d2, spread<2>(perLength), Four{});
-        four(work.force[i3]) = fused(d3, spread<3>(perLength), Four{});
-    }
+void fillSprings(const SpringWork& work, std::size_t first, std::size_t last)
+{
+    std::size_t i = first;
+    for (; i + 4 <= last; i += 4)
+        fillFour(work, i, i + 1, i + 2, i + 3);
+    if (i < last) // the last one is repeated, and written again
+        fillFour(work, i, std::min(i + 1, last - 1), std::min(i + 2, last - 1), last - 1);
 }
