@@ -142,7 +142,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
 
 int run(const Options& options)
 {
-    const SceneOutcome loaded = loadScene(options.scene);
+    SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
     std::vector<ControlCommand> track;
@@ -156,6 +156,8 @@ int run(const Options& options)
     const auto system = compile(*loaded.scene);
     if (!system)
         return fail(BadInput, options.scene.file + ": " + system.message());
+    if (options.finalScene.empty())
+        loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
     return flyAndReport(*loaded.scene, simulation, options, std::move(track));
 }

@@ -15,6 +15,9 @@ std::shared_ptr<const Layout> layoutOf(const System& system)
 {
     auto layout = std::make_shared<Layout>();
     layout->particleId = system.key;
+    layout->pinned.reserve(system.inverseMass.size());
+    layout->links.reserve(system.links.size());
+    layout->panelCorners.reserve(system.panels.size());
     for (const double w : system.inverseMass)
         layout->pinned.push_back(w == 0.0);
     for (const LinkPlace& link : system.links)
@@ -169,6 +172,7 @@ std::shared_ptr<Frame> Simulation::frame() const
     frame->hash = stateHash(m_state);
     frame->position.assign(m_state.position.begin(), m_state.position.end());
     frame->velocity.assign(m_state.velocity.begin(), m_state.velocity.end());
+    frame->torn.reserve(m_system->links.size());
     for (const LinkPlace& link : m_system->links)
         frame->torn.push_back(link.kind == LinkKind::Rod
                                   ? m_state.rodTorn[std::size_t(link.index)]
