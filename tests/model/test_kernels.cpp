@@ -52,12 +52,12 @@ int another(Dice& dice, int particle)
 }
 
 // Of each law, rough and smooth, some gone, some without area; not a multiple of four.
-System panels(std::uint32_t seed, double speed)
+System panels(std::uint32_t seed, double speed, int count = 403)
 {
     constexpr std::array laws{AirLaw::None, AirLaw::Paper, AirLaw::LinearNormal};
     Dice dice(seed);
     System system = scattered(dice, speed);
-    for (int i = 0; i < 403; ++i) {
+    for (int i = 0; i < count; ++i) {
         const int a = dice.below(particles);
         const int b = another(dice, a);
         const int c = dice.below(20) ? another(dice, b) : b;
@@ -73,11 +73,11 @@ System panels(std::uint32_t seed, double speed)
 }
 
 // Of each kind, slack and taut, some torn, one without length; not a multiple of four.
-System springs(std::uint32_t seed)
+System springs(std::uint32_t seed, int count = 401)
 {
     Dice dice(seed);
     System system = scattered(dice, 3.0);
-    for (int i = 0; i < 401; ++i) {
+    for (int i = 0; i < count; ++i) {
         const int a = dice.below(particles);
         Spring& spring = addSpring(system, a, another(dice, a), dice(0.0, 2.0), dice(1.0, 100.0),
                                    dice(0.0, 9.0));
@@ -90,18 +90,18 @@ System springs(std::uint32_t seed)
     return system;
 }
 
-std::vector<PaddedVec3> loads(const System& system, bool wide)
+std::vector<PaddedVec3> loads(const System& system, bool wide, int threads = 1)
 {
     std::vector<PaddedVec3> load(system.panels.size(), Vec3(1.0, 2.0, 3.0));
-    Crew crew(1);
+    Crew crew(threads);
     fillPanelLoads(system, system.start, crew, load, wide);
     return load;
 }
 
-std::vector<PaddedVec3> forces(const System& system, bool wide)
+std::vector<PaddedVec3> forces(const System& system, bool wide, int threads = 1)
 {
     std::vector<PaddedVec3> force(system.springs.size(), Vec3(1.0, 2.0, 3.0));
-    Crew crew(1);
+    Crew crew(threads);
     fillSpringForces(system, system.start, crew, force, wide);
     return force;
 }
@@ -308,6 +308,19 @@ private slots:
                      told(springTension(s, d, v), tension));
             const Vec3 expected = tension * d.normalized();
             QVERIFY2(isNear(force[i], expected, 1e-11), told(force[i], expected));
+        }
+    }
+
+    // Enough of them to be shared out, in parts that do not end with a group of four.
+    void threads()
+    {
+        const System cloth = panels(23, 3.0, 30001);
+        const System net = springs(24, 30001);
+        const std::vector<PaddedVec3> load = loads(cloth, wideMachine);
+        const std::vector<PaddedVec3> force = forces(net, wideMachine);
+        for (const int threads : {2, 3, 8}) {
+            QVERIFY(sameBits(load, loads(cloth, wideMachine, threads)));
+            QVERIFY(sameBits(force, forces(net, wideMachine, threads)));
         }
     }
 
