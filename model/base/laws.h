@@ -14,8 +14,11 @@ enum class Integrator { ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet
 enum class Solver {
     AveragedJacobi, // mass-split: conserves momentum (Tonge 2012)
     PaperJacobi, // each end averages its own corrections (Beaudry, Egli, Patenaude 2005, figure 8)
-    GaussSeidel,    // in colours, with compliance (Macklin, Mueller, Chentanez 2016)
-    Direct          // all rods together, by Newton's method; for lines, frames and heavy loads
+    GaussSeidel, // in colours, with compliance (Macklin, Mueller, Chentanez 2016)
+    SmallSteps,  // Gauss-Seidel with one sweep per substep, the order of colours shuffled in each
+                 // (Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke and Mueller 2019)
+    Direct,      // all rods together, by Newton's method; for lines, frames and heavy loads
+    Auto         // small steps, as many as the wanted strain needs, and direct blocks
 };
 
 enum class LinkKind { Spring, Rod };               // a force; a constraint
@@ -56,8 +59,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<Integrator>{
     "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet"};
 template <>
-inline constexpr std::array<std::string_view, 4> choiceNames<Solver>{
-    "averaged_jacobi", "paper_jacobi", "gauss_seidel", "direct"};
+inline constexpr std::array<std::string_view, 6> choiceNames<Solver>{
+    "averaged_jacobi", "paper_jacobi", "gauss_seidel", "small_steps", "direct", "auto"};
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
 template <>

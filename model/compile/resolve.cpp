@@ -106,6 +106,7 @@ void takeSettings(const Settings& settings, System& system)
     system.sweeps = settings.sweeps;
     system.integrator = settings.integrator;
     system.solver = settings.solver;
+    system.strainGoal = settings.strainGoal / 100.0;
     system.gravity = settings.gravity;
     system.airDensity = settings.airDensity;
     system.viscosity = settings.viscosity;

@@ -165,7 +165,8 @@ struct Settings
     int substeps = 4;
     int sweeps = 8;
     Integrator integrator = Integrator::SemiImplicitEuler;
-    Solver solver = Solver::GaussSeidel;
+    Solver solver = Solver::Auto;
+    double strainGoal = 1.0;                 // %, largest strain of rods that Solver::Auto aims at
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
     double airDensity = 1.225;               // kg/m^3
     double viscosity = 0.0;                  // 1/s

@@ -73,6 +73,8 @@ State carryOver(const System& from, const State& state, const System& to, State 
     carried = to.start;
     carried.time = state.time;
     carried.step = state.step;
+    carried.substep = state.substep;
+    carried.substeps = state.substeps;
     carried.tears = state.tears;
     // The drift of Verlet lags half a substep behind; another substep has to start again.
     carried.started = state.started && from.integrator == to.integrator

@@ -88,7 +88,7 @@ Rows touchingChunks(const System& system)
 void ColouredSweeps::project(const RodTask& task, Crew& crew)
 {
     const System& system = task.system;
-    if (system.serial != m_serial)
+    if (system.serial != m_serial || !std::ranges::equal(task.direct, m_direct))
         cook(task);
     if (system.valuesSerial != m_valuesSerial)
         renew(task);
@@ -101,18 +101,18 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
     // substeps there are. Sweeps there and back do not, and settle without noise. A single sweep
     // per substep needs another order in each, the same in every run.
     putInOrder(system);
-    if (system.sweeps == 1)
+    if (task.sweeps == 1)
         shuffle(system, task.seed);
 
     PaddedVec3* const position = task.position.data();
-    const std::size_t projections = system.rods.size() * std::size_t(system.sweeps);
+    const std::size_t projections = system.rods.size() * std::size_t(task.sweeps);
     if (crew.threads() > 1 && m_relay.chunks() > 1 && projections >= worthThreads) {
-        m_relay.run(crew, system.sweeps, m_classOrder, [&](int sweep, int chunk) {
+        m_relay.run(crew, task.sweeps, m_classOrder, [&](int sweep, int chunk) {
             sweepChunk(system, chunk, sweep % 2 != 0, position);
         });
     } else {
         const std::size_t classes = m_classOrder.size();
-        for (int sweep = 0; sweep < system.sweeps; ++sweep)
+        for (int sweep = 0; sweep < task.sweeps; ++sweep)
             for (std::size_t k = 0; k < classes; ++k) {
                 const bool back = sweep % 2 != 0;
                 const auto c = std::size_t(m_classOrder[back ? classes - 1 - k : k]);
@@ -177,6 +177,7 @@ void ColouredSweeps::cook(const RodTask& task)
 {
     const System& system = task.system;
     m_serial = system.serial;
+    m_direct.assign(task.direct.begin(), task.direct.end());
     m_valuesSerial = system.valuesSerial;
     m_h = task.h;
     m_batches = {};
@@ -213,7 +214,7 @@ void ColouredSweeps::cookColor(const RodTask& task, int color)
     const auto last = std::size_t(task.system.colorStart[std::size_t(color) + 1]);
     std::size_t even = 0;
     for (std::size_t r = first; r < last; ++r) {
-        const bool elsewhere = !task.system.direct.empty() && task.system.direct[r];
+        const bool elsewhere = !m_direct.empty() && m_direct[r];
         m_place[r] = Place{};
         m_place[r].ours = !elsewhere;
         m_place[r].nature = m_place[r].kind = kindOf(task.system, task.system.rods[r]);

@@ -23,12 +23,12 @@ constexpr int leastIterations = 2; // that are allowed: one cannot follow a sudd
 
 } // namespace
 
-void RodSolver::start(const System& system, std::span<const double> tension)
+void RodSolver::start(const RodTask& task, std::span<const double> tension)
 {
-    m_sum.assign(system.rods.size(), 0.0);
+    m_sum.assign(task.system.rods.size(), 0.0);
     m_substeps = 0;
-    m_multiplier.resize(system.rods.size());
-    prepareDirect(system);
+    m_multiplier.resize(task.system.rods.size());
+    prepareDirect(task);
     m_tension.assign(tension.begin(), tension.end());
 }
 
@@ -37,23 +37,26 @@ void RodSolver::project(const RodTask& task, Crew& crew)
     if (task.system.rods.empty())
         return;
     ++m_substeps;
-    switch (task.system.solver) {
+    switch (task.solver) {
     case Solver::GaussSeidel:
+    case Solver::SmallSteps:
         m_coloured.project(task, crew);
         projectDirect(task, mostIterations);
         break;
     case Solver::Direct:
-        projectDirect(task, std::max(task.system.sweeps, leastIterations));
+        projectDirect(task, std::max(task.sweeps, leastIterations));
         break;
     case Solver::AveragedJacobi:
     case Solver::PaperJacobi:
         std::fill(m_multiplier.begin(), m_multiplier.end(), 0.0);
         m_pull.resize(task.system.rods.size());
         countRods(task);
-        for (int sweep = 0; sweep < task.system.sweeps; ++sweep)
+        for (int sweep = 0; sweep < task.sweeps; ++sweep)
             averagedSweep(task, crew);
         for (std::size_t i = 0; i < m_sum.size(); ++i)
             m_sum[i] += m_multiplier[i];
+        break;
+    case Solver::Auto:
         break;
     }
 }
@@ -68,38 +71,41 @@ void RodSolver::projectDirect(const RodTask& task, int iterations)
         m_tension[std::size_t(rod)] = m_multiplier[std::size_t(rod)] / (task.h * task.h);
 }
 
-void RodSolver::takeTensions(const System& system, double h, std::span<double> tension)
+void RodSolver::takeTensions(const RodTask& task, std::span<double> tension)
 {
     if (m_substeps == 0)
         return;
-    if (system.solver == Solver::GaussSeidel)
-        m_coloured.takeMultipliers(system, m_sum);
+    if (task.solver == Solver::GaussSeidel || task.solver == Solver::SmallSteps)
+        m_coloured.takeMultipliers(task.system, m_sum);
+    const double newtons = 1.0 / (task.h * task.h * m_substeps);
     for (std::size_t i = 0; i < m_sum.size(); ++i)
-        tension[i] = m_sum[i] / (h * h * m_substeps);
+        tension[i] = m_sum[i] * newtons;
     for (const int rod : m_direct.rods())
         tension[std::size_t(rod)] = m_tension[std::size_t(rod)];
     std::fill(m_sum.begin(), m_sum.end(), 0.0);
     m_substeps = 0;
 }
 
-// The direct solver has all rods, those that the system marks, or none.
-void RodSolver::prepareDirect(const System& system)
+// The direct solver has all rods, those that are marked, or none.
+void RodSolver::prepareDirect(const RodTask& task)
 {
-    if (system.serial == m_serial && system.solver == m_directFor) {
-        if (system.valuesSerial != m_valuesSerial)
-            m_direct.refresh(system);
-        m_valuesSerial = system.valuesSerial;
-        return;
+    const System& system = task.system;
+    const bool beside = (task.solver == Solver::GaussSeidel || task.solver == Solver::SmallSteps)
+                        && !task.direct.empty();
+    std::vector<int>& rods = m_wanted;
+    rods.clear();
+    for (std::size_t i = 0; (beside || task.solver == Solver::Direct) && i < system.rods.size();
+         ++i)
+        if (!beside || task.direct[i])
+            rods.push_back(int(i));
+    if (system.serial != m_serial || rods != m_block) {
+        m_block = rods;
+        m_direct.prepare(system, m_block);
+    } else if (system.valuesSerial != m_valuesSerial) {
+        m_direct.refresh(system);
     }
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
-    m_directFor = system.solver;
-    const bool beside = system.solver == Solver::GaussSeidel && !system.direct.empty();
-    std::vector<int> rods;
-    for (std::size_t i = 0; i < system.rods.size(); ++i)
-        if (system.solver == Solver::Direct || (beside && system.direct[i]))
-            rods.push_back(int(i));
-    m_direct.prepare(system, rods);
 }
 
 void RodSolver::countRods(const RodTask& task)
@@ -119,7 +125,7 @@ void RodSolver::countRods(const RodTask& task)
 void RodSolver::averagedSweep(const RodTask& task, Crew& crew)
 {
     const System& system = task.system;
-    const bool paper = system.solver == Solver::PaperJacobi;
+    const bool paper = task.solver == Solver::PaperJacobi;
     const double perSquare = 1.0 / (task.h * task.h);
 
     crew.each(system.rods.size(), [&](std::size_t first, std::size_t last) {

@@ -15,11 +15,14 @@ namespace ripstop {
 struct RodTask
 {
     const System& system;
-    std::span<const std::uint8_t> torn; // [rods]
-    std::span<const double> restLength; // [rods] m, weight shifts included
-    double h;                           // s
-    std::uint64_t seed;                 // of the order of the colours; the number of the substep
-    std::span<PaddedVec3> position;     // [particles] m, corrected in place
+    Solver solver;                        // never Auto
+    int sweeps;                           // or iterations
+    std::span<const std::uint8_t> direct; // [rods] those of a direct block beside sweeps, or empty
+    std::span<const std::uint8_t> torn;   // [rods]
+    std::span<const double> restLength;   // [rods] m, weight shifts included
+    double h;                             // s
+    std::uint64_t seed;                   // of the order of the colours; the number of the substep
+    std::span<PaddedVec3> position;       // [particles] m, corrected in place
 };
 
 class RodSolver
@@ -27,26 +30,27 @@ class RodSolver
 public:
     // Before the substeps of a step: the direct solver goes on from the tensions of the one before.
     //   tension  [rods]  N
-    void start(const System& system, std::span<const double> tension);
+    void start(const RodTask& task, std::span<const double> tension);
 
     // All sweeps of one substep, with the solver that the system asks for.
     void project(const RodTask& task, Crew& crew);
 
-    // Tension of each rod, N, multiplier / h^2, positive when the rod pulls; `h` is the substep, s.
+    // Tension of each rod, N, multiplier / h^2, positive when the rod pulls; `h` is the substep.
     // It is the mean over the substeps since the last call, because single sweeps in changing order
     // share a load out differently in each substep and their mean is what the rods carry. Of rods
     // that are solved directly it is that of the last substep.
-    void takeTensions(const System& system, double h, std::span<double> tension);
+    void takeTensions(const RodTask& task, std::span<double> tension);
 
 private:
     void averagedSweep(const RodTask& task, Crew& crew);
     void countRods(const RodTask& task);
-    void prepareDirect(const System& system);
+    void prepareDirect(const RodTask& task);
     void projectDirect(const RodTask& task, int iterations);
 
     ColouredSweeps m_coloured;
     DirectSolver m_direct;
-    Solver m_directFor = Solver::AveragedJacobi; // what m_direct is prepared for
+    std::vector<int> m_wanted; // scratch
+    std::vector<int> m_block;  // rods that m_direct is prepared for
     std::uint64_t m_serial = 0;
     std::uint64_t m_valuesSerial = 0;
     int m_substeps = 0;               // since the last call of takeTensions()

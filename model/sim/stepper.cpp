@@ -11,19 +11,31 @@
 #include <cmath>
 
 namespace ripstop {
+namespace {
+
+constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses the substeps
+
+} // namespace
 
 void Stepper::step(const System& system, State& state)
 {
     prepare(system, state);
-    const double h = system.timeStep / system.substeps;
+    const int substeps = substepsOf(system, state);
+    const double h = system.timeStep / substeps;
     const double startTime = state.time;
-    for (int s = 0; s < system.substeps; ++s) {
+    m_keep = std::exp(-system.viscosity * h);
+    for (int s = 0; s < substeps; ++s) {
         state.time = startTime + (s + 1) * h;
-        substep(system, state, h,
-                std::uint64_t(state.step) * std::uint64_t(system.substeps) + std::uint64_t(s));
+        const RodTask task = rodTask(system, state, h);
+        if (s == 0)
+            m_rods.start(task, state.rodTension);
+        substep(task, state);
+        ++state.substep;
     }
-    m_rods.takeTensions(system, h, state.rodTension);
+    m_rods.takeTensions(rodTask(system, state, h), state.rodTension);
     ++state.step;
+    if (system.solver == Solver::Auto && state.step % lookEvery == 0)
+        adapt(system, state, substeps);
 }
 
 void Stepper::prepare(const System& system, State& state)
@@ -36,8 +48,10 @@ void Stepper::prepare(const System& system, State& state)
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     fillRestLengths(system, state, m_restLength);
-    m_keep = std::exp(-system.viscosity * system.timeStep / system.substeps);
-    m_rods.start(system, state.rodTension);
+    if (system.solver == Solver::Auto && !m_planFor.isOf(system)) {
+        m_plan = planFor(system);
+        m_planFor = PlanFor(system);
+    }
     m_tearsByForce = std::any_of(system.tearable.begin(), system.tearable.end(), [&](int link) {
         const LinkPlace& place = system.links[std::size_t(link)];
         return place.kind == LinkKind::Rod
@@ -45,14 +59,47 @@ void Stepper::prepare(const System& system, State& state)
     });
 }
 
-void Stepper::substep(const System& system, State& state, double h, std::uint64_t number)
+int Stepper::substepsOf(const System& system, const State& state) const
 {
+    if (system.solver != Solver::Auto)
+        return system.substeps;
+    return state.substeps > 0 ? std::max(state.substeps, system.substeps) : m_plan.substeps;
+}
+
+void Stepper::adapt(const System& system, State& state, int substeps)
+{
+    state.substeps =
+        adaptedSubsteps(system, substeps, largestRodStrain(system, state, m_restLength));
+    // The drift of Verlet lags half a substep behind; another substep has to start again.
+    if (state.substeps != substeps)
+        state.started = false;
+}
+
+RodTask Stepper::rodTask(const System& system, State& state, double h) const
+{
+    const bool automatic = system.solver == Solver::Auto;
+    const bool small = automatic || system.solver == Solver::SmallSteps;
+    return {system,
+            small ? Solver::SmallSteps : system.solver,
+            small ? 1 : system.sweeps,
+            automatic ? m_plan.direct : system.direct,
+            state.rodTorn,
+            m_restLength,
+            h,
+            std::uint64_t(state.substep),
+            state.position};
+}
+
+void Stepper::substep(const RodTask& task, State& state)
+{
+    const System& system = task.system;
+    const double h = task.h;
     if (moveInputs(system, state, h))
         shiftRestLengths(system, state, m_restLength);
     fillAccelerations(system, state);
     move(ParticlePass::Predict, system, state, h);
     noteRodLengths(system, state);
-    project(system, state, h, number);
+    project(task, state);
     if (system.integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
         fillAccelerations(system, state);
@@ -100,11 +147,13 @@ void Stepper::noteRodLengths(const System& system, const State& state)
                              .norm();
 }
 
-void Stepper::project(const System& system, State& state, double h, std::uint64_t number)
+void Stepper::project(const RodTask& task, State& state)
 {
-    m_rods.project({system, state.rodTorn, m_restLength, h, number, state.position}, m_crew);
-    if (m_tearsByForce)
-        m_rods.takeTensions(system, h, state.rodTension);
+    m_rods.project(task, m_crew);
+    // Of single sweeps the tension of one substep says little; rods then tear by the mean over the
+    // step before.
+    if (m_tearsByForce && task.solver != Solver::SmallSteps)
+        m_rods.takeTensions(task, state.rodTension);
 }
 
 } // namespace ripstop

@@ -3,6 +3,7 @@
 #include "sim/crew.h"
 #include "sim/particle_motion.h"
 #include "sim/rod_solver.h"
+#include "sim/solver_plan.h"
 #include "sim/system.h"
 
 namespace ripstop {
@@ -20,14 +21,19 @@ public:
 
 private:
     void prepare(const System& system, State& state);
-    void substep(const System& system, State& state, double h, std::uint64_t number);
+    void substep(const RodTask& task, State& state);
+    int substepsOf(const System& system, const State& state) const;
+    RodTask rodTask(const System& system, State& state, double h) const;
+    void adapt(const System& system, State& state, int substeps);
     void fillAccelerations(const System& system, const State& state);
     void move(ParticlePass pass, const System& system, State& state, double h);
     void noteRodLengths(const System& system, const State& state);
-    void project(const System& system, State& state, double h, std::uint64_t number);
+    void project(const RodTask& task, State& state);
 
     Crew m_crew;
     RodSolver m_rods;
+    SolverPlan m_plan; // of Solver::Auto
+    PlanFor m_planFor;
     std::vector<PaddedVec3> m_springForce;  // [springs] N, on end `a`
     std::vector<PaddedVec3> m_panelLoad;    // [panels] N
     std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact

@@ -107,25 +107,25 @@ requires std::is_same_v<std::remove_const_t<S>, System>
 auto fieldsOf(S& system)
 {
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
-           solver, gravity, airDensity, wind, viscosity, speedLimit, key, mass, inverseMass,
-           springs, rods, colorStart, chunkStart, classStart, direct, panels, panelKey, links,
-           linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt, panelsAt,
-           panelsBeside, obstacles, inputs, shiftedRods, probes, start] = system;
-    return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, gravity,
-                    airDensity, wind, viscosity, speedLimit, key, mass, inverseMass, springs, rods,
-                    colorStart, chunkStart, classStart, direct, panels, panelKey, links, linkStuff,
-                    panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt, panelsAt,
-                    panelsBeside, obstacles, inputs, shiftedRods, probes, start);
+           solver, strainGoal, gravity, airDensity, wind, viscosity, speedLimit, key, mass,
+           inverseMass, springs, rods, colorStart, chunkStart, classStart, direct, panels, panelKey,
+           links, linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt,
+           panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes, start] = system;
+    return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
+                    gravity, airDensity, wind, viscosity, speedLimit, key, mass, inverseMass,
+                    springs, rods, colorStart, chunkStart, classStart, direct, panels, panelKey,
+                    links, linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt,
+                    rodsAt, panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>
 requires std::is_same_v<std::remove_const_t<S>, State>
 auto fieldsOf(S& state)
 {
-    auto& [time, step, started, position, velocity, drift, inputCommand, inputValue, springTorn,
-           rodTorn, panelGone, rodTension, tears] = state;
-    return std::tie(time, step, started, position, velocity, drift, inputCommand, inputValue,
-                    springTorn, rodTorn, panelGone, rodTension, tears);
+    auto& [time, step, substep, substeps, started, position, velocity, drift, inputCommand,
+           inputValue, springTorn, rodTorn, panelGone, rodTension, tears] = state;
+    return std::tie(time, step, substep, substeps, started, position, velocity, drift, inputCommand,
+                    inputValue, springTorn, rodTorn, panelGone, rodTension, tears);
 }
 
 // Arrays are emptied and keep their memory; anything else starts as `fresh` does.

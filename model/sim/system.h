@@ -148,9 +148,11 @@ struct Rows
 // What changes while a system runs. Copying a State is a checkpoint.
 struct State
 {
-    double time = 0.0;     // s
-    std::int64_t step = 0; // time steps since the start
-    bool started = false;  // the integrator's own start has been made
+    double time = 0.0;        // s
+    std::int64_t step = 0;    // time steps since the start
+    std::int64_t substep = 0; // substeps since the start
+    int substeps = 0;         // of the next step, where the solver chooses; 0 for its first choice
+    bool started = false;     // the integrator's own start has been made
 
     std::vector<PaddedVec3> position; // [particles] m
     std::vector<PaddedVec3> velocity; // [particles] m/s
@@ -204,6 +206,7 @@ struct System
     int sweeps = 8; // passes over the rods per substep
     Integrator integrator = Integrator::SemiImplicitEuler;
     Solver solver = Solver::GaussSeidel;
+    double strainGoal = 0.01;                // 1, for Solver::Auto
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
     double airDensity = 1.225;               // kg/m^3
     Vec3 wind = Vec3::Zero();                // m/s, everywhere

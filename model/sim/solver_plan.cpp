@@ -1,0 +1,170 @@
+#include "sim/solver_plan.h"
+
+#include "sim/direct_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+constexpr int mostSubsteps = 2000;
+constexpr double safety = 1.5;
+constexpr double leastGravity = 9.80665;     // m/s^2; wind loads what floats in space too
+constexpr double manySubsteps = 100.0;       // in 10 ms
+constexpr std::size_t mostForBlocks = 20000; // particles; looking for blocks takes its time
+
+// What rods join, without passing a pin.
+class Networks
+{
+public:
+    explicit Networks(const System& system)
+        : m_parent(system.inverseMass.size())
+        , m_mass(m_parent.size(), 0.0)
+        , m_rodsAtPins(m_parent.size(), 0)
+    {
+        std::iota(m_parent.begin(), m_parent.end(), 0);
+        const auto pinned = [&](int p) { return system.inverseMass[std::size_t(p)] == 0.0; };
+        for (const Rod& rod : system.rods)
+            if (!pinned(rod.a) && !pinned(rod.b))
+                m_parent[std::size_t(root(rod.a))] = root(rod.b);
+        for (std::size_t p = 0; p < m_parent.size(); ++p)
+            if (!pinned(int(p)))
+                m_mass[std::size_t(root(int(p)))] += 1.0 / system.inverseMass[p];
+        for (const Rod& rod : system.rods)
+            if (pinned(rod.a) != pinned(rod.b))
+                ++m_rodsAtPins[std::size_t(root(pinned(rod.a) ? rod.b : rod.a))];
+    }
+
+    double mass(int p) { return m_mass[std::size_t(root(p))]; } // kg
+    int rodsAtPins(int p) { return m_rodsAtPins[std::size_t(root(p))]; }
+
+private:
+    int root(int p)
+    {
+        while (m_parent[std::size_t(p)] != p) {
+            int& parent = m_parent[std::size_t(p)];
+            parent = m_parent[std::size_t(parent)];
+            p = parent;
+        }
+        return p;
+    }
+
+    std::vector<int> m_parent;
+    std::vector<double> m_mass;
+    std::vector<int> m_rodsAtPins;
+};
+
+struct Worst
+{
+    double substeps = 1.0;
+    int rod = -1;
+};
+
+// The rod that needs most substeps, of those that are not in `direct`.
+Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
+{
+    Networks networks(system);
+    const double pull = 2.0 * std::max(system.gravity.norm(), leastGravity);
+    const auto loadAt = [&](int p, int other) {
+        const double w = system.inverseMass[std::size_t(p)];
+        if (w == 0.0)
+            return pull * networks.mass(other) / std::max(networks.rodsAtPins(other), 1);
+        const int rods =
+            system.rodsAt.start[std::size_t(p) + 1] - system.rodsAt.start[std::size_t(p)];
+        const double mass = 1.0 / w;
+        return pull * std::min(mass, networks.mass(p) - mass) / rods;
+    };
+    Worst worst;
+    for (std::size_t r = 0; r < system.rods.size(); ++r) {
+        const Rod& rod = system.rods[r];
+        const double weight =
+            system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+        if ((!direct.empty() && direct[r]) || weight == 0.0 || rod.restLength <= 0.0
+            || rod.compliance > 0.0)
+            continue;
+        const double load = std::max(loadAt(rod.a, rod.b), loadAt(rod.b, rod.a));
+        const double substeps = safety * system.timeStep
+                                * std::sqrt(load * weight / (system.strainGoal * rod.restLength));
+        if (substeps > worst.substeps)
+            worst = {substeps, int(r)};
+    }
+    return worst;
+}
+
+std::string text(const char* pattern, auto... values)
+{
+    char buffer[300];
+    std::snprintf(buffer, sizeof buffer, pattern, values...);
+    return buffer;
+}
+
+} // namespace
+
+SolverPlan planFor(const System& system)
+{
+    SolverPlan plan;
+    plan.substeps = system.substeps;
+    if (system.rods.empty()) {
+        plan.reason = "there are no rods";
+        return plan;
+    }
+    Worst worst = worstRod(system, {});
+    const double many = manySubsteps * system.timeStep / 0.01;
+    std::string block;
+    if (worst.substeps > many && system.inverseMass.size() <= mostForBlocks) {
+        plan.direct = directChoice(system);
+        const auto count = std::count(plan.direct.begin(), plan.direct.end(), 1);
+        if (count > 0) {
+            block = text("%d rods are solved directly, since their load would need %.0f substeps; ",
+                         int(count), worst.substeps);
+            worst = worstRod(system, plan.direct);
+        }
+    }
+    plan.substeps = std::clamp(int(std::ceil(worst.substeps)), system.substeps, mostSubsteps);
+    const bool all = !plan.direct.empty() && worst.rod < 0;
+    plan.reason = block
+                  + (all ? text("%d substeps", plan.substeps)
+                         : text("small steps: %d substeps of one sweep to begin with, for a strain "
+                                "of %.3g %%",
+                                plan.substeps, 100.0 * system.strainGoal));
+    return plan;
+}
+
+double largestRodStrain(const System& system, const State& state,
+                        std::span<const double> restLength)
+{
+    double largest = 0.0;
+    for (std::size_t r = 0; r < system.rods.size(); ++r) {
+        const Rod& rod = system.rods[r];
+        const double rest = restLength[r];
+        if (state.rodTorn[r] || rod.compliance > 0.0 || rest <= 0.0)
+            continue;
+        const double strain =
+            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm() / rest
+            - 1.0;
+        if (rod.resists != Resists::Compression)
+            largest = std::max(largest, strain);
+        if (rod.resists != Resists::Tension)
+            largest = std::max(largest, -strain);
+    }
+    return largest;
+}
+
+// The strain falls with about the 1.5th power of the number of substeps.
+int adaptedSubsteps(const System& system, int substeps, double strain)
+{
+    const double ratio = strain / system.strainGoal;
+    double next = substeps;
+    if (ratio > 1.0)
+        next =
+            std::max(substeps + 1.0, std::ceil(substeps * std::min(std::cbrt(ratio * ratio), 2.0)));
+    else if (ratio < 0.4)
+        next = std::floor(substeps * 0.9);
+    return int(
+        std::clamp(next, double(system.substeps), double(std::max(mostSubsteps, system.substeps))));
+}
+
+} // namespace ripstop
