@@ -2,7 +2,9 @@
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
+#include "compile/compile.h"
 #include "scene/check.h"
+#include "sim/solver_plan.h"
 
 #include <Eigen/Geometry>
 
@@ -107,6 +109,10 @@ Json describe(const Scene& scene)
         all.particles > 0 ? Json{{"low", jsonOf(all.low)}, {"high", jsonOf(all.high)}} : Json();
     info["time_step"] = scene.settings.timeStep;
     info["substeps"] = scene.settings.substeps;
+    info["solver"] = choiceNames<Solver>[std::size_t(scene.settings.solver)];
+    info["solver_choice"] = Json();
+    if (const auto system = compile(scene); system && scene.settings.solver == Solver::Auto)
+        info["solver_choice"] = planFor(**system).reason;
     const std::optional<StepLimit> limit = stepLimit(scene);
     info["stable_substep"] = limit ? Json(limit->timeStep) : Json();
     info["stable_time_step"] = limit ? Json(limit->timeStep * scene.settings.substeps) : Json();
@@ -149,6 +155,9 @@ void printTable(const Json& info)
         row("bounds",
             textOf(info["bounds"]["low"]) + " to " + textOf(info["bounds"]["high"]) + " m");
     row("time step", shortNumber(info["time_step"]) + " s in " + count("substeps") + " substeps");
+    const bool chosen = !info["solver_choice"].is_null();
+    row("rod solver", info["solver"].get<std::string>()
+                          + (chosen ? ": " + info["solver_choice"].get<std::string>() : ""));
     if (!info["stable_time_step"].is_null())
         row("stable up to", shortNumber(info["stable_time_step"])
                                 + " s, for the springs and at this number of substeps");

@@ -59,6 +59,7 @@ Json report(const Simulation& simulation, double wallSeconds)
     Json result;
     result["time"] = state.time;
     result["steps"] = state.step;
+    result["substeps"] = frame->substeps;
     result["wall_seconds"] = wallSeconds;
     result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
     result["hash"] = hashText(stateHash(state));

@@ -206,8 +206,6 @@ Scene buildDeltaKite(const Parameters& p)
 {
     Scene scene;
     scene.settings.title = "Delta kite";
-    scene.settings.substeps = 24; // particles of a gram that pull with 10 N
-    scene.settings.sweeps = 4;
     scene.settings.notes =
         "Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.";
     addGround(scene);

@@ -212,8 +212,6 @@ Scene buildParachute(const Parameters& p)
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
 
     scene.settings.title = "Round parachute";
-    scene.settings.substeps = 12; // particles of a few grams that carry 10 N each
-    scene.settings.sweeps = 4;
     scene.settings.notes = "The payload sinks at sqrt(2 m g / (rho CD0 S0)).";
     return scene;
 }

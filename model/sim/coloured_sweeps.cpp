@@ -95,6 +95,7 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
     if (task.h != m_h)
         soften(task);
     update(task);
+    m_noting = task.note;
     std::fill(m_batches.multiplier.begin(), m_batches.multiplier.end(), Lanes{});
 
     // Sweeps always in the same direction feed energy into braced frames: they flutter however many
@@ -120,7 +121,8 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
                     sweepChunk(system, chunk, back, position);
             }
     }
-    noteSoft();
+    if (task.note)
+        noteSoft();
 }
 
 void ColouredSweeps::sweepChunk(const System& system, int chunk, bool backwards,
@@ -128,8 +130,8 @@ void ColouredSweeps::sweepChunk(const System& system, int chunk, bool backwards,
 {
     const auto first = std::size_t(system.chunkStart[std::size_t(chunk)]);
     const auto last = std::size_t(system.chunkStart[std::size_t(chunk) + 1]);
-    sweepRuns(m_batches, std::span(m_colorOrder).subspan(first, last - first), backwards, position,
-              wideMachine);
+    sweepRuns(m_batches, std::span(m_colorOrder).subspan(first, last - first),
+              {backwards, m_noting, wideMachine}, position);
 }
 
 void ColouredSweeps::noteSoft()
@@ -365,7 +367,8 @@ void ColouredSweeps::update(const RodTask& task)
                 fill(task, r);
             }
     for (const ShiftedRod& shifted : task.system.shiftedRods)
-        fill(task, std::size_t(shifted.rod));
+        if (task.shifted)
+            fill(task, std::size_t(shifted.rod));
 }
 
 void ColouredSweeps::prepareRelay(const System& system)

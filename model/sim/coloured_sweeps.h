@@ -58,7 +58,8 @@ private:
     std::uint64_t m_serial = 0; // of the system that is cooked
     std::uint64_t m_valuesSerial = 0;
     std::vector<std::uint8_t> m_direct; // [rods] that another solver has, or empty
-    double m_h = 0.0;                   // s, for which soft rods are cooked
+    bool m_noting = true;
+    double m_h = 0.0; // s, for which soft rods are cooked
     RodBatches m_batches;
     std::vector<Lanes> m_softSum;        // [soft] kg m, since takeMultipliers()
     std::vector<Place> m_place;          // [rods]

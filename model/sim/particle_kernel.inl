@@ -2,7 +2,7 @@
 
 RIPSTOP_INLINE void stop(const ParticleMotion& m, std::size_t i) // a pinned particle
 {
-    four(m.before[i]) = four(m.predicted[i]) = four(m.position[i]);
+    four(m.before[i]) = four(m.position[i]);
     four(m.velocity[i]) = four(m.drift[i]) = Four{};
 }
 
@@ -39,11 +39,24 @@ RIPSTOP_INLINE void predict(const ParticleMotion& m, std::size_t first, std::siz
         }
         four(m.position[i]) = x;
         four(m.velocity[i]) = v;
-        four(m.predicted[i]) = x;
+        if constexpr (integrator == Integrator::ExplicitEuler)
+            four(m.predicted[i]) = x;
     }
 }
 
 RIPSTOP_INLINE bool isZero(Four v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; }
+
+// Where predict() put a particle: what it did is done once more, since memory costs more.
+template <Integrator integrator>
+RIPSTOP_INLINE Four predicted(const ParticleMotion& m, std::size_t i)
+{
+    if constexpr (integrator == Integrator::ExplicitEuler)
+        return four(m.predicted[i]);
+    else if constexpr (integrator == Integrator::SemiImplicitEuler)
+        return four(m.before[i]) + all(m.h) * four(m.velocity[i]);
+    else
+        return four(m.before[i]) + all(m.h) * four(m.drift[i]);
+}
 
 // Velocities take over what the rods did to the positions.
 template <Integrator integrator>
@@ -56,7 +69,7 @@ RIPSTOP_INLINE void followRods(const ParticleMotion& m, std::size_t first, std::
     for (std::size_t i = first; i < last; ++i) {
         if (m.inverseMass[i] == 0.0)
             continue;
-        const Four correction = four(m.position[i]) - four(m.predicted[i]);
+        const Four correction = four(m.position[i]) - predicted<integrator>(m, i);
         if constexpr (verlet) {
             // The half step of acceleration that turns the drift into the velocity of now is right
             // for free motion only: at rest in a rod it would read as a fall.
@@ -74,10 +87,11 @@ RIPSTOP_INLINE void followRods(const ParticleMotion& m, std::size_t first, std::
 
 // Drag and dampers keep velocity Verlet of second order only if they see the velocity of the end
 // of the step; for what rods hold, that is the way it went.
+template <Integrator integrator>
 RIPSTOP_INLINE void foreseeVelocities(const ParticleMotion& m, std::size_t first, std::size_t last)
 {
     for (std::size_t i = first; i < last; ++i) {
-        const Four correction = four(m.position[i]) - four(m.predicted[i]);
+        const Four correction = four(m.position[i]) - predicted<integrator>(m, i);
         four(m.velocity[i]) = four(m.drift[i])
                               + (isZero(correction) ? 0.5 * all(m.h) * four(m.acceleration[i])
                                                     : correction * all(1.0 / m.h));
@@ -120,7 +134,7 @@ RIPSTOP_INLINE void runWith(ParticlePass pass, const ParticleMotion& m, std::siz
     else if (pass == ParticlePass::FollowRods)
         followRods<integrator>(m, first, last);
     else
-        foreseeVelocities(m, first, last);
+        foreseeVelocities<integrator>(m, first, last);
 }
 
 void run(ParticlePass pass, Integrator integrator, const ParticleMotion& m, std::size_t first,

@@ -20,7 +20,7 @@ struct ParticleMotion // arrays of [particles]
     PaddedVec3* velocity;           // m/s
     PaddedVec3* drift;              // m/s, what both Verlets remember
     PaddedVec3* before;             // m, at the start of the substep
-    PaddedVec3* predicted;          // m, before projection
+    PaddedVec3* predicted;          // m, before projection; explicit Euler only
     const PaddedVec3* acceleration; // m/s^2
     const double* inverseMass;      // 1/kg
     double h;                       // s

@@ -7,10 +7,10 @@
 
 namespace ripstop {
 
-void sweepRuns(RodBatches& batches, std::span<const int> order, bool backwards,
-               PaddedVec3* position, bool asWide)
+void sweepRuns(RodBatches& batches, std::span<const int> order, const SweepHow& how,
+               PaddedVec3* position)
 {
-    (asWide ? wide::sweepRuns : anywhere::sweepRuns)(batches, order, backwards, position);
+    (how.wide ? wide::sweepRuns : anywhere::sweepRuns)(batches, order, how, position);
 }
 
 } // namespace ripstop

@@ -72,9 +72,15 @@ struct RodBatches
     std::vector<BatchRun> runs;      // [colours]
 };
 
-// Projects the runs in `order`, or in the opposite order. `wide` must not be asked of a machine
-// that is not; both ways give the same bits.
-void sweepRuns(RodBatches& batches, std::span<const int> order, bool backwards,
-               PaddedVec3* position, bool wide);
+struct SweepHow
+{
+    bool backwards = false;
+    bool noting = true; // add to evenStretch and plainStretch
+    bool wide = false;  // must not be asked of a machine that is not; the bits are the same
+};
+
+// Projects the runs in `order`, or in the opposite order.
+void sweepRuns(RodBatches& batches, std::span<const int> order, const SweepHow& how,
+               PaddedVec3* position);
 
 } // namespace ripstop

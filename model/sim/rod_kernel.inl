@@ -91,7 +91,7 @@ RIPSTOP_INLINE auto canMove(Four share)
 
 // The share is (1 - rest / length) of what both ends move. rest / length is taken as
 // (rest / square) length, so that root and division need not wait for each other.
-template <Spread way>
+template <Spread way, bool noting>
 RIPSTOP_INLINE void project(const EvenBatch& batch, Lanes& stretch, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
@@ -101,11 +101,12 @@ RIPSTOP_INLINE void project(const EvenBatch& batch, Lanes& stretch, PaddedVec3* 
     const Four half = all(0.5);
     const Four share = fused(-(halfRest / square), length, half);
     const auto moves = canMove(share);
-    four(stretch.value) += moves ? fused(length, half, -halfRest) : Four{};
+    if constexpr (noting)
+        four(stretch.value) += moves ? fused(length, half, -halfRest) : Four{};
     pullEvenly(batch, position, e, moves ? share : Four{});
 }
 
-template <Spread way>
+template <Spread way, bool noting>
 RIPSTOP_INLINE void project(const PlainBatch& batch, Lanes& stretch, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
@@ -114,12 +115,13 @@ RIPSTOP_INLINE void project(const PlainBatch& batch, Lanes& stretch, PaddedVec3*
     const Four rest = four(batch.rest);
     const Four share = fused(-(rest / square), length, all(1.0));
     const auto moves = canMove(share);
-    four(stretch.value) += moves ? length - rest : Four{};
+    if constexpr (noting)
+        four(stretch.value) += moves ? length - rest : Four{};
     const Four moved = moves ? share : Four{};
     pull<way>(batch, position, e, moved * four(batch.shareA), moved * four(batch.shareB));
 }
 
-template <Spread way>
+template <Spread way, bool>
 RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
@@ -141,30 +143,41 @@ RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec
 // In short runs each batch waits for one of the run before.
 constexpr std::uint32_t shortRun = 4; // batches
 
-template <typename Batch>
+template <bool noting, typename Batch>
 RIPSTOP_INLINE void projectAll(BatchRange range, const Batch* batch, Lanes* lanes,
                                PaddedVec3* position)
 {
     if (range.last - range.first < shortRun)
         for (std::uint32_t i = range.first; i < range.last; ++i)
-            project<Spread::ByShuffle>(batch[i], lanes[i], position);
+            project<Spread::ByShuffle, noting>(batch[i], lanes[i], position);
     else
         for (std::uint32_t i = range.first; i < range.last; ++i)
-            project<Spread::ByLoad>(batch[i], lanes[i], position);
+            project<Spread::ByLoad, noting>(batch[i], lanes[i], position);
 }
 
+template <bool noting>
 RIPSTOP_INLINE void sweepRun(RodBatches& batches, const BatchRun& run, PaddedVec3* position)
 {
-    projectAll(run.even, batches.even.data(), batches.evenStretch.data(), position);
-    projectAll(run.plain, batches.plain.data(), batches.plainStretch.data(), position);
-    projectAll(run.soft, batches.soft.data(), batches.multiplier.data(), position);
+    projectAll<noting>(run.even, batches.even.data(), batches.evenStretch.data(), position);
+    projectAll<noting>(run.plain, batches.plain.data(), batches.plainStretch.data(), position);
+    projectAll<noting>(run.soft, batches.soft.data(), batches.multiplier.data(), position);
 }
 
-void sweepRuns(RodBatches& batches, std::span<const int> order, bool backwards,
-               PaddedVec3* position)
+template <bool noting>
+RIPSTOP_INLINE void sweepInOrder(RodBatches& batches, std::span<const int> order, bool backwards,
+                                 PaddedVec3* position)
 {
     const std::size_t count = order.size();
     for (std::size_t i = 0; i < count; ++i)
-        sweepRun(batches, batches.runs[std::size_t(order[backwards ? count - 1 - i : i])],
-                 position);
+        sweepRun<noting>(batches, batches.runs[std::size_t(order[backwards ? count - 1 - i : i])],
+                         position);
+}
+
+void sweepRuns(RodBatches& batches, std::span<const int> order, const SweepHow& how,
+               PaddedVec3* position)
+{
+    if (how.noting)
+        sweepInOrder<true>(batches, order, how.backwards, position);
+    else
+        sweepInOrder<false>(batches, order, how.backwards, position);
 }

@@ -36,7 +36,7 @@ void RodSolver::project(const RodTask& task, Crew& crew)
 {
     if (task.system.rods.empty())
         return;
-    ++m_substeps;
+    m_substeps += task.note;
     switch (task.solver) {
     case Solver::GaussSeidel:
     case Solver::SmallSteps:
@@ -53,7 +53,7 @@ void RodSolver::project(const RodTask& task, Crew& crew)
         countRods(task);
         for (int sweep = 0; sweep < task.sweeps; ++sweep)
             averagedSweep(task, crew);
-        for (std::size_t i = 0; i < m_sum.size(); ++i)
+        for (std::size_t i = 0; task.note && i < m_sum.size(); ++i)
             m_sum[i] += m_multiplier[i];
         break;
     case Solver::Auto:

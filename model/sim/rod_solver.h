@@ -23,6 +23,8 @@ struct RodTask
     double h;                             // s
     std::uint64_t seed;                   // of the order of the colours; the number of the substep
     std::span<PaddedVec3> position;       // [particles] m, corrected in place
+    bool note = true;                     // what it takes counts for takeTensions()
+    bool shifted = true; // rest lengths of shifted rods may differ from the substep before
 };
 
 class RodSolver
@@ -36,9 +38,9 @@ public:
     void project(const RodTask& task, Crew& crew);
 
     // Tension of each rod, N, multiplier / h^2, positive when the rod pulls; `h` is the substep.
-    // It is the mean over the substeps since the last call, because single sweeps in changing order
-    // share a load out differently in each substep and their mean is what the rods carry. Of rods
-    // that are solved directly it is that of the last substep.
+    // It is the mean over the noted substeps since the last call, because single sweeps in changing
+    // order share a load out differently in each substep and their mean is what the rods carry. Of
+    // rods that are solved directly it is that of the last substep.
     void takeTensions(const RodTask& task, std::span<double> tension);
 
 private:

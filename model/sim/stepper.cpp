@@ -13,6 +13,7 @@
 namespace ripstop {
 namespace {
 
+constexpr int meanOver = 8;  // substeps, the last of a step, that tensions are the mean of
 constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses the substeps
 
 } // namespace
@@ -26,9 +27,11 @@ void Stepper::step(const System& system, State& state)
     m_keep = std::exp(-system.viscosity * h);
     for (int s = 0; s < substeps; ++s) {
         state.time = startTime + (s + 1) * h;
-        const RodTask task = rodTask(system, state, h);
+        RodTask task = rodTask(system, state, h);
         if (s == 0)
             m_rods.start(task, state.rodTension);
+        task.note = m_tearsByForce || s + meanOver >= substeps;
+        task.shifted = s == 0;
         substep(task, state);
         ++state.substep;
     }
@@ -48,6 +51,7 @@ void Stepper::prepare(const System& system, State& state)
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     fillRestLengths(system, state, m_restLength);
+    m_onlyGravity = false;
     if (system.solver == Solver::Auto && !m_planFor.isOf(system)) {
         m_plan = planFor(system);
         m_planFor = PlanFor(system);
@@ -90,12 +94,14 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
             state.position};
 }
 
-void Stepper::substep(const RodTask& task, State& state)
+void Stepper::substep(RodTask& task, State& state)
 {
     const System& system = task.system;
     const double h = task.h;
-    if (moveInputs(system, state, h))
+    if (moveInputs(system, state, h)) {
         shiftRestLengths(system, state, m_restLength);
+        task.shifted = true;
+    }
     fillAccelerations(system, state);
     move(ParticlePass::Predict, system, state, h);
     noteRodLengths(system, state);
@@ -112,6 +118,9 @@ void Stepper::substep(const RodTask& task, State& state)
 
 void Stepper::fillAccelerations(const System& system, const State& state)
 {
+    if (system.springs.empty() && system.panels.empty() && m_onlyGravity)
+        return;
+    m_onlyGravity = true;
     fillSpringForces(system, state, m_crew, m_springForce);
     fillPanelLoads(system, state, m_crew, m_panelLoad);
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {

@@ -21,7 +21,7 @@ public:
 
 private:
     void prepare(const System& system, State& state);
-    void substep(const RodTask& task, State& state);
+    void substep(RodTask& task, State& state);
     int substepsOf(const System& system, const State& state) const;
     RodTask rodTask(const System& system, State& state, double h) const;
     void adapt(const System& system, State& state, int substeps);
@@ -41,7 +41,8 @@ private:
     std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;        // [rods] m, before projection
-    double m_keep = 1.0;                    // share of the speed that viscosity leaves in a substep
+    bool m_onlyGravity = false;  // accelerations of this step are known, as nothing else acts
+    double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
     bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep
 };
 

@@ -30,9 +30,11 @@ Projected project(System system, Solver solver, int sweeps, double h = 1.0)
     Projected result{system.start.position, std::vector<double>(system.rods.size(), 0.0)};
     RodSolver rods;
     Crew crew(1);
-    rods.start(system, system.start.rodTension);
-    rods.project({system, system.start.rodTorn, restLength, h, 0, result.position}, crew);
-    rods.takeTensions(system, h, result.multiplier);
+    const RodTask task{system, solver, sweeps,         {}, system.start.rodTorn, restLength,
+                       h,      0,      result.position};
+    rods.start(task, system.start.rodTension);
+    rods.project(task, crew);
+    rods.takeTensions(task, result.multiplier);
     for (double& multiplier : result.multiplier) // so far tensions
         multiplier *= h * h;
     return result;
