@@ -58,9 +58,9 @@ std::optional<Json> growthRace(const BenchOptions& options)
                 break;
             if (!isWanted(options, "cloth_" + std::to_string(side)))
                 continue;
-            const Network network = clothNetwork(side);
+            const BenchNetwork network = clothNetwork(side);
             const auto particles = double(network.system->key.size());
-            std::vector<Runner> runners;
+            std::vector<BenchRunner> runners;
             std::vector<std::size_t> racing;
             for (std::size_t i = 0; i < choices.size(); ++i) {
                 if (particles > choices[i].mostParticles)

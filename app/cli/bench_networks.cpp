@@ -46,7 +46,7 @@ NetworkSize clothSize(int side)
     return {n * n, 2 * n * (n - 1) + 2 * (n - 1) * (n - 1) + 2 * n * (n - 2)};
 }
 
-Network clothNetwork(int side, Solver solver)
+BenchNetwork clothNetwork(int side, Solver solver)
 {
     auto system = emptySystem(solver);
     const NetworkSize size = clothSize(side);
@@ -72,7 +72,7 @@ Network clothNetwork(int side, Solver solver)
     return {"cloth_" + std::to_string(side), structural, false, std::move(system)};
 }
 
-Network ropeNetwork(Solver solver)
+BenchNetwork ropeNetwork(Solver solver)
 {
     constexpr int segments = 100;
     const double angle = std::acos(0.5); // 60 degrees
@@ -88,7 +88,7 @@ Network ropeNetwork(Solver solver)
     return {"rope_pilot", segments, false, std::move(system)};
 }
 
-Result<Network> craftNetwork(std::string_view name, Air air, Solver solver)
+Result<BenchNetwork> craftNetwork(std::string_view name, Air air, Solver solver)
 {
     const Builder* builder = findBuilder(name == "kite" ? "delta_kite" : "hang_glider");
     Result<Scene> scene = build(*builder, {});
@@ -109,11 +109,12 @@ Result<Network> craftNetwork(std::string_view name, Air air, Solver solver)
     Result<std::shared_ptr<const System>> system = compile(*scene);
     if (!system)
         return system.failure();
-    return Network{std::string(name) + (air == Air::With ? "_air" : ""), (*system)->links.size(),
-                   air == Air::With, std::make_shared<System>(**system)};
+    return BenchNetwork{std::string(name) + (air == Air::With ? "_air" : ""),
+                        (*system)->links.size(), air == Air::With,
+                        std::make_shared<System>(**system)};
 }
 
-Network networkCalled(const std::string& name, Solver solver)
+BenchNetwork networkCalled(const std::string& name, Solver solver)
 {
     if (name == "rope_pilot")
         return ropeNetwork(solver);
@@ -123,7 +124,7 @@ Network networkCalled(const std::string& name, Solver solver)
     return *craftNetwork(name.substr(0, name.find('_')), air, solver);
 }
 
-double largestStrain(const Network& network, const State& state)
+double largestStrain(const BenchNetwork& network, const State& state)
 {
     const System& system = *network.system;
     double largest = 0.0;

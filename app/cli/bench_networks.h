@@ -17,7 +17,7 @@
 
 namespace ripstop {
 
-struct Network
+struct BenchNetwork
 {
     std::string name;               // cloth_32, glider, glider_air, ...
     std::size_t judged = 0;         // how many of its first links count for the largest strain
@@ -35,20 +35,20 @@ NetworkSize clothSize(int side); // without building it
 
 // Systems are finished for a solver: some choose there which rods to take together. A system for
 // Gauss-Seidel serves the other sweeps too.
-Network clothNetwork(int side, Solver solver = Solver::GaussSeidel); // particles a side
+BenchNetwork clothNetwork(int side, Solver solver = Solver::GaussSeidel); // particles a side
 
 // 100 rods of 0.1 m between nodes of 1 g, pinned above, 65 kg below; taut, 60 degrees from straight
 // down at the start, so that theory knows its path (bench_quality.h).
-Network ropeNetwork(Solver solver = Solver::GaussSeidel);
+BenchNetwork ropeNetwork(Solver solver = Solver::GaussSeidel);
 
 enum class Air { Without, With };
-Result<Network> craftNetwork(std::string_view name, Air air,
-                             Solver solver = Solver::GaussSeidel); // glider or kite
+Result<BenchNetwork> craftNetwork(std::string_view name, Air air,
+                                  Solver solver = Solver::GaussSeidel); // glider or kite
 
 // By its name: glider, glider_air, kite, kite_air, rope_pilot, cloth_N.
-Network networkCalled(const std::string& name, Solver solver = Solver::GaussSeidel);
+BenchNetwork networkCalled(const std::string& name, Solver solver = Solver::GaussSeidel);
 
 // The largest strain, 1, of rods that resist it, over the judged links.
-double largestStrain(const Network& network, const State& state);
+double largestStrain(const BenchNetwork& network, const State& state);
 
 } // namespace ripstop

@@ -40,7 +40,7 @@ std::vector<Case> cases(const BenchOptions& options)
 }
 
 // What System, State, Stepper and solver take, above what the process had before.
-Json memoryOf(const Network& network, long before, long system, long running)
+Json memoryOf(const BenchNetwork& network, long before, long system, long running)
 {
     const auto particles = double(network.system->key.size());
     const auto rods = double(network.system->rods.size());
@@ -53,7 +53,7 @@ Json memoryOf(const Network& network, long before, long system, long running)
             {"bytes_per_rod", double(running - before) / rods}};
 }
 
-Json projectionRow(const Network& network, const Setup& setup, const Figures& perStep,
+Json projectionRow(const BenchNetwork& network, const Setup& setup, const Figures& perStep,
                    const Figures& speedup)
 {
     const System& system = *network.system;
@@ -86,10 +86,10 @@ bool projection(const BenchOptions& options, const Case& one, Table& table, Json
                 Json& memory)
 {
     const long before = residentBytes();
-    const Network network = networkCalled(one.name);
+    const BenchNetwork network = networkCalled(one.name);
     const long system = residentBytes();
     std::vector<Setup> setups;
-    std::vector<Runner> runners;
+    std::vector<BenchRunner> runners;
     for (int threads : {1, options.threads}) {
         if (threads == 1 && !setups.empty())
             continue;
@@ -113,15 +113,15 @@ bool projection(const BenchOptions& options, const Case& one, Table& table, Json
 // does besides: it keeps the last good state and looks for trouble.
 bool wholeSteps(const BenchOptions& options, const std::string& name, Table& table, Json& rows)
 {
-    const Network network = networkCalled(name + "_air");
+    const BenchNetwork network = networkCalled(name + "_air");
     const Setup setup{Solver::GaussSeidel, 1, 55, 1};
     apply(setup, *network.system);
     const auto simulation = std::make_shared<std::unique_ptr<Simulation>>();
-    std::vector<Runner> runners{engineRunner(network, setup),
-                                {[simulation, system = network.system] {
-                                     *simulation = std::make_unique<Simulation>(system);
-                                 },
-                                 [simulation] { (*simulation)->step(); }}};
+    std::vector<BenchRunner> runners{engineRunner(network, setup),
+                                     {[simulation, system = network.system] {
+                                          *simulation = std::make_unique<Simulation>(system);
+                                      },
+                                      [simulation] { (*simulation)->step(); }}};
     const auto times = timeInRounds(network.name, runners,
                                     options.seconds > 0.0 ? options.seconds
                                     : options.quick       ? 0.4

@@ -18,14 +18,14 @@ namespace {
 constexpr int framesOfPath = 100;
 constexpr Setup converged{Solver::GaussSeidel, 1500, 1, 1};
 
-Vec3 centerOf(const Network& network, const State& state)
+Vec3 centerOf(const BenchNetwork& network, const State& state)
 {
     return centerOfMass(*network.system, state.position);
 }
 
 // Theta'' = -g (sum m r) / (sum m r^2) sin theta - viscosity theta': the rope stays taut, and its
 // nodes are light. Runge-Kutta of fourth order.
-Path pendulumPath(const Network& network)
+Path pendulumPath(const BenchNetwork& network)
 {
     const System& system = *network.system;
     double first = 0.0;
@@ -57,7 +57,7 @@ Path pendulumPath(const Network& network)
     return path;
 }
 
-Path computedPath(const Network& network)
+Path computedPath(const BenchNetwork& network)
 {
     apply(converged, *network.system);
     Stepper stepper(1);
@@ -72,7 +72,7 @@ Path computedPath(const Network& network)
     return path;
 }
 
-std::string fileOf(const Network& network, const std::string& folder)
+std::string fileOf(const BenchNetwork& network, const std::string& folder)
 {
     return (std::filesystem::path(folder) / (network.name + ".csv")).string();
 }
@@ -122,7 +122,7 @@ double median(std::vector<double> values)
 
 } // namespace
 
-Path referencePath(const Network& network, const std::string& folder)
+Path referencePath(const BenchNetwork& network, const std::string& folder)
 {
     if (network.name == "rope_pilot")
         return pendulumPath(network);
@@ -134,7 +134,7 @@ Path referencePath(const Network& network, const std::string& folder)
 bool makeReferences(const std::string& folder)
 {
     for (const int side : {32, 100}) {
-        const Network network = clothNetwork(side);
+        const BenchNetwork network = clothNetwork(side);
         const Path path = computedPath(network);
         if (interrupted() || !writePath(path, fileOf(network, folder)))
             return false;
@@ -142,9 +142,13 @@ bool makeReferences(const std::string& folder)
     return true;
 }
 
-int qualityFrames(const Network& network) { return network.system->key.size() < 10000 ? 200 : 120; }
+int qualityFrames(const BenchNetwork& network)
+{
+    return network.system->key.size() < 10000 ? 200 : 120;
+}
 
-std::optional<Quality> qualityOf(const Network& network, const Setup& setup, const Path& reference)
+std::optional<Quality> qualityOf(const BenchNetwork& network, const Setup& setup,
+                                 const Path& reference)
 {
     apply(setup, *network.system);
     Stepper stepper(setup.threads);

@@ -16,7 +16,7 @@ using Path = std::vector<Vec3>;
 // The path of the rope with its pilot is a compound pendulum's, from theory; those of large cloths
 // are read from FOLDER/NAME.csv; the others are computed with 1500 small steps for each 10 ms.
 // A reference that is not in the folder is computed, which takes a minute for cloth_100.
-Path referencePath(const Network& network, const std::string& folder);
+Path referencePath(const BenchNetwork& network, const std::string& folder);
 
 // Computes the references that are kept in files, whatever there is. False when one could not be
 // written.
@@ -30,9 +30,10 @@ struct Quality
 };
 
 // Frames of 10 ms that strain is taken from: 200, or 120 for cloths of 100 a side and more.
-int qualityFrames(const Network& network);
+int qualityFrames(const BenchNetwork& network);
 
 // Nothing when interrupted.
-std::optional<Quality> qualityOf(const Network& network, const Setup& setup, const Path& reference);
+std::optional<Quality> qualityOf(const BenchNetwork& network, const Setup& setup,
+                                 const Path& reference);
 
 } // namespace ripstop

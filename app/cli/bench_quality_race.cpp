@@ -18,13 +18,13 @@ constexpr double limits[]{0.01, 0.001};
 
 struct Contest
 {
-    Network network;
-    std::map<const Choice*, Network> own; // of choices that need a system of their own
+    BenchNetwork network;
+    std::map<const Choice*, BenchNetwork> own; // of choices that need a system of their own
     Gate gate;
     Path reference;
 };
 
-const Network& networkFor(const Contest& contest, const Choice& choice)
+const BenchNetwork& networkFor(const Contest& contest, const Choice& choice)
 {
     const auto found = contest.own.find(&choice);
     return found == contest.own.end() ? contest.network : found->second;
@@ -169,7 +169,7 @@ void print(Table& table, const Json& row)
 void timeFindings(const Contest& contest, const std::vector<Finding>& findings,
                   const BenchOptions& options, Table& table, Json& rows)
 {
-    std::vector<Runner> runners;
+    std::vector<BenchRunner> runners;
     for (const Finding& finding : findings)
         if (finding.effort)
             runners.push_back(engineRunner(networkFor(contest, *finding.choice),

@@ -6,49 +6,34 @@
 #include <limits>
 
 namespace ripstop {
-namespace {
-
-std::optional<Solver> solverCalled(std::string_view name)
-{
-    const auto& names = choiceNames<Solver>;
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? std::nullopt : std::optional(Solver(found - names.begin()));
-}
-
-} // namespace
 
 const std::vector<Choice>& allChoices()
 {
-    static const std::vector<Choice> choices = [] {
-        std::vector<Choice> list{{"averaged_jacobi",
-                                  [](int effort) {
-                                      return Setup{Solver::AveragedJacobi, 1, effort, 1};
-                                  },
-                                  "sweeps", false, 2e6},
-                                 {"gauss_seidel",
-                                  [](int effort) {
-                                      return Setup{Solver::GaussSeidel, 1, effort, 1};
-                                  },
-                                  "sweeps", false, 2e6},
-                                 {"small_steps",
-                                  [](int effort) {
-                                      return Setup{
-                                          solverCalled("small_steps").value_or(Solver::GaussSeidel),
-                                          effort, 1, 1};
-                                  },
-                                  "substeps", false, 2e6}};
-        if (solverCalled("direct"))
-            list.push_back({"direct",
-                            [](int effort) {
-                                return Setup{*solverCalled("direct"), effort, 1, 1};
-                            },
-                            "substeps", true, 5e3});
-        return list;
-    }();
+    static const std::vector<Choice> choices{
+        {"averaged_jacobi",
+         [](int effort) {
+             return Setup{Solver::AveragedJacobi, 1, effort, 1};
+         },
+         "sweeps", false, 2e6},
+        {"gauss_seidel",
+         [](int effort) {
+             return Setup{Solver::GaussSeidel, 1, effort, 1};
+         },
+         "sweeps", false, 2e6},
+        {"small_steps",
+         [](int effort) {
+             return Setup{Solver::SmallSteps, effort, 1, 1};
+         },
+         "substeps", false, 2e6},
+        {"direct",
+         [](int effort) {
+             return Setup{Solver::Direct, effort, 1, 1};
+         },
+         "substeps", true, 5e3}};
     return choices;
 }
 
-Search::Search(const Network& network, const Choice& choice, const Path& reference)
+Search::Search(const BenchNetwork& network, const Choice& choice, const Path& reference)
     : m_network(network)
     , m_choice(choice)
     , m_reference(reference)

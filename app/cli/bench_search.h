@@ -27,7 +27,7 @@ inline constexpr double pathTolerance = 0.05; // m, RMS over the first second
 class Search
 {
 public:
-    Search(const Network& network, const Choice& choice, const Path& reference);
+    Search(const BenchNetwork& network, const Choice& choice, const Path& reference);
 
     // Tries efforts within `budget`, s of wall time, from `guess` on: up or down by factors of 1.5,
     // then by halving until two efforts within 3 % are told apart. Nothing when none was enough.
@@ -40,7 +40,7 @@ public:
     double best() const; // the smallest strain of all that was tried
 
 private:
-    const Network& m_network;
+    const BenchNetwork& m_network;
     const Choice& m_choice;
     const Path& m_reference;
     std::map<int, Quality> m_tried;

@@ -24,7 +24,7 @@ double percentile(const std::vector<double>& sorted, double share)
     return sorted[std::size_t(std::lround(share * double(sorted.size() - 1)))];
 }
 
-double timeBlock(Runner& runner, int steps)
+double timeBlock(BenchRunner& runner, int steps)
 {
     if (runner.reset)
         runner.reset();
@@ -34,7 +34,7 @@ double timeBlock(Runner& runner, int steps)
     return secondsSince(start) / steps;
 }
 
-int stepsInBlock(Runner& runner)
+int stepsInBlock(BenchRunner& runner)
 {
     const double first = timeBlock(runner, 1); // fills caches
     if (first > blockSeconds)
@@ -52,7 +52,7 @@ struct Engine
     State state;
 };
 
-std::shared_ptr<Engine> engineOf(const Network& network, const Setup& setup)
+std::shared_ptr<Engine> engineOf(const BenchNetwork& network, const Setup& setup)
 {
     return std::make_shared<Engine>(
         Engine{network.system, setup, Stepper(setup.threads), network.system->start, {}});
@@ -79,12 +79,13 @@ Figures rates(const Figures& times)
     return {1.0 / times.quiet, 1.0 / times.median, 1.0 / times.slow, times.blocks};
 }
 
-std::vector<std::vector<double>>
-timeInRounds(const std::string& label, std::vector<Runner>& runners, double budget, int leastRounds)
+std::vector<std::vector<double>> timeInRounds(const std::string& label,
+                                              std::vector<BenchRunner>& runners, double budget,
+                                              int leastRounds)
 {
     ProgressLine progress("timing " + label);
     std::vector<int> steps;
-    for (Runner& runner : runners)
+    for (BenchRunner& runner : runners)
         steps.push_back(interrupted() ? 1 : stepsInBlock(runner));
     std::vector<std::vector<double>> times(runners.size());
     const auto start = Clock::now();
@@ -113,7 +114,7 @@ void apply(const Setup& setup, System& system)
     system.sweeps = setup.sweeps;
 }
 
-Runner restartingRunner(const Network& network, const Setup& setup, int steps)
+BenchRunner restartingRunner(const BenchNetwork& network, const Setup& setup, int steps)
 {
     const auto engine = engineOf(network, setup);
     return {[engine] {
@@ -127,7 +128,7 @@ Runner restartingRunner(const Network& network, const Setup& setup, int steps)
             }};
 }
 
-Runner engineRunner(const Network& network, const Setup& setup)
+BenchRunner engineRunner(const BenchNetwork& network, const Setup& setup)
 {
     const auto engine = engineOf(network, setup);
     apply(setup, *network.system);

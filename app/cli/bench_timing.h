@@ -29,7 +29,7 @@ Figures scaled(Figures times, double factor); // the same in another unit
 Figures rates(const Figures& times);          // 1 / time
 
 // One thing that is timed.
-struct Runner
+struct BenchRunner
 {
     std::function<void()> reset; // before each block, not timed; may be empty
     std::function<void()> step;
@@ -39,7 +39,7 @@ struct Runner
 // together, is used up; there are at least `leastRounds`. Empty lists when interrupted. The label
 // is shown with the progress.
 std::vector<std::vector<double>> timeInRounds(const std::string& label,
-                                              std::vector<Runner>& runners, double budget,
+                                              std::vector<BenchRunner>& runners, double budget,
                                               int leastRounds = 5);
 
 // Quotients a / b of the same rounds.
@@ -58,10 +58,10 @@ void apply(const Setup& setup, System& system);
 
 // Steps the network from a state some steps into its motion, the same one for each block. The
 // network's system is shared: the setup is put into it before each block.
-Runner engineRunner(const Network& network, const Setup& setup);
+BenchRunner engineRunner(const BenchNetwork& network, const Setup& setup);
 
 // The first steps of the motion over and over, for setups that cannot hold a design for long. What
 // going back costs, a copy of the state every `steps` steps, is timed too.
-Runner restartingRunner(const Network& network, const Setup& setup, int steps);
+BenchRunner restartingRunner(const BenchNetwork& network, const Setup& setup, int steps);
 
 } // namespace ripstop

@@ -107,7 +107,11 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
 
     PaddedVec3* const position = task.position.data();
     const std::size_t projections = system.rods.size() * std::size_t(task.sweeps);
-    if (crew.threads() > 1 && m_relay.chunks() > 1 && projections >= worthThreads) {
+    const bool shared =
+        crew.threads() > 1 && system.chunkStart.size() > 2 && projections >= worthThreads;
+    if (shared) {
+        if (m_relaySerial != m_serial)
+            prepareRelay(system);
         m_relay.run(crew, task.sweeps, m_classOrder, [&](int sweep, int chunk) {
             sweepChunk(system, chunk, sweep % 2 != 0, position);
         });
@@ -206,7 +210,6 @@ void ColouredSweeps::cook(const RodTask& task)
     m_softSum.assign(m_batches.soft.size(), Lanes{});
     for (std::size_t r = 0; r < system.rods.size(); ++r)
         fill(task, r);
-    prepareRelay(system);
 }
 
 // Even rods that would not fill a batch go with the plain ones.
@@ -374,6 +377,7 @@ void ColouredSweeps::update(const RodTask& task)
 void ColouredSweeps::prepareRelay(const System& system)
 {
     m_relay.prepare(touchingChunks(system), system.classStart);
+    m_relaySerial = system.serial;
 }
 
 // --- order --------------------------------------------------------------------------------------

@@ -68,6 +68,7 @@ private:
     std::vector<int> m_colorOrder;       // [colours] within each chunk
     std::vector<int> m_classOrder;       // [classes]
     Relay m_relay;
+    std::uint64_t m_relaySerial = 0; // of the system that it is prepared for
 };
 
 } // namespace ripstop

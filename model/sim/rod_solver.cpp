@@ -29,7 +29,8 @@ void RodSolver::start(const RodTask& task, std::span<const double> tension)
     m_substeps = 0;
     m_multiplier.resize(task.system.rods.size());
     prepareDirect(task);
-    m_tension.assign(tension.begin(), tension.end());
+    if (!m_direct.rods().empty())
+        m_tension.assign(tension.begin(), tension.end());
 }
 
 void RodSolver::project(const RodTask& task, Crew& crew)

@@ -50,7 +50,12 @@ void Stepper::prepare(const System& system, State& state)
     m_predicted.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
-    fillRestLengths(system, state, m_restLength);
+    if (m_serial != system.serial || m_valuesSerial != system.valuesSerial)
+        fillRestLengths(system, state, m_restLength);
+    else
+        shiftRestLengths(system, state, m_restLength); // those of another state, maybe
+    m_serial = system.serial;
+    m_valuesSerial = system.valuesSerial;
     m_onlyGravity = false;
     if (system.solver == Solver::Auto && !m_planFor.isOf(system)) {
         m_plan = planFor(system);

@@ -41,6 +41,8 @@ private:
     std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;        // [rods] m, before projection
+    std::uint64_t m_serial = 0;             // of the system that m_restLength is of
+    std::uint64_t m_valuesSerial = 0;
     bool m_onlyGravity = false;  // accelerations of this step are known, as nothing else acts
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
     bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep

@@ -68,7 +68,10 @@ std::string causeAt(const System& system, const State& before, std::size_t parti
 
 std::optional<Trouble> findTrouble(const System& system, const State& before, const State& after)
 {
+    const double limit = system.speedLimit * system.speedLimit;
     for (std::size_t i = 0; i < after.position.size(); ++i) {
+        if (after.velocity[i].squaredNorm() <= limit && after.position[i].allFinite())
+            continue;
         const double speed = after.velocity[i].norm();
         const bool finite = std::isfinite(speed) && after.position[i].allFinite();
         if (finite && speed <= system.speedLimit)

@@ -22,7 +22,7 @@ namespace {
 
 enum class Order { ByNode, ByKind, Reordered };
 
-std::vector<std::pair<int, int>> linksOf(const Network& network, Order order)
+std::vector<std::pair<int, int>> linksOf(const BenchNetwork& network, Order order)
 {
     std::vector<std::pair<int, int>> links;
     for (const LinkPlace& link : network.system->links)
@@ -39,7 +39,7 @@ std::vector<std::pair<int, int>> linksOf(const Network& network, Order order)
 class BulletBody
 {
 public:
-    BulletBody(const Network& network, int iterations, Order order)
+    BulletBody(const BenchNetwork& network, int iterations, Order order)
         : m_step(btScalar(network.system->timeStep))
     {
         const System& system = *network.system;
@@ -93,7 +93,7 @@ private:
     std::unique_ptr<btSoftBody> m_body;
 };
 
-Runner bulletRunner(const Network& network, int iterations, Order order)
+BenchRunner bulletRunner(const BenchNetwork& network, int iterations, Order order)
 {
     const auto body = std::make_shared<BulletBody>(network, iterations, order);
     return {[body] { body->reset(); }, [body] { body->step(); }};
@@ -111,11 +111,11 @@ constexpr Case cases[]{{"glider", 55, 4.5},   {"kite", 55, 4.5},      {"cloth_10
 
 Json compare(const Case& one, double seconds)
 {
-    const Network network = networkCalled(one.name);
-    std::vector<Runner> runners{engineRunner(network, {Solver::GaussSeidel, 1, one.sweeps, 1}),
-                                bulletRunner(network, one.sweeps, Order::ByNode),
-                                bulletRunner(network, one.sweeps, Order::ByKind),
-                                bulletRunner(network, one.sweeps, Order::Reordered)};
+    const BenchNetwork network = networkCalled(one.name);
+    std::vector<BenchRunner> runners{engineRunner(network, {Solver::GaussSeidel, 1, one.sweeps, 1}),
+                                     bulletRunner(network, one.sweeps, Order::ByNode),
+                                     bulletRunner(network, one.sweeps, Order::ByKind),
+                                     bulletRunner(network, one.sweeps, Order::Reordered)};
     const auto times = timeInRounds(one.name, runners, seconds);
     if (interrupted())
         return {};
