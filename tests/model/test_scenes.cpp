@@ -9,6 +9,8 @@
 #include <QDir>
 #include <QtTest>
 
+#include <numbers>
+
 #include <cmath>
 
 using namespace ripstop;
@@ -67,8 +69,8 @@ private slots:
     void allAreThere()
     {
         const QStringList names = sampleNames();
-        for (const char* name : {"cloth", "delta_kite", "flag", "hang_glider", "parachute",
-                                 "pendulum", "rope", "stiffened_rod", "torn_sheet"})
+        for (const char* name : {"cloth", "delta_kite", "flag", "hang_glider", "heavy_load",
+                                 "parachute", "pendulum", "rope", "stiffened_rod", "torn_sheet"})
             QVERIFY2(names.contains(name), name);
     }
 
@@ -266,6 +268,27 @@ private slots:
         }
         QCOMPARE(turns, 8);
         QVERIFY2(std::abs(last / (7.5 * period) - 1.0) < 0.005, qPrintable(QString::number(last)));
+    }
+
+    // Let go at 20 degrees, 65.05 kg (the line hangs on by half) pull m g (3 - 2 cos 20) at the
+    // lowest point, and no rod of the line is stretched by as much as 0.1 %.
+    void heavyLoadIsHeld()
+    {
+        Simulation simulation = started("heavy_load");
+        const double expected =
+            65.05 * 9.80665 * (3.0 - 2.0 * std::cos(20.0 * std::numbers::pi / 180.0));
+        double largest = 0.0;
+        double strain = 0.0;
+        while (simulation.state().time < 7.0) {
+            QVERIFY(simulation.runUntil(simulation.state().time + 0.05));
+            const auto frame = simulation.frame();
+            largest =
+                std::max(largest, *std::max_element(frame->tension.begin(), frame->tension.end()));
+            for (const double one : frame->strain)
+                strain = std::max(strain, std::abs(one));
+        }
+        QVERIFY2(std::abs(largest / expected - 1.0) < 0.02, qPrintable(QString::number(largest)));
+        QVERIFY2(strain < 0.001, qPrintable(QString::number(strain)));
     }
 
     // Waves on it run slower than the wind, so that they grow: the flag must not come to rest.

@@ -1,0 +1,208 @@
+// The automatic solver: it holds the strain that is wanted, and says what it picked.
+#include "model/systems.h"
+
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "measure/diagnostics.h"
+#include "run/simulation.h"
+#include "sim/solver_plan.h"
+
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace ripstop;
+
+namespace {
+
+// A square of 1 m and 0.2 kg, two corners pinned, let go from the horizontal; structural, shear and
+// bend rods.
+System cloth(int side)
+{
+    System system = emptySystem(0.01);
+    system.gravity = {0.0, -standardGravity, 0.0};
+    system.viscosity = 0.2;
+    const double spacing = 1.0 / (side - 1);
+    const double mass = 0.2 / (side * side);
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const Vec3 place(column * spacing, 0.0, row * spacing);
+            if (row == 0 && (column == 0 || column == side - 1))
+                addPin(system, place, mass);
+            else
+                addParticle(system, place, mass);
+        }
+    const auto tie = [&](int row, int column, int down, int right) {
+        const int other = column + right;
+        if (row + down >= side || other < 0 || other >= side)
+            return;
+        const int a = row * side + column;
+        const int b = (row + down) * side + other;
+        addRod(system, a, b, distance(system, a, b));
+    };
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+            for (const auto& [down, right] :
+                 {std::pair(0, 1), {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}})
+                tie(row, column, down, right);
+    system.solver = Solver::Auto;
+    finish(system);
+    return system;
+}
+
+// A hanging line of 100 segments of 0.1 m, 1 g each, that carries 65 kg.
+System loadedLine()
+{
+    System system = emptySystem(0.01);
+    system.gravity = {0.0, -standardGravity, 0.0};
+    addPin(system, Vec3::Zero());
+    for (int i = 1; i <= 100; ++i) {
+        addParticle(system, {0.1 * i, 0.0, 0.0}, i == 100 ? 65.0 : 1e-3);
+        addRod(system, i - 1, i, 0.1);
+    }
+    system.solver = Solver::Auto;
+    finish(system);
+    return system;
+}
+
+std::vector<double> restLengths(const System& system)
+{
+    std::vector<double> length;
+    for (const Rod& rod : system.rods)
+        length.push_back(rod.restLength);
+    return length;
+}
+
+// Median over the steps of the largest strain, once the first quarter is over.
+double medianStrain(const System& system, int steps)
+{
+    const std::vector<double> rest = restLengths(system);
+    Stepper stepper;
+    State state = system.start;
+    std::vector<double> strain;
+    for (int i = 0; i < steps; ++i) {
+        stepper.step(system, state);
+        if (i >= steps / 4)
+            strain.push_back(largestRodStrain(system, state, rest));
+    }
+    std::nth_element(strain.begin(), strain.begin() + std::ptrdiff_t(strain.size() / 2),
+                     strain.end());
+    return strain[strain.size() / 2];
+}
+
+} // namespace
+
+class TestAuto : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void holdsTheStrain_data()
+    {
+        QTest::addColumn<QString>("design");
+        QTest::addColumn<double>("goal");
+        QTest::newRow("cloth 10, 1 %") << "10" << 0.01;
+        QTest::newRow("cloth 10, 0.1 %") << "10" << 0.001;
+        QTest::newRow("cloth 32, 1 %") << "32" << 0.01;
+        QTest::newRow("glider, 1 %") << "hang_glider" << 0.01;
+        QTest::newRow("glider, 0.1 %") << "hang_glider" << 0.001;
+        QTest::newRow("kite, 1 %") << "delta_kite" << 0.01;
+        QTest::newRow("parachute, 1 %") << "parachute" << 0.01;
+    }
+
+    void holdsTheStrain()
+    {
+        QFETCH(QString, design);
+        QFETCH(double, goal);
+        bool isCloth = false;
+        System system;
+        if (const int side = design.toInt(&isCloth); isCloth) {
+            system = cloth(side);
+        } else {
+            const auto scene = build(*findBuilder(design.toStdString()), {});
+            QVERIFY(bool(scene));
+            QCOMPARE(scene->settings.solver, Solver::Auto); // the default
+            const auto compiled = compile(*scene);
+            QVERIFY(bool(compiled));
+            system = **compiled;
+        }
+        system.strainGoal = goal;
+        const double strain = medianStrain(system, 300);
+        QVERIFY2(strain < goal, told(strain, goal));
+        // a cloth that does not move has no strain: it must not buy stiffness for nothing either
+        QVERIFY2(strain > 0.02 * goal || system.substeps > 1, told(strain, goal));
+    }
+
+    void heavyLoadIsSolvedDirectly()
+    {
+        const System system = loadedLine();
+        const SolverPlan plan = planFor(system);
+        QCOMPARE(std::count(plan.direct.begin(), plan.direct.end(), 1), 100);
+        QVERIFY2(plan.reason.find("100 rods are solved directly") != std::string::npos,
+                 plan.reason.c_str());
+        const double strain = medianStrain(system, 300);
+        QVERIFY2(strain < 0.001, told(strain, 0.0));
+    }
+
+    void clothIsNotSolvedDirectly()
+    {
+        const SolverPlan plan = planFor(cloth(32));
+        QVERIFY(plan.direct.empty());
+        QVERIFY2(plan.reason.find("small steps") != std::string::npos, plan.reason.c_str());
+    }
+
+    // Nothing to hold: as many substeps as the author says.
+    void withoutRods()
+    {
+        System system = emptySystem(0.01);
+        addParticle(system, Vec3::Zero(), 1.0);
+        system.substeps = 3;
+        system.solver = Solver::Auto;
+        finish(system);
+        QCOMPARE(planFor(system).substeps, 3);
+        QCOMPARE(run(system, 20).substep, std::int64_t(60));
+    }
+
+    void followsTheStrain()
+    {
+        System system = emptySystem(0.01);
+        system.substeps = 4;
+        system.strainGoal = 0.01;
+        QVERIFY(adaptedSubsteps(system, 10, 0.02) > 10);
+        QCOMPARE(adaptedSubsteps(system, 10, 0.008), 10);
+        QVERIFY(adaptedSubsteps(system, 10, 0.001) < 10);
+        QCOMPARE(adaptedSubsteps(system, 4, 0.0), 4);    // never below the author's
+        QVERIFY(adaptedSubsteps(system, 10, 1e9) <= 20); // in bounds, however wrong
+        QVERIFY(adaptedSubsteps(system, 100000, 1e9) <= 100000);
+    }
+
+    // Small steps make one sweep, whatever `sweeps` says.
+    void smallStepsSweepOnce()
+    {
+        System one = cloth(10);
+        one.solver = Solver::SmallSteps;
+        one.substeps = 7;
+        one.sweeps = 1;
+        System many = one;
+        many.sweeps = 9;
+        QCOMPARE(stateHash(run(one, 20)), stateHash(run(many, 20)));
+    }
+
+    // The number of substeps is part of the state: a checkpoint goes on with the same bits.
+    void checkpoint()
+    {
+        const System system = cloth(10);
+        QCOMPARE(stateHash(run(system, run(system, 37), 63)), stateHash(run(system, 100)));
+    }
+
+    void threads()
+    {
+        const System system = cloth(40);
+        const std::uint64_t alone = stateHash(run(system, 20));
+        for (const int threads : {2, 3, 8})
+            QCOMPARE(stateHash(run(system, 20, threads)), alone);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAuto)
+#include "test_auto.moc"
