@@ -66,6 +66,7 @@ struct Frame
     double time = 0.0;          // s
     std::int64_t step = 0;      // time steps since the start
     int substeps = 0;           // that the next step will take
+    std::string solverChoice;   // what Solver::Auto began with and why; empty for others
     std::uint64_t hash = 0;     // of the state, as stateHash() has it
     double realTimeRatio = 0.0; // simulated seconds per second of the clock, lately
     std::vector<Vec3> position; // [particles] m

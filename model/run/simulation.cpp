@@ -169,6 +169,7 @@ std::shared_ptr<Frame> Simulation::frame() const
     frame->layout = m_layout;
     frame->time = m_state.time;
     frame->step = m_state.step;
+    frame->solverChoice = m_stepper.choice(*m_system);
     frame->substeps = m_state.substeps > 0 ? m_state.substeps : m_system->substeps;
     frame->hash = stateHash(m_state);
     frame->position.assign(m_state.position.begin(), m_state.position.end());

@@ -19,6 +19,13 @@ public:
 
     void step(const System& system, State& state);
 
+    // What Solver::Auto began with and why, once there was a step; empty for other solvers.
+    std::string choice(const System& system) const
+    {
+        return m_planFor.isOf(system) && system.solver == Solver::Auto ? m_plan.reason
+                                                                       : std::string();
+    }
+
 private:
     void prepare(const System& system, State& state);
     void substep(RodTask& task, State& state);

@@ -56,11 +56,13 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     , m_badge(new QLabel)
     , m_time(steadyLabel(QStringLiteral("00000.000 s"), tr("Simulated time since the start")))
     , m_ratio(steadyLabel(QStringLiteral("000.00x"), {}))
+    , m_substeps(steadyLabel(tr("%1 substeps").arg(2000), {}))
 {
     m_badge->setObjectName(QStringLiteral("mode"));
     m_badge->setAlignment(Qt::AlignCenter);
     m_time->setObjectName(QStringLiteral("time"));
     m_ratio->setObjectName(QStringLiteral("ratio"));
+    m_substeps->setObjectName(QStringLiteral("substeps"));
     m_step->setAutoRepeat(true);
     fillSpeeds();
 
@@ -76,6 +78,7 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     layout->addWidget(m_badge);
     layout->addWidget(m_time);
     layout->addWidget(m_ratio);
+    layout->addWidget(m_substeps);
     layout->addStretch(1);
 
     connect(m_reset, &QToolButton::clicked, &player, &Player::reset);
@@ -136,6 +139,7 @@ void Transport::refreshRun()
     m_time->setText(tr("%1 s").arg(QLocale().toString(frame ? frame->time : 0.0, 'f', 3)));
     m_reset->setEnabled(m_player.isPlaying() || (frame && frame->step > 0));
     refreshRatio();
+    refreshSubsteps();
     refreshBadge();
 }
 
@@ -151,6 +155,21 @@ void Transport::refreshRatio()
                                   "cannot reach the %1 that is asked for.")
                                    .arg(speedText(asked))
                              : tr("Simulated seconds per second of the clock, lately"));
+}
+
+// The automatic solver's number changes while the scene runs.
+void Transport::refreshSubsteps()
+{
+    const auto& frame = m_player.frame();
+    m_substeps->setText(frame ? frame->substeps == 1 ? tr("1 substep")
+                                                     : tr("%1 substeps").arg(frame->substeps)
+                              : QString());
+    const QString choice = frame ? QString::fromStdString(frame->solverChoice) : QString();
+    m_substeps->setToolTip(choice.isEmpty()
+                               ? tr("Parts that each time step is cut into")
+                               : tr("Parts that the automatic solver cuts each time step into, "
+                                    "lately. It began so: %1.")
+                                     .arg(choice));
 }
 
 void Transport::refreshBadge()

@@ -26,6 +26,7 @@ private:
     void refresh();      // what the player is asked to do
     void refreshRun();   // where the run stands
     void refreshRatio(); // simulated seconds per second of the clock
+    void refreshSubsteps();
     void refreshBadge();
 
     Document& m_document;
@@ -37,6 +38,7 @@ private:
     QLabel* m_badge;
     QLabel* m_time;
     QLabel* m_ratio;
+    QLabel* m_substeps;
 };
 
 } // namespace ripstop
