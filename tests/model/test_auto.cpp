@@ -144,6 +144,32 @@ private slots:
         QVERIFY2(strain < 0.001, told(strain, 0.0));
     }
 
+    // The same line of one-sided rods, let go at 60 degrees, swings as a pendulum of 10 m does:
+    // after 1 s it stands at 36.787 degrees from the vertical (the pendulum's equation, integrated
+    // in steps of a microsecond). Implicit steps of 10 ms lag by some centimetres.
+    void heavyLoadOnSlackLinesSwings_data()
+    {
+        QTest::addColumn<Solver>("solver");
+        QTest::newRow("direct") << Solver::Direct;
+        QTest::newRow("auto") << Solver::Auto;
+    }
+
+    void heavyLoadOnSlackLinesSwings()
+    {
+        QFETCH(Solver, solver);
+        System system = loadedLine();
+        const Vec3 along(std::sqrt(0.75), -0.5, 0.0);
+        for (std::size_t i = 0; i < system.start.position.size(); ++i)
+            system.start.position[i] = 0.1 * double(i) * along;
+        for (Rod& rod : system.rods)
+            rod.resists = Resists::Tension;
+        system.solver = solver;
+        finish(system);
+        const Vec3 load = run(system, 100).position.back();
+        const Vec3 expected(5.9874, -8.0094, 0.0);
+        QVERIFY2(isNear(load, expected, 0.05), told(load, expected));
+    }
+
     void clothIsNotSolvedDirectly()
     {
         const SolverPlan plan = planFor(cloth(32));
