@@ -12,9 +12,9 @@ namespace {
 
 std::string typeOf(const Property& property)
 {
-    constexpr std::array<const char*, 8> names{"number", "true or false", "whole number",
+    constexpr std::array<const char*, 9> names{"number", "true or false", "whole number",
                                                "number", "text",          "three numbers",
-                                               "id",     "list of ids"};
+                                               "id",     "list of ids",   "rows of numbers"};
     if (property.choices.empty())
         return names[property.initial.index()];
     std::string list;
@@ -43,8 +43,10 @@ std::string defaultOf(const Property& property)
 {
     if (const auto* number = std::get_if<double>(&property.initial))
         return shortNumber(*number);
+    if (const auto* rows = std::get_if<NumberRows>(&property.initial))
+        return std::to_string(rows->size()) + " rows";
     if (property.optional)
-        return "the material's";
+        return property.kind == Kind::Link ? "the material's" : "none";
     const std::string text = textFromValue(property.initial);
     return !property.pointsAt.empty() ? "none" : text.empty() ? "empty" : text;
 }
@@ -109,6 +111,7 @@ Json jsonOf(const Value& value)
         Json operator()(const Vec3& v) const { return {v.x(), v.y(), v.z()}; }
         Json operator()(Id id) const { return id == noId ? Json() : Json(std::uint32_t(id)); }
         Json operator()(const std::vector<Id>&) const { return Json::array(); }
+        Json operator()(const NumberRows& rows) const { return rows; }
     };
     return std::visit(Converter{}, value);
 }

@@ -24,7 +24,7 @@ enum class Solver {
 enum class LinkKind { Spring, Rod };               // a force; a constraint
 enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
 enum class TearRule { Never, Length, Strain, Force };
-enum class AirLaw { None, Paper, LinearNormal };
+enum class AirLaw { None, Paper, LinearNormal, LiftDrag };
 enum class ColliderShape { Plane, Sphere };
 enum class Response { Stop, Slide, Contact };
 enum class ControlKind { Move, WeightShift };
@@ -70,8 +70,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", "length", "strain",
                                                                        "force"};
 template <>
-inline constexpr std::array<std::string_view, 3> choiceNames<AirLaw>{"none", "paper",
-                                                                     "linear_normal"};
+inline constexpr std::array<std::string_view, 4> choiceNames<AirLaw>{"none", "paper",
+                                                                     "linear_normal", "lift_drag"};
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<ColliderShape>{"plane", "sphere"};
 template <>

@@ -36,6 +36,7 @@ constexpr Parameter parameters[]{
     {"frame_mass",   "kg",    0.12,   0.001, 10, false, "Spars in leading edges and keel, and the ring at the tow point."},
     {"line_length",  "m",     25,     1, 1000,  false, "From the tow point to the hand."},
     {"line_density", "kg/m",  0.0005, 1e-5, 0.1, false, "Mass of the line per length."},
+    {"line_diameter", "m",    0.0008, 0, 0.02,  false, "Thickness of the line, which the wind drags."},
     {"wind",         "m/s",   6,      0, 30,    false, "Speed of the wind."},
     {"launch",       "deg",   35,     5, 85,    false, "Angle of the line above the horizon at the start."},
     {"lift_slope",   "1/rad", 3.7,    0.1, 8,   false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a delta of aspect ratio A, less for a loose sail."},
@@ -50,6 +51,7 @@ struct Materials
     Id keel; // panels
     Id spar;
     Id line;
+    Id core; // second neighbours in the line, which must not meet the wind once more
     Id frame;
 };
 
@@ -71,7 +73,10 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     materials.sail.edges = add("spar", "#20262e", true);
     materials.spar = materials.sail.edges;
     materials.keel = add("keel cloth", "#2a6f97", true);
+    material.diameter = p.at("line_diameter");
     materials.line = add("line", "#5c677d", true);
+    material.diameter = 0.0;
+    materials.core = add("line core", "#5c677d", false);
     materials.frame = add("frame", "#8d99ae", false);
     return materials;
 }
@@ -163,7 +168,7 @@ std::vector<Id> addLine(Network& network, const Parameters& p, const Materials& 
     const std::vector<Id> nodes =
         network.line(tow, end, count, mass, materials.line, Resists::Tension);
     for (int i = 1; i + 2 <= count; ++i)
-        network.rod(nodes[i], nodes[i + 2], materials.line, Resists::Tension);
+        network.rod(nodes[i], nodes[i + 2], materials.core, Resists::Tension);
     for (const Id pinned : {end, hand}) {
         network.row(pinned).mass = mass / count;
         network.row(pinned).pinned = true;

@@ -33,6 +33,7 @@ constexpr Parameter parameters[]{
     {"line_length",   "m",      4.5,    0.3, 60,  false, "From the skirt to the payload; 0.8 to 1 nominal diameter is usual."},
     {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
     {"line_density",  "kg/m",   0.004,  1e-5, 0.2, false, "Mass of a line per length."},
+    {"line_diameter", "m",      0.003,  0, 0.05,  false, "Thickness of a line, which the wind drags."},
     {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I."},
     {"hoop_mass",     "kg",     0.4,    0.01, 50, false, "Mass of the hoop."},
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
@@ -62,7 +63,9 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     Materials materials{};
     materials.cloth = {add("odd gores", "#d1495b", true), add("even gores", "#f2f0e6", true)};
     materials.seams = add("seams", "#b5b2a6", true);
+    material.diameter = p.at("line_diameter");
     materials.lines = add("suspension line", "#4f5d75", true);
+    material.diameter = 0.0;
     materials.frame = add("frame", "#8d99ae", false);
     return materials;
 }

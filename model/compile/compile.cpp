@@ -1,5 +1,6 @@
 #include "compile/compile.h"
 
+#include "base/key_index.h"
 #include "compile/resolve.h"
 #include "scene/check.h"
 #include "sim/rod_order.h"
@@ -28,7 +29,6 @@ void reserve(const Scene& scene, System& system)
     system.linkStuff.reserve(links);
     system.panels.reserve(panels);
     system.panelKey.reserve(panels);
-    system.panelMaterial.reserve(panels);
 }
 
 void addParticles(const Part& part, System& system)
@@ -89,15 +89,20 @@ RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
     return order;
 }
 
-void addPanels(const Scene& scene, const ElementIndex& index, const Part& part, System& system)
+void addPanels(const Scene& scene, const ElementIndex& index, System& system)
 {
-    for (const Panel& row : part.panels) {
-        const Material& material = materialOf(scene, index, row.material);
-        system.panels.push_back(panelOf(
-            material, {index.particle(row.a), index.particle(row.b), index.particle(row.c)}));
-        system.panelKey.push_back(Key(row.id));
-        system.panelMaterial.push_back(Key(row.material));
-    }
+    system.materialAir = materialAirOf(scene);
+    KeyIndex airs(system.materialAir.size());
+    for (const MaterialAir& air : system.materialAir)
+        airs.add(air.key, int(&air - system.materialAir.data()));
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Panel& row : part.panels) {
+            system.panels.push_back(
+                {{index.particle(row.a), index.particle(row.b), index.particle(row.c)},
+                 airs(Key(row.material))});
+            system.panelKey.push_back(Key(row.id));
+        }
+    });
 }
 
 } // namespace
@@ -108,7 +113,7 @@ void compileSound(const Scene& scene, const ElementIndex& index, System& system)
     reserve(scene, system);
     forEachPart(scene, [&](Id, const Part& part) { addParticles(part, system); });
     RodOrder order = addLinks(scene, index, system);
-    forEachPart(scene, [&](Id, const Part& part) { addPanels(scene, index, part, system); });
+    addPanels(scene, index, system);
     system.wind = totalWind(scene);
     system.obstacles = obstaclesOf(scene);
     system.inputs = inputsOf(scene, index);

@@ -179,11 +179,7 @@ void LiveSystem::patchLink(Id id, Patch& patch) const
 void LiveSystem::patchPanel(Id id, Patch& patch) const
 {
     const Panel& row = rowOf<Panel>(m_scene, id);
-    const int panel = m_index.panel(id);
-    patch.panels.emplace_back(panel, panelOf(materialOf(m_scene, m_index, row.material),
-                                             {m_index.particle(row.a), m_index.particle(row.b),
-                                              m_index.particle(row.c)}));
-    patch.panelMaterial.emplace_back(panel, Key(row.material));
+    patch.panels.emplace_back(m_index.panel(id), Key(row.material));
 }
 
 } // namespace ripstop

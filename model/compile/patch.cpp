@@ -30,11 +30,11 @@ public:
             put(rod, m_system.rods[place(link)]);
             m_touched.rods.push_back(int(place(link)));
         }
-        for (const auto& [i, panel] : patch.panels)
-            m_system.panels[std::size_t(i)] = panel;
-        for (const auto& [i, key] : patch.panelMaterial)
-            m_system.panelMaterial[std::size_t(i)] = key;
+        for (const auto& [i, key] : patch.panels)
+            m_system.panels[std::size_t(i)].air = airOf(key);
         items(patch);
+        if (m_dragLines || !patch.linkStuff.empty())
+            listDragLines(m_system);
         if (m_tearRules)
             listTearable(m_system);
         if (m_allRods)
@@ -68,9 +68,17 @@ private:
                 m_allRods = true;
             }
         }
-        for (std::size_t i = 0; i < m_system.panelMaterial.size(); ++i)
-            if (m_system.panelMaterial[i] == key)
-                takeMaterial(material, m_system.panels[i]);
+        MaterialAir air = ripstop::airOf(Id{key}, material);
+        MaterialAir& held = m_system.materialAir[std::size_t(airOf(key))];
+        m_dragLines |= air.lineWidth != held.lineWidth;
+        held = std::move(air);
+    }
+
+    int airOf(Key key) const
+    {
+        const auto found = std::find_if(m_system.materialAir.begin(), m_system.materialAir.end(),
+                                        [&](const MaterialAir& air) { return air.key == key; });
+        return int(found - m_system.materialAir.begin());
     }
 
     void particle(std::size_t i, const ParticleValues& values)
@@ -119,6 +127,7 @@ private:
     Touched m_touched;
     bool m_allRods = false;
     bool m_tearRules = false; // have changed
+    bool m_dragLines = false; // have changed
     bool m_layout = false;
 };
 

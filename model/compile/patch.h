@@ -27,8 +27,7 @@ struct Patch
     At<Spring> springs; // by place in System::links, as is all that concerns links
     At<Rod> rods;
     At<LinkStuff> linkStuff;
-    At<FabricPanel> panels;
-    At<Key> panelMaterial;
+    At<Key> panels; // their materials
 
     std::optional<Vec3> wind; // m/s
     std::optional<std::vector<Obstacle>> obstacles;

@@ -1,6 +1,8 @@
 #include "compile/resolve.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace ripstop {
@@ -21,6 +23,30 @@ void forEachItem(const Scene& scene, Visit visit)
     for (const Entry& entry : scene.items)
         if (const T* item = std::get_if<T>(&entry.item))
             visit(entry.id, *item);
+}
+
+// Linear in the angle between the author's rows; the first and the last hold beyond them.
+PolarPoint polarAt(const NumberRows& table, double degrees)
+{
+    const auto above = std::find_if(table.begin(), table.end(),
+                                    [&](const auto& row) { return row[0] >= degrees; });
+    if (above == table.begin() || above == table.end()) {
+        const auto& row = above == table.end() ? table.back() : table.front();
+        return {row[1], row[2]};
+    }
+    const auto& high = *above;
+    const auto& low = *std::prev(above);
+    const double share = (degrees - low[0]) / (high[0] - low[0]);
+    return {low[1] + share * (high[1] - low[1]), low[2] + share * (high[2] - low[2])};
+}
+
+std::vector<PolarPoint> polarOf(const NumberRows& table)
+{
+    std::vector<PolarPoint> polar;
+    for (int i = 0; i <= polarCells; ++i)
+        polar.push_back(
+            polarAt(table, 2.0 * std::atan(double(i) / polarCells) * 180.0 / std::numbers::pi));
+    return polar;
 }
 
 // Adds what ids stand for to a probe: elements themselves, elements of parts and of groups.
@@ -151,11 +177,28 @@ Rod rodOf(const Link& row, const Material& material, int a, int b)
     return rod;
 }
 
-FabricPanel panelOf(const Material& material, std::array<int, 3> corner)
+MaterialAir airOf(Id id, const Material& material)
 {
-    FabricPanel panel{corner, {}, {}, {}};
-    takeMaterial(material, panel);
-    return panel;
+    MaterialAir air;
+    air.key = Key(id);
+    air.law = material.airLaw;
+    air.normalCoefficient = material.normalCoefficient;
+    if (material.broadsideCoefficient && material.airLaw == AirLaw::LinearNormal
+        && material.normalCoefficient > 0.0)
+        air.saturation = material.normalCoefficient / *material.broadsideCoefficient - 1.0;
+    air.skinFriction = material.skinFriction;
+    air.porosity = material.porosity;
+    air.lineWidth = material.dragCoefficient * material.diameter;
+    if (material.airLaw == AirLaw::LiftDrag)
+        air.polar = polarOf(material.polar);
+    return air;
+}
+
+std::vector<MaterialAir> materialAirOf(const Scene& scene)
+{
+    std::vector<MaterialAir> airs{airOf(noId, Material())};
+    forEachItem<Material>(scene, [&](Id id, const Material& m) { airs.push_back(airOf(id, m)); });
+    return airs;
 }
 
 void takeMaterial(const Material& material, std::uint8_t own, Spring& spring)
@@ -172,13 +215,6 @@ void takeMaterial(const Material& material, std::uint8_t own, Rod& rod)
     if (!(own & OwnCompliance))
         rod.compliance = material.compliance;
     takeTear(material, own, rod.tear);
-}
-
-void takeMaterial(const Material& material, FabricPanel& panel)
-{
-    panel.law = material.airLaw;
-    panel.normalCoefficient = material.normalCoefficient;
-    panel.skinFriction = material.skinFriction;
 }
 
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id)

@@ -22,12 +22,12 @@ ParticleValues valuesOf(const Particle& row);
 LinkStuff stuffOf(const Link& row);
 Spring springOf(const Link& row, const Material& material, int a, int b); // particle indices
 Rod rodOf(const Link& row, const Material& material, int a, int b);
-FabricPanel panelOf(const Material& material, std::array<int, 3> corner);
+MaterialAir airOf(Id id, const Material& material);
+std::vector<MaterialAir> materialAirOf(const Scene& scene);
 
 // The numbers that come from the material; `own` are those that the link has itself.
 void takeMaterial(const Material& material, std::uint8_t own, Spring& spring);
 void takeMaterial(const Material& material, std::uint8_t own, Rod& rod);
-void takeMaterial(const Material& material, FabricPanel& panel);
 
 // The material, or default numbers when there is none.
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id);

@@ -40,6 +40,17 @@ struct Appender
         }
         text += ']';
     }
+    void operator()(const NumberRows& value) const
+    {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            text += i == 0 ? "[[" : "], [";
+            for (std::size_t k = 0; k < value[i].size(); ++k) {
+                text += k == 0 ? "" : ", ";
+                appendNumber(text, value[i][k]);
+            }
+        }
+        text += value.empty() ? "[]" : "]]";
+    }
 };
 
 bool sameBits(double a, double b)

@@ -306,10 +306,13 @@ private:
     {
         const Value& initial = m_property->initial;
         const bool list = std::holds_alternative<Vec3>(initial)
-                          || std::holds_alternative<std::vector<Id>>(initial);
+                          || std::holds_alternative<std::vector<Id>>(initial)
+                          || std::holds_alternative<NumberRows>(initial);
         if (list && event.type == Token::BeginArray) {
             m_vectorSize = 0;
             m_ids.clear();
+            m_rows.clear();
+            m_inRow = false;
             return enter(In::List);
         }
         const Value value = valueFromEvent(*m_property, event);
@@ -325,6 +328,8 @@ private:
 
     bool inList(const JsonEvent& event)
     {
+        if (std::holds_alternative<NumberRows>(m_property->initial))
+            return inRows(event);
         const Ref& ref = m_records.back().ref;
         const bool vector = std::holds_alternative<Vec3>(m_property->initial);
         if (event.type == Token::EndArray) {
@@ -341,6 +346,31 @@ private:
             return flaw("is a fourth number where three belong; remove it");
         m_vector[Eigen::Index(m_vectorSize++)] = event.number;
         return true;
+    }
+
+    bool inRows(const JsonEvent& event)
+    {
+        if (event.type == Token::BeginArray && !m_inRow) {
+            m_rows.emplace_back();
+            return m_inRow = true;
+        }
+        if (event.type == Token::EndArray && m_inRow) {
+            m_inRow = false;
+            return true;
+        }
+        if (event.type != Token::EndArray) {
+            if (!m_inRow)
+                return flaw("must be a list of rows, like [[0, 1], [2, 3]]");
+            if (event.type != Token::Number)
+                return flaw("must be a number, not " + shown(event, m_text));
+            m_rows.back().push_back(event.number);
+            return true;
+        }
+        const Value value(m_rows);
+        if (const auto reason = refusal(*m_property, value))
+            return flaw(*reason);
+        m_property->set(m_records.back().ref, value);
+        return leave();
     }
 
     bool inParameters(const JsonEvent& event)
@@ -376,6 +406,8 @@ private:
     Vec3 m_vector = Vec3::Zero();
     std::size_t m_vectorSize = 0;
     std::vector<Id> m_ids;
+    NumberRows m_rows;
+    bool m_inRow = false;
 
     // keys that this version does not know
     JsonCapture m_unknown;

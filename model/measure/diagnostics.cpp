@@ -1,6 +1,7 @@
 #include "measure/diagnostics.h"
 
 #include "sim/inputs.h"
+#include "sim/line_drag.h"
 #include "sim/panel_load.h"
 #include "sim/spring_force.h"
 
@@ -174,6 +175,14 @@ std::vector<Vec3> panelLoads(const System& system, const State& state)
     Crew alone(1);
     fillPanelLoads(system, state, alone, load);
     return {load.begin(), load.end()};
+}
+
+std::vector<Vec3> lineDrags(const System& system, const State& state)
+{
+    std::vector<PaddedVec3> drag(system.dragLines.size());
+    Crew alone(1);
+    fillLineDrags(system, state, alone, drag);
+    return {drag.begin(), drag.end()};
 }
 
 std::uint64_t stateHash(const State& state)

@@ -19,7 +19,7 @@ struct Energies
 Energies energies(const System& system, const State& state);
 
 Vec3 centerOfMass(const System& system, std::span<const PaddedVec3> position); // m, pins included
-Vec3 momentum(const System& system, const State& state);                 // kg m/s, free particles
+Vec3 momentum(const System& system, const State& state); // kg m/s, free particles
 
 double totalMass(const System& system);                      // kg, pins included
 double fabricArea(const System& system, const State& state); // m^2, without what is gone
@@ -30,6 +30,10 @@ std::vector<double> tensions(const System& system, const State& state); // N, co
 
 // Air load of each panel, N, 0 where gone.
 std::vector<Vec3> panelLoads(const System& system, const State& state);
+
+// Drag of each line, N, 0 where torn.
+//   [dragLines]
+std::vector<Vec3> lineDrags(const System& system, const State& state);
 
 // FNV-1a over positions, velocities, inputs and what is torn: equal for equal bits only.
 std::uint64_t stateHash(const State& state);

@@ -116,6 +116,21 @@ const Energies& Readings::energy()
     return *m_energy;
 }
 
+Vec3 Readings::lineDragOf(const ProbeSpec& probe)
+{
+    Vec3 sum = Vec3::Zero();
+    if (m_system.dragLines.empty())
+        return sum;
+    const std::vector<Vec3> drag = lineDrags(m_system, m_state);
+    std::vector<std::uint8_t> wanted(m_system.links.size(), 0);
+    for (const int link : probe.links)
+        wanted[std::size_t(link)] = 1;
+    for (std::size_t i = 0; i < drag.size(); ++i)
+        if (wanted[std::size_t(m_system.dragLines[i].link)])
+            sum += drag[i];
+    return sum;
+}
+
 double Readings::value(const ProbeSpec& probe)
 {
     const System& system = m_system;
@@ -158,7 +173,7 @@ double Readings::value(const ProbeSpec& probe)
         Vec3 sum = Vec3::Zero();
         for (const int panel : probe.panels)
             sum += panelLoad()[std::size_t(panel)];
-        return sum.norm();
+        return (sum + lineDragOf(probe)).norm();
     }
     case Quantity::KineticEnergy:
         return energy().kinetic;

@@ -35,6 +35,8 @@ public:
     double value(const ProbeSpec& probe);
 
 private:
+    Vec3 lineDragOf(const ProbeSpec& probe); // N
+
     const System& m_system;
     const State& m_state;
     std::optional<std::vector<double>> m_strain;

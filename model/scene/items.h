@@ -17,6 +17,8 @@
 
 namespace ripstop {
 
+using NumberRows = std::vector<std::vector<double>>; // rows of numbers
+
 // --- elements: rows of the tables of a part, in ascending order of id -----------------------
 
 struct Particle
@@ -78,6 +80,10 @@ struct Part
     friend bool operator==(const Part&, const Part&) = default;
 };
 
+// Angle of attack (degrees), CL and CD of a flat plate of high aspect ratio, stalled from the
+// first: C_N = 1.98 sin(a) / (0.56 + 0.44 sin(a)), Lindenburg 2003.
+NumberRows flatPlatePolar();
+
 // What links and panels are made of.
 struct Material
 {
@@ -90,8 +96,13 @@ struct Material
     TearRule tearRule = TearRule::Never;
     double tearLimit = 0.5; // m, 1 or N, as the rule says
     AirLaw airLaw = AirLaw::LinearNormal;
-    double normalCoefficient = 2.0; // 1
-    double skinFriction = 0.0;      // 1
+    double normalCoefficient = 2.0;             // 1
+    std::optional<double> broadsideCoefficient; // 1; absent, that of small angles holds
+    NumberRows polar = flatPlatePolar();        // degrees, CL, CD
+    double skinFriction = 0.02;                 // 1
+    double porosity = 0.0;                      // 1
+    double diameter = 0.0;                      // m, of links as lines in the wind
+    double dragCoefficient = 1.1;               // 1, of lines across the wind
 
     friend bool operator==(const Material&, const Material&) = default;
 };

@@ -55,7 +55,8 @@ struct Codec<std::optional<T>>
 // Builds a row from a pointer to member, so that a row cannot name one field and read another.
 template <auto member>
 Property property(std::string_view key, std::string_view label, std::string_view unit,
-                  Effect effect, std::string_view help, Range range = {}, Kinds pointsAt = {})
+                  Effect effect, std::string_view help, Range range = {}, Kinds pointsAt = {},
+                  int columns = 0)
 {
     using Owner = typename MemberOf<decltype(member)>::Owner;
     using Field = typename MemberOf<decltype(member)>::Field;
@@ -79,6 +80,7 @@ Property property(std::string_view key, std::string_view label, std::string_view
             Coded::choices(),
             Coded::value(example.*member),
             Coded::optional,
+            columns,
             get,
             set};
 }
@@ -146,9 +148,14 @@ std::span<const Property> allProperties()
         property<&Material::compliance>  ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton; 0 never stretches.", notNegative),
         property<&Material::tearRule>    ("tearRule",    "Tears by",     "",        Recompile,   "What breaks a link: its length (m), its strain, the force in it (N), or nothing."),
         property<&Material::tearLimit>   ("tearLimit",   "Tear limit",   "",        Recompile,   "A link breaks above this, in metres, as a strain or in newtons as the rule says.", notNegative),
-        property<&Material::airLaw>      ("airLaw",      "Air law",      "",        Recompile,   "How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too."),
-        property<&Material::normalCoefficient>("normalCoefficient", "Normal force", "", Recompile, "Coefficient of the force across the panel; 4 is the paper's, 2 a flat plate's, 1.17 a disc's head on.", notNegative),
+        property<&Material::airLaw>      ("airLaw",      "Air law",      "",        Recompile,   "How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too, and lift and drag are read from a table."),
+        property<&Material::normalCoefficient>("normalCoefficient", "Normal force", "", Recompile, "Coefficient of the force across the panel; 4 is the paper's, 2 a flat plate's, 1.17 a disc's head on; of the linear law it is the slope at small angles.", notNegative),
+        property<&Material::broadsideCoefficient>("broadsideCoefficient", "Broadside", "", Recompile, "Coefficient of the linear law head on, 1.17 for a square plate; empty takes the normal force's.", positive),
+        property<&Material::polar>       ("polar",       "Lift and drag", "",       Recompile,   "Rows of angle of attack in degrees from 0 to 90, lift coefficient and drag coefficient, for the law lift_drag.", {}, {}, 3),
         property<&Material::skinFriction>("skinFriction", "Skin friction", "",      Recompile,   "Coefficient of the force along the panel, both sides together; about 0.02 for cloth.", notNegative),
+        property<&Material::porosity>    ("porosity",    "Porosity",     "",        Recompile,   "Speed of the air that leaks through the cloth over the speed sqrt(2 dp / rho) that its pressure could give; about 0.03 for parachute nylon, 0 is tight.", fraction),
+        property<&Material::diameter>    ("diameter",    "Line diameter", "m",      Recompile,   "Thickness of links as lines in the wind; 0 gives them no drag.", notNegative),
+        property<&Material::dragCoefficient>("dragCoefficient", "Line drag", "",    Recompile,   "Drag coefficient of links across the wind; 1 to 1.1 for lines.", notNegative),
 
         property<&Group::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
         property<&Group::members>        ("members",     "Members",      "",        Recompile,   "Particles, links and panels that belong to the group.", {}, elements),

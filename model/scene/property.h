@@ -55,8 +55,8 @@ std::optional<ConstRef> find(const Scene& scene, Id id);
 
 // A choice is held as its name. Nothing (monostate) means that an optional value is absent and
 // comes from the material.
-using Value =
-    std::variant<std::monostate, bool, int, double, std::string, Vec3, Id, std::vector<Id>>;
+using Value = std::variant<std::monostate, bool, int, double, std::string, Vec3, Id,
+                           std::vector<Id>, NumberRows>;
 
 // What a change means to a simulation that is already running.
 enum class Effect { DisplayOnly, Recompile, OnReset };
@@ -98,6 +98,7 @@ struct Property
     std::span<const std::string_view> choices; // for choices
     Value initial;                             // the default; its type is the type of the property
     bool optional;                             // may be absent
+    int columns;                               // numbers in each row, for tables
     Value (*get)(const ConstRef&);
     void (*set)(const Ref&, const Value&); // a value that refusal() has let through
 };
@@ -110,7 +111,8 @@ const Property* findProperty(Kind kind, std::string_view key); // null when ther
 // Dangling ids are found by check.h, which sees the whole scene.
 std::optional<std::string> refusal(const Property& property, const Value& value);
 
-// Values as people type them: "0.5", "true", "verlet", "1, 0, -2", "17". An empty text is the
+// Values as people type them: "0.5", "true", "verlet", "1, 0, -2", "17", "0, 1; 2, 3" for a
+// table of two rows. An empty text is the
 // absence of an optional value.
 Result<Value> valueFromText(const Property& property, std::string_view text);
 std::string textFromValue(const Value& value);

@@ -31,11 +31,11 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-std::vector<std::string_view> splitAtCommas(std::string_view text)
+std::vector<std::string_view> splitAt(char separator, std::string_view text)
 {
     std::vector<std::string_view> parts;
     for (;;) {
-        const auto comma = text.find(',');
+        const auto comma = text.find(separator);
         parts.push_back(trimmed(text.substr(0, comma)));
         if (comma == std::string_view::npos)
             return parts;
@@ -74,10 +74,45 @@ std::optional<std::string> outside(const Range& range, double value)
 
 std::string_view typeName(const Value& value)
 {
-    constexpr std::array<std::string_view, 8> typeNames{
-        "nothing", "true or false", "a whole number", "a number",
-        "a text",  "three numbers", "an id",          "a list of ids"};
+    constexpr std::array<std::string_view, 9> typeNames{
+        "nothing",       "true or false", "a whole number", "a number",       "a text",
+        "three numbers", "an id",         "a list of ids",  "rows of numbers"};
     return typeNames[value.index()];
+}
+
+std::optional<std::string> refusalOfRows(const Property& property, const NumberRows& table)
+{
+    if (table.empty())
+        return "needs a row";
+    for (const std::vector<double>& row : table) {
+        if (row.size() != std::size_t(property.columns))
+            return "must have " + std::to_string(property.columns) + " numbers in each row";
+        for (const double value : row)
+            if (!std::isfinite(value))
+                return "must be finite numbers";
+    }
+    if (property.key != "polar")
+        return std::nullopt;
+    double last = -1.0;
+    for (const std::vector<double>& row : table) {
+        if (row[0] < 0.0 || row[0] > 90.0 || row[0] <= last)
+            return "must have angles that rise from row to row, between 0 and 90";
+        if (row[2] < 0.0) // the wind would gain energy
+            return "must have drag of at least 0";
+        last = row[0];
+    }
+    return std::nullopt;
+}
+
+bool readNumbers(std::string_view text, std::vector<double>& numbers)
+{
+    for (const std::string_view part : splitAt(',', text)) {
+        const auto read = toNumber(part);
+        if (!read)
+            return false;
+        numbers.push_back(*read);
+    }
+    return true;
 }
 
 bool isColor(std::string_view text)
@@ -104,6 +139,8 @@ std::optional<std::string> refusal(const Property& property, const Value& value)
         return outside(property.range, *whole);
     if (const auto* vector = std::get_if<Vec3>(&value); vector && !vector->allFinite())
         return "must be three finite numbers";
+    if (const auto* table = std::get_if<NumberRows>(&value))
+        return refusalOfRows(property, *table);
     if (const auto* text = std::get_if<std::string>(&value)) {
         const auto choices = property.choices;
         if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
@@ -137,7 +174,7 @@ Result<Value> valueFromText(const Property& property, std::string_view text)
     } else if (std::holds_alternative<std::string>(shape)) {
         value = std::string(text);
     } else if (std::holds_alternative<Vec3>(shape)) {
-        const auto parts = splitAtCommas(text);
+        const auto parts = splitAt(',', text);
         Vec3 vector = Vec3::Zero();
         bool whole = parts.size() == 3;
         for (std::size_t i = 0; whole && i < 3; ++i) {
@@ -152,11 +189,18 @@ Result<Value> valueFromText(const Property& property, std::string_view text)
             value = noId;
         else if (const auto id = toId(text))
             value = *id;
+    } else if (std::holds_alternative<NumberRows>(shape)) {
+        NumberRows table;
+        bool whole = true;
+        for (const std::string_view part : splitAt(';', text))
+            whole = whole && readNumbers(part, table.emplace_back());
+        if (whole)
+            value = std::move(table);
     } else {
         std::vector<Id> ids;
         bool whole = true;
         if (!text.empty())
-            for (const std::string_view part : splitAtCommas(text)) {
+            for (const std::string_view part : splitAt(',', text)) {
                 const auto id = toId(part);
                 whole = whole && id.has_value();
                 ids.push_back(id.value_or(noId));
@@ -194,6 +238,14 @@ std::string textFromValue(const Value& value)
             std::string text;
             for (const Id id : ids)
                 text += (text.empty() ? "" : ", ") + (*this)(id);
+            return text;
+        }
+        std::string operator()(const NumberRows& table) const
+        {
+            std::string text;
+            for (const std::vector<double>& row : table)
+                for (std::size_t i = 0; i < row.size(); ++i)
+                    text += (i > 0 ? ", " : text.empty() ? "" : "; ") + number(row[i]);
             return text;
         }
     };

@@ -4,34 +4,114 @@
 // head-on wind, the laws need one division and no unit normal:
 //     paper          F = 1/4 rho C |c.w| r c
 //     linear normal  F = 1/4 rho C |c| |w| r c
+//     blended        |c| |w| becomes (|c| |w|)^2 / (|c| |w| + k |c.w|)
 //     skin friction  F = 1/4 rho Cs |c| |t| t,  t = w - r c
 // What a panel gets does not depend on the three beside it.
 
+struct FourAirs
+{
+    Mask law;
+    Four coefficient;
+    Four saturation;
+    Four friction;
+    Four porosity;
+};
+
+RIPSTOP_INLINE FourAirs fourAirs(const MaterialAir* airs, int i0, int i1, int i2, int i3)
+{
+    const MaterialAir& a0 = airs[i0];
+    if (i0 == i1 && i0 == i2 && i0 == i3) // mostly
+        return {Mask{} + std::int64_t(a0.law), all(a0.normalCoefficient), all(a0.saturation),
+                all(a0.skinFriction), all(a0.porosity)};
+    const MaterialAir& a1 = airs[i1];
+    const MaterialAir& a2 = airs[i2];
+    const MaterialAir& a3 = airs[i3];
+    return {Mask{std::int64_t(a0.law), std::int64_t(a1.law), std::int64_t(a2.law),
+                 std::int64_t(a3.law)},
+            Four{a0.normalCoefficient, a1.normalCoefficient, a2.normalCoefficient,
+                 a3.normalCoefficient},
+            Four{a0.saturation, a1.saturation, a2.saturation, a3.saturation},
+            Four{a0.skinFriction, a1.skinFriction, a2.skinFriction, a3.skinFriction},
+            Four{a0.porosity, a1.porosity, a2.porosity, a3.porosity}};
+}
+
 // Zero where there is no law, no area or no panel any more.
-RIPSTOP_INLINE Coordinates panelLoads(const Coordinates& normal, const Coordinates& wind, Mask law,
-                                      Four strength, Four friction)
+RIPSTOP_INLINE Coordinates panelLoads(const Coordinates& normal, const Coordinates& wind,
+                                      const FourAirs& air, Four quarterDensity)
 {
     const Four square = dot(normal, normal);
     const Four through = dot(normal, wind);
     const Four share = through / square;
 
-    const Mask linear = law == std::int64_t(AirLaw::LinearNormal);
+    const Mask linear = air.law == std::int64_t(AirLaw::LinearNormal);
     Four pace = magnitude(through);
     if (any(linear))
         pace = linear ? root(square * dot(wind, wind)) : pace;
-    Coordinates load = (strength * pace * share) * normal;
+    const Mask blended = air.saturation != all(0.0);
+    if (any(blended)) {
+        const Four blend = pace * pace / (pace + air.saturation * magnitude(through));
+        pace = blended & (pace > all(0.0)) ? blend : pace;
+    }
+    const Mask porous = air.porosity > all(0.0);
+    if (any(porous)) {
+        const Four meets = root(magnitude(through));
+        const Four left = meets / (meets + air.porosity * root(air.coefficient * pace));
+        pace = porous & (through != all(0.0)) ? pace * left * left : pace;
+    }
+    Coordinates load = (quarterDensity * air.coefficient * pace * share) * normal;
 
-    const Mask rough = friction > all(0.0);
+    const Mask rough = air.friction > all(0.0);
     if (any(rough)) {
         const Coordinates along = {fused(-share, normal.x, wind.x), fused(-share, normal.y, wind.y),
                                    fused(-share, normal.z, wind.z)};
-        const Four drag = friction * root(square * dot(along, along));
+        const Four drag = quarterDensity * air.friction * root(square * dot(along, along));
         const Coordinates both = {fused(drag, along.x, load.x), fused(drag, along.y, load.y),
                                   fused(drag, along.z, load.z)};
         load = select(rough, both, load);
     }
-    const Mask meetsAir = (law != std::int64_t(AirLaw::None)) & (square != all(0.0));
+    const Mask meetsAir = (air.law != std::int64_t(AirLaw::None)) & (square != all(0.0));
     return select(meetsAir, load, Coordinates{});
+}
+
+// Lift and drag by table, one panel at a time, N per 1/4 rho. With s and c the sine and the cosine
+// of the angle of attack, force across and along the panel are CD s + CL c and CD c - CL s.
+RIPSTOP_INLINE Four polarLoad(const MaterialAir& air, const Coordinates& normals,
+                              const Coordinates& winds, int lane)
+{
+    const Four n = {normals.x[lane], normals.y[lane], normals.z[lane], 0.0};
+    const Four w = {winds.x[lane], winds.y[lane], winds.z[lane], 0.0};
+    const auto product = [](Four a, Four b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const double square = product(n, n);
+    const double speed = __builtin_sqrt(product(w, w));
+    if (square == 0.0 || speed == 0.0)
+        return Four{};
+    const double size = __builtin_sqrt(square);
+    const double through = product(n, w);
+    const Four across = n * all((through < 0.0 ? -1.0 : 1.0) / size);
+    const Four t = w - all(through / square) * n;
+    const double slide = __builtin_sqrt(product(t, t));
+    const double s = std::min(1.0, std::abs(through) / (size * speed));
+    const double c = std::min(1.0, slide / speed);
+
+    const double place = polarCells * s / (1.0 + c); // tan(alpha / 2)
+    const int cell = std::min(int(place), polarCells - 1);
+    const double share = place - cell;
+    const PolarPoint& low = air.polar[std::size_t(cell)];
+    const PolarPoint& high = air.polar[std::size_t(cell) + 1];
+    const double lift = low.lift + share * (high.lift - low.lift);
+    const double drag = low.drag + share * (high.drag - low.drag);
+
+    const double normal = drag * s + lift * c;
+    double q = size * speed * speed;
+    if (air.porosity > 0.0 && normal > 0.0) {
+        const double left = s / (s + air.porosity * __builtin_sqrt(normal));
+        q *= left * left;
+    }
+    Four load = all(q * normal) * across;
+    if (slide > 0.0)
+        load += all(q * (drag * c - lift * s) / slide) * t;
+    const double power = product(load, w); // what rounding leaves below zero is taken out
+    return power < 0.0 ? Four(load - all(power / (speed * speed)) * w) : load;
 }
 
 RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t i1, std::size_t i2,
@@ -63,20 +143,30 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
                               fused(sum.y, third, all(work.wind.y())),
                               fused(sum.z, third, all(work.wind.z()))};
 
-    Mask law = {std::int64_t(p0.law), std::int64_t(p1.law), std::int64_t(p2.law),
-                std::int64_t(p3.law)};
+    FourAirs air = fourAirs(work.airs, p0.air, p1.air, p2.air, p3.air);
     const std::uint8_t g0 = work.gone[i0], g1 = work.gone[i1];
     const std::uint8_t g2 = work.gone[i2], g3 = work.gone[i3];
     if (g0 | g1 | g2 | g3)
-        law = Mask{g0, g1, g2, g3} == 0 ? law : Mask{} + std::int64_t(AirLaw::None);
+        air.law = Mask{g0, g1, g2, g3} == 0 ? air.law : Mask{} + std::int64_t(AirLaw::None);
+    const Mask byTable = air.law == std::int64_t(AirLaw::LiftDrag);
+    const bool someByTable = any(byTable);
+    if (someByTable)
+        air.coefficient = byTable ? all(0.0) : air.coefficient;
 
     const Four quarterDensity = all(0.25 * work.airDensity);
-    const Four strength = {p0.normalCoefficient, p1.normalCoefficient, p2.normalCoefficient,
-                           p3.normalCoefficient};
-    const Four friction = {p0.skinFriction, p1.skinFriction, p2.skinFriction, p3.skinFriction};
-    store(
-        panelLoads(cross(ab, ac), wind, law, quarterDensity * strength, quarterDensity * friction),
-        work.load[i0], work.load[i1], work.load[i2], work.load[i3]);
+    const Coordinates normal = cross(ab, ac);
+    store(panelLoads(normal, wind, air, quarterDensity), work.load[i0], work.load[i1],
+          work.load[i2], work.load[i3]);
+    if (!someByTable)
+        return;
+    const std::size_t panel[4] = {i0, i1, i2, i3};
+    for (int lane = 0; lane < 4; ++lane) {
+        const std::size_t i = panel[lane];
+        const bool again = lane > 0 && i == panel[lane - 1]; // repeated, has its load already
+        if (byTable[lane] && !again)
+            four(work.load[i]) +=
+                quarterDensity * polarLoad(work.airs[work.panels[i].air], normal, wind, lane);
+    }
 }
 
 void fillPanels(const PanelWork& work, std::size_t first, std::size_t last)

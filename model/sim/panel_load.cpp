@@ -11,6 +11,7 @@ namespace {
 struct PanelWork
 {
     const FabricPanel* panels;
+    const MaterialAir* airs;
     const std::uint8_t* gone;   // [panels]
     const PaddedVec3* position; // [particles] m
     const PaddedVec3* velocity; // [particles] m/s
@@ -27,16 +28,16 @@ struct PanelWork
 
 namespace ripstop {
 
-Vec3 panelLoad(const FabricPanel& panel, const Vec3& a, const Vec3& b, const Vec3& c,
+Vec3 panelLoad(const MaterialAir& air, const Vec3& a, const Vec3& b, const Vec3& c,
                const Vec3& apparentWind, double airDensity)
 {
-    FabricPanel alone = panel;
-    alone.corner = {0, 1, 2};
+    const FabricPanel alone = {{0, 1, 2}, 0};
     const std::uint8_t gone = 0;
     const PaddedVec3 position[3] = {a, b, c};
     const PaddedVec3 velocity[3];
     PaddedVec3 load;
-    const PanelWork work = {&alone, &gone, position, velocity, apparentWind, airDensity, &load};
+    const PanelWork work = {&alone,   &air,         &gone,      position,
+                            velocity, apparentWind, airDensity, &load};
     (wideMachine ? wide::fillPanels : anywhere::fillPanels)(work, 0, 1);
     return load;
 }
@@ -50,13 +51,10 @@ void fillPanelLoads(const System& system, const State& state, Crew& crew,
 void fillPanelLoads(const System& system, const State& state, Crew& crew,
                     std::span<PaddedVec3> load, bool asWide)
 {
-    const PanelWork work = {system.panels.data(),
-                            state.panelGone.data(),
-                            state.position.data(),
-                            state.velocity.data(),
-                            system.wind,
-                            system.airDensity,
-                            load.data()};
+    const PanelWork work = {system.panels.data(),   system.materialAir.data(),
+                            state.panelGone.data(), state.position.data(),
+                            state.velocity.data(),  system.wind,
+                            system.airDensity,      load.data()};
     crew.each(system.panels.size(), [&](std::size_t first, std::size_t last) {
         (asWide ? wide::fillPanels : anywhere::fillPanels)(work, first, last);
     });

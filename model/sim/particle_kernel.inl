@@ -106,6 +106,8 @@ void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* ac
     const Four gravity = {system.gravity[0], system.gravity[1], system.gravity[2], 0.0};
     const int* const springs = system.springsAt.items.data();
     const int* const panels = system.panelsAt.items.data();
+    const int* const lines = system.dragLinesAt.items.data();
+    const bool drags = !system.dragLines.empty();
     for (std::size_t i = first; i < last; ++i) {
         if (system.inverseMass[i] == 0.0) {
             four(acceleration[i]) = Four{};
@@ -121,6 +123,12 @@ void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* ac
         for (int k = system.panelsAt.start[i]; k < system.panelsAt.start[i + 1]; ++k)
             air += four(forces.panel[std::size_t(panels[k])]);
         force += air * all(1.0 / 3.0);
+        if (drags) {
+            Four drag{};
+            for (int k = system.dragLinesAt.start[i]; k < system.dragLinesAt.start[i + 1]; ++k)
+                drag += four(forces.line[std::size_t(lines[k])]);
+            force += drag * all(0.5);
+        }
         four(acceleration[i]) = gravity + all(system.inverseMass[i]) * force;
     }
 }

@@ -12,6 +12,7 @@ struct ForcesOnElements
 {
     const PaddedVec3* spring; // [springs] N, on end `a`
     const PaddedVec3* panel;  // [panels] N, a third for each corner
+    const PaddedVec3* line;   // [dragLines] N, half for each end
 };
 
 struct ParticleMotion // arrays of [particles]

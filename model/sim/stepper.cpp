@@ -2,6 +2,7 @@
 
 #include "sim/contact.h"
 #include "sim/inputs.h"
+#include "sim/line_drag.h"
 #include "sim/panel_load.h"
 #include "sim/particle_motion.h"
 #include "sim/spring_force.h"
@@ -45,6 +46,7 @@ void Stepper::prepare(const System& system, State& state)
 {
     m_springForce.resize(system.springs.size());
     m_panelLoad.resize(system.panels.size());
+    m_lineDrag.resize(system.dragLines.size());
     m_acceleration.resize(state.position.size());
     m_before.resize(state.position.size());
     m_predicted.resize(state.position.size());
@@ -123,13 +125,15 @@ void Stepper::substep(RodTask& task, State& state)
 
 void Stepper::fillAccelerations(const System& system, const State& state)
 {
-    if (system.springs.empty() && system.panels.empty() && m_onlyGravity)
+    if (system.springs.empty() && system.panels.empty() && system.dragLines.empty()
+        && m_onlyGravity)
         return;
     m_onlyGravity = true;
     fillSpringForces(system, state, m_crew, m_springForce);
     fillPanelLoads(system, state, m_crew, m_panelLoad);
+    fillLineDrags(system, state, m_crew, m_lineDrag);
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
-        gatherAccelerations(system, {m_springForce.data(), m_panelLoad.data()},
+        gatherAccelerations(system, {m_springForce.data(), m_panelLoad.data(), m_lineDrag.data()},
                             m_acceleration.data(), first, last);
     });
 }

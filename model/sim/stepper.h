@@ -43,6 +43,7 @@ private:
     PlanFor m_planFor;
     std::vector<PaddedVec3> m_springForce;  // [springs] N, on end `a`
     std::vector<PaddedVec3> m_panelLoad;    // [panels] N
+    std::vector<PaddedVec3> m_lineDrag;     // [dragLines] N
     std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
     std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
     std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection

@@ -1,5 +1,6 @@
 #include "sim/system.h"
 
+#include "base/key_index.h"
 #include "sim/rod_order.h"
 
 #include <algorithm>
@@ -48,6 +49,17 @@ void fillIncidence(Rows& rows, std::size_t count, const Items& items, TargetsOf 
     for (std::size_t i = 0; i < items.size(); ++i)
         for (const int target : targetsOf(items[i]))
             rows.items[std::size_t(next[std::size_t(target)]++)] = int(i);
+}
+
+void fillDragLinesAt(System& system)
+{
+    system.dragLinesAt.start.clear();
+    system.dragLinesAt.items.clear();
+    if (!system.dragLines.empty())
+        fillIncidence(system.dragLinesAt, system.start.position.size(), system.dragLines,
+                      [](const DragLine& line) {
+                          return std::array{line.a, line.b};
+                      });
 }
 
 void fillPanelsBeside(System& system)
@@ -108,14 +120,16 @@ auto fieldsOf(S& system)
 {
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
            solver, strainGoal, gravity, airDensity, wind, viscosity, speedLimit, key, mass,
-           inverseMass, springs, rods, colorStart, chunkStart, classStart, direct, panels, panelKey,
-           links, linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt, rodsAt,
-           panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes, start] = system;
+           inverseMass, springs, rods, colorStart, chunkStart, classStart, direct, materialAir,
+           dragLines, panels, panelKey, links, linkStuff, springLink, rodLink, tearable, springsAt,
+           rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, inputs, shiftedRods, probes,
+           start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     gravity, airDensity, wind, viscosity, speedLimit, key, mass, inverseMass,
-                    springs, rods, colorStart, chunkStart, classStart, direct, panels, panelKey,
-                    links, linkStuff, panelMaterial, springLink, rodLink, tearable, springsAt,
-                    rodsAt, panelsAt, panelsBeside, obstacles, inputs, shiftedRods, probes, start);
+                    springs, rods, colorStart, chunkStart, classStart, direct, materialAir,
+                    dragLines, panels, panelKey, links, linkStuff, springLink, rodLink, tearable,
+                    springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, inputs,
+                    shiftedRods, probes, start);
 }
 
 template <typename S>
@@ -207,6 +221,10 @@ void finishOrdered(System& system, RodOrder order)
     fillIncidence(system.rodsAt, n, system.rods, ends);
     fillIncidence(system.panelsAt, n, system.panels, [](const FabricPanel& p) { return p.corner; });
     fillPanelsBeside(system);
+    if (system.linkStuff.empty())
+        fillDragLinesAt(system);
+    else
+        listDragLines(system);
 
     State& start = system.start;
     fill(start.velocity, n, PaddedVec3());
@@ -240,6 +258,24 @@ void listTearable(System& system)
         if (tear.rule != TearRule::Never)
             system.tearable.push_back(int(i));
     }
+}
+
+void listDragLines(System& system)
+{
+    system.dragLines.clear();
+    KeyIndex airOf(system.materialAir.size());
+    bool some = false;
+    for (std::size_t i = 0; i < system.materialAir.size(); ++i) {
+        airOf.add(system.materialAir[i].key, int(i));
+        some |= system.materialAir[i].lineWidth > 0.0;
+    }
+    for (std::size_t i = 0; some && i < system.links.size(); ++i) {
+        const int air = airOf(system.linkStuff[i].material);
+        const double width = air < 0 ? 0.0 : system.materialAir[std::size_t(air)].lineWidth;
+        if (width > 0.0)
+            system.dragLines.push_back({int(i), system.links[i].a, system.links[i].b, width});
+    }
+    fillDragLinesAt(system);
 }
 
 void touch(System& system, const Touched& changed)

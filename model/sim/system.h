@@ -53,12 +53,36 @@ struct Rod
     friend bool operator==(const Rod&, const Rod&) = default;
 };
 
+inline constexpr int polarCells = 256;
+
+struct PolarPoint
+{
+    double lift; // 1, CL
+    double drag; // 1, CD
+
+    friend bool operator==(const PolarPoint&, const PolarPoint&) = default;
+};
+
+// What the air does to things of one material: to its panels (panel_load.h) and to its links as
+// lines (line_drag.h).
+struct MaterialAir
+{
+    Key key = 0; // of the material; 0 for none
+    AirLaw law = AirLaw::LinearNormal;
+    double normalCoefficient = 2.0; // 1, Ca
+    double saturation = 0.0;        // 1, Ca / C90 - 1; linear normal only
+    double skinFriction = 0.0;      // 1, Cs
+    double porosity = 0.0;          // 1, c
+    double lineWidth = 0.0;         // m, drag coefficient times diameter
+    std::vector<PolarPoint> polar;  // [polarCells + 1] at equal steps of tan(alpha / 2) from 0 to 1
+
+    friend bool operator==(const MaterialAir&, const MaterialAir&) = default;
+};
+
 struct FabricPanel // one triangle of fabric
 {
     std::array<int, 3> corner;
-    AirLaw law;
-    double normalCoefficient; // 1
-    double skinFriction;      // 1
+    int air; // index into System::materialAir
 
     friend bool operator==(const FabricPanel&, const FabricPanel&) = default;
 };
@@ -95,6 +119,16 @@ struct LinkStuff
     std::uint8_t own = 0; // bits, one for each number that is the link's own
 
     friend bool operator==(const LinkStuff&, const LinkStuff&) = default;
+};
+
+struct DragLine // a link that the wind drags
+{
+    int link; // index into System::links
+    int a;    // particle indices
+    int b;
+    double width; // m, drag coefficient times diameter
+
+    friend bool operator==(const DragLine&, const DragLine&) = default;
 };
 
 // One scalar input.
@@ -218,16 +252,17 @@ struct System
     std::vector<double> inverseMass; // [particles] 1/kg, 0 when pinned
 
     std::vector<Spring> springs;
-    std::vector<Rod> rods;            // in the order of rod_order.h
-    std::vector<int> colorStart;      // [colours + 1] places in rods
-    std::vector<int> chunkStart;      // [chunks + 1] colours
-    std::vector<int> classStart;      // [classes + 1] chunks
-    std::vector<std::uint8_t> direct; // [rods] solved as one block (direct_choice.h), or empty
+    std::vector<Rod> rods;                // in the order of rod_order.h
+    std::vector<int> colorStart;          // [colours + 1] places in rods
+    std::vector<int> chunkStart;          // [chunks + 1] colours
+    std::vector<int> classStart;          // [classes + 1] chunks
+    std::vector<std::uint8_t> direct;     // [rods] solved as one block (direct_choice.h), or empty
+    std::vector<MaterialAir> materialAir; // the first is that of no material
+    std::vector<DragLine> dragLines;      // in the order of their links
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]
     std::vector<LinkPlace> links;     // in the author's order
     std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
-    std::vector<Key> panelMaterial;   // [panels], or empty
     std::vector<int> springLink;      // [springs] index into links
     std::vector<int> rodLink;         // [rods] index into links
     std::vector<int> tearable;        // indices into links that may tear
@@ -235,6 +270,7 @@ struct System
     Rows springsAt;    // [particles] springs that end there
     Rows rodsAt;       // [particles]
     Rows panelsAt;     // [particles]
+    Rows dragLinesAt;  // [particles], or empty when there are none
     Rows panelsBeside; // [links] panels that have both ends as corners
 
     std::vector<Obstacle> obstacles;
@@ -259,6 +295,7 @@ bool operator==(const System& a, const System& b);
 
 // Whoever changes a finished system in place, and is its only owner, says so with these.
 void listTearable(System& system);                  // after a tear rule
+void listDragLines(System& system);                 // after the air or the material of a link
 void touch(System& system, const Touched& changed); // after these inverse masses and rods
 void touchAll(System& system);
 

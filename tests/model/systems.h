@@ -64,7 +64,13 @@ inline Rod& addRod(System& system, int a, int b, double restLength, double compl
 inline void addPanel(System& system, int a, int b, int c, AirLaw law, double normalCoefficient,
                      double skinFriction = 0.0)
 {
-    system.panels.push_back({{a, b, c}, law, normalCoefficient, skinFriction});
+    MaterialAir air;
+    air.law = law;
+    air.normalCoefficient = normalCoefficient;
+    air.skinFriction = skinFriction;
+    if (system.materialAir.empty() || system.materialAir.back() != air)
+        system.materialAir.push_back(air);
+    system.panels.push_back({{a, b, c}, int(system.materialAir.size()) - 1});
 }
 
 // The state after so many time steps from `state`.

@@ -16,9 +16,13 @@ namespace {
 
 constexpr double density = 1.225; // kg/m^3
 
-FabricPanel panelOf(AirLaw law, double coefficient, double friction = 0.0)
+MaterialAir panelOf(AirLaw law, double coefficient, double friction = 0.0)
 {
-    return {{0, 1, 2}, law, coefficient, friction};
+    MaterialAir air;
+    air.law = law;
+    air.normalCoefficient = coefficient;
+    air.skinFriction = friction;
+    return air;
 }
 
 // A right triangle with two legs of this length in the xz plane.
@@ -137,7 +141,7 @@ private slots:
             const Vec3 b = dice.vector(1.0);
             const Vec3 c = dice.vector(1.0);
             const Vec3 wind = dice.vector(10.0);
-            const FabricPanel panel = panelOf(law, 2.0, i % 2 ? 0.02 : 0.0);
+            const MaterialAir panel = panelOf(law, 2.0, i % 2 ? 0.02 : 0.0);
             const Vec3 load = panelLoad(panel, a, b, c, wind, density);
             QVERIFY(load.dot(wind) >= 0.0);
             const double tolerance = 1e-12 * (1.0 + load.norm());
@@ -158,7 +162,7 @@ private slots:
             const Vec3 b = dice.vector(1.0);
             const Vec3 c = dice.vector(1.0);
             const Vec3 wind = dice.vector(10.0);
-            const FabricPanel panel = panelOf(law, 1.3, 0.02);
+            const MaterialAir panel = panelOf(law, 1.3, 0.02);
             const Vec3 ab = 0.5 * (a + b);
             const Vec3 bc = 0.5 * (b + c);
             const Vec3 ca = 0.5 * (c + a);

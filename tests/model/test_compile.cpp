@@ -103,9 +103,10 @@ private slots:
         QVERIFY(rod.resists == Resists::Tension);
         QVERIFY(rod.tear.rule == TearRule::Strain && rod.tear.limit == 0.3);
         const FabricPanel& panel = system->panels[0];
-        QVERIFY(panel.law == AirLaw::Paper);
-        QCOMPARE(panel.normalCoefficient, 3.0);
-        QCOMPARE(panel.skinFriction, 0.01);
+        const MaterialAir& air = system->materialAir[std::size_t(panel.air)];
+        QVERIFY(air.law == AirLaw::Paper);
+        QCOMPARE(air.normalCoefficient, 3.0);
+        QCOMPARE(air.skinFriction, 0.01);
         QCOMPARE(panel.corner, (std::array{0, 1, 2}));
         QCOMPARE(system->panelKey, std::vector<Key>{Key(m.panel)});
         QCOMPARE(system->tearable.size(), std::size_t(2));

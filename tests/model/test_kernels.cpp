@@ -54,7 +54,7 @@ int another(Dice& dice, int particle)
 // Of each law, rough and smooth, some gone, some without area; not a multiple of four.
 System panels(std::uint32_t seed, double speed, int count = 403)
 {
-    constexpr std::array laws{AirLaw::None, AirLaw::Paper, AirLaw::LinearNormal};
+    constexpr std::array laws{AirLaw::None, AirLaw::Paper, AirLaw::LinearNormal, AirLaw::LiftDrag};
     Dice dice(seed);
     System system = scattered(dice, speed);
     for (int i = 0; i < count; ++i) {
@@ -62,8 +62,15 @@ System panels(std::uint32_t seed, double speed, int count = 403)
         const int b = another(dice, a);
         const int c = dice.below(20) ? another(dice, b) : b;
         // runs of one law and mixtures
-        const AirLaw law = laws[std::size_t(i < 200 ? i / 50 % 3 : dice.below(3))];
+        const AirLaw law = laws[std::size_t(i < 200 ? i / 50 % 4 : dice.below(4))];
         addPanel(system, a, b, c, law, dice(0.5, 4.0), dice.below(2) ? dice(0.0, 0.1) : 0.0);
+        MaterialAir& air = system.materialAir.back();
+        if (dice.below(3) == 0)
+            air.porosity = dice(0.0, 0.2);
+        if (law == AirLaw::LinearNormal && dice.below(2))
+            air.saturation = dice(-0.5, 2.0);
+        for (int k = 0; law == AirLaw::LiftDrag && k <= polarCells; ++k)
+            air.polar.push_back({dice(0.0, 1.0), dice(0.0, 1.0)});
     }
     addPanel(system, 0, particles - 1, 5, AirLaw::Paper, 2.0, 0.02);
     finish(system);
@@ -88,6 +95,11 @@ System springs(std::uint32_t seed, int count = 401)
     for (int i = 0; i < 30; ++i)
         system.start.springTorn[std::size_t(dice.below(int(system.springs.size())))] = 1;
     return system;
+}
+
+const MaterialAir& airOf(const System& system, std::size_t panel)
+{
+    return system.materialAir[std::size_t(system.panels[panel].air)];
 }
 
 std::vector<PaddedVec3> loads(const System& system, bool wide, int threads = 1)
@@ -247,7 +259,7 @@ private slots:
             QVERIFY(sameBits(load, loads(system, false)));
             QVERIFY(isPadded(load));
             for (std::size_t i = 0; i < load.size(); ++i)
-                if (system.start.panelGone[i] || system.panels[i].law == AirLaw::None)
+                if (system.start.panelGone[i] || airOf(system, i).law == AirLaw::None)
                     QCOMPARE(load[i].norm(), 0.0);
             QCOMPARE(load.back().norm(), 0.0); // no area
         }
@@ -267,7 +279,7 @@ private slots:
                 continue;
             const auto [a, b, c] = system.panels[i].corner;
             const Vec3 alone =
-                panelLoad(system.panels[i], at(a), at(b), at(c), system.wind, system.airDensity);
+                panelLoad(airOf(system, i), at(a), at(b), at(c), system.wind, system.airDensity);
             QVERIFY(std::memcmp(alone.data(), load[i].data(), sizeof(Vec3)) == 0);
         }
     }

@@ -67,6 +67,10 @@ std::vector<Value> otherValues(const Property& property)
         {
             return {std::vector<Id>{Id{7}, Id{9}}};
         }
+        std::vector<Value> operator()(const NumberRows& rows) const
+        {
+            return {NumberRows{rows.front(), rows.back()}};
+        }
     };
     return std::visit(Other{property}, property.initial);
 }

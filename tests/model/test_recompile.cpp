@@ -22,6 +22,8 @@ Scene rich()
 {
     Scene scene = *build(*findBuilder("cloth"), {{"columns", 5}, {"rows", 4}, {"sphere", 0.3}});
     Material line{"line"};
+    line.diameter = 0.002;
+    line.airLaw = AirLaw::LiftDrag;
     line.compliance = 1e-6;
     line.tearRule = TearRule::Strain;
     const Id material = addItem(scene, line);
@@ -120,6 +122,8 @@ std::vector<Value> otherValues(const Scene& scene, const Property& property, Id 
         values.emplace_back(std::vector<Id>{});
         values.emplace_back(std::vector<Id>{targets.front(), targets.back()});
     }
+    if (std::holds_alternative<NumberRows>(shape))
+        values.emplace_back(NumberRows{{0, 0.1, 0.02}, {20, 1.1, 0.3}, {90, 0, 1.2}});
     std::erase_if(values, [&](const Value& value) { return refusal(property, value).has_value(); });
     return values;
 }

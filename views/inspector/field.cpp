@@ -78,6 +78,8 @@ Field makeField(const FieldPlace& place)
         return flagField(place);
     if (std::holds_alternative<Vec3>(shape))
         return vectorField(place);
+    if (std::holds_alternative<NumberRows>(shape))
+        return rowsField(place);
     if (!place.property.pointsAt.empty())
         return idField(place);
     if (!place.property.choices.empty())
@@ -142,6 +144,27 @@ Field textField(const FieldPlace& place)
     return {edit, {edit}, [edit](const Common& common) {
                 edit->show(common.mixed[0] ? QString() : textOf(common.value),
                            common.mixed[0] ? mixedText() : QString());
+            }};
+}
+
+Field rowsField(const FieldPlace& place)
+{
+    auto* edit = new ValueEdit([place](const QString& text) -> QString {
+        const auto value = valueFromText(place.property, text.toStdString());
+        return value ? QString()
+                     : words("Rows are numbers with commas between them and a semicolon after "
+                             "each row; %1.")
+                           .arg(QString::fromStdString(value.message()));
+    });
+    QObject::connect(edit, &ValueEdit::complained, edit, place.complain);
+    QObject::connect(edit, &ValueEdit::committed, edit, [place](const QString& text) {
+        if (const auto value = valueFromText(place.property, text.toStdString()))
+            place.subject.edit(place.property, setTo(*value));
+    });
+    return {edit, {edit}, [edit](const Common& common) {
+                const bool mixed = common.mixed[0];
+                edit->show(mixed ? QString() : QString::fromStdString(textFromValue(common.value)),
+                           mixed ? mixedText() : QString());
             }};
 }
 

@@ -33,6 +33,7 @@ Field vectorField(const FieldPlace& place);
 Field flagField(const FieldPlace& place);
 Field choiceField(const FieldPlace& place);
 Field textField(const FieldPlace& place);
+Field rowsField(const FieldPlace& place);
 Field notesField(const FieldPlace& place);
 Field colorField(const FieldPlace& place);
 Field idField(const FieldPlace& place); // an id or a list of ids

@@ -67,8 +67,17 @@ bool isUsed(const Property& property, const ConstRef& ref)
         return key != "compliance" || (*link)->kind == LinkKind::Rod;
     }
     if (const auto* material = std::get_if<const Material*>(&ref)) {
-        if (key == "normalCoefficient" || key == "skinFriction")
-            return (*material)->airLaw != AirLaw::None;
+        const AirLaw law = (*material)->airLaw;
+        if (key == "normalCoefficient")
+            return law == AirLaw::Paper || law == AirLaw::LinearNormal;
+        if (key == "broadsideCoefficient")
+            return law == AirLaw::LinearNormal;
+        if (key == "polar")
+            return law == AirLaw::LiftDrag;
+        if (key == "skinFriction" || key == "porosity")
+            return law != AirLaw::None;
+        if (key == "dragCoefficient")
+            return (*material)->diameter > 0.0;
         return key != "tearLimit" || (*material)->tearRule != TearRule::Never;
     }
     if (const auto* probe = std::get_if<const Probe*>(&ref); probe && key == "from")

@@ -23,6 +23,7 @@ constexpr std::array tunings{
     Tuning{Kind::Material, "tearLimit",         Logarithmic, 1e-2, 1e3},
     Tuning{Kind::Material, "normalCoefficient", Linear,      0.0,  4.0},
     Tuning{Kind::Material, "skinFriction",      Linear,      0.0,  0.2},
+    Tuning{Kind::Material, "porosity",          Linear,      0.0,  0.2},
     Tuning{Kind::Collider, "restitution",       Linear,      0.0,  1.0},
     Tuning{Kind::Collider, "friction",          Linear,      0.0,  1.5},
     Tuning{Kind::Wind,     "velocity",          Linear,      0.0,  25.0},

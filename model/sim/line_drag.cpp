@@ -1,0 +1,38 @@
+#include "sim/line_drag.h"
+
+#include <cmath>
+
+namespace ripstop {
+
+Vec3 lineDrag(double width, const Vec3& a, const Vec3& b, const Vec3& apparentWind,
+              double airDensity)
+{
+    const Vec3 line = b - a;
+    const double square = line.squaredNorm();
+    if (square == 0.0)
+        return Vec3::Zero();
+    const Vec3 across = apparentWind - (apparentWind.dot(line) / square) * line;
+    return (0.5 * airDensity * width * std::sqrt(square) * across.norm()) * across;
+}
+
+void fillLineDrags(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> drag)
+{
+    crew.each(system.dragLines.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const DragLine& line = system.dragLines[i];
+            const LinkPlace& link = system.links[std::size_t(line.link)];
+            const auto index = std::size_t(link.index);
+            if (link.kind == LinkKind::Rod ? state.rodTorn[index] : state.springTorn[index]) {
+                drag[i] = PaddedVec3();
+                continue;
+            }
+            const auto a = std::size_t(line.a);
+            const auto b = std::size_t(line.b);
+            const Vec3 wind = system.wind - 0.5 * (state.velocity[a] + state.velocity[b]);
+            drag[i] =
+                lineDrag(line.width, state.position[a], state.position[b], wind, system.airDensity);
+        }
+    });
+}
+
+} // namespace ripstop
