@@ -27,10 +27,13 @@ static const QList<Room> namedRooms = {
     {"model/measure",  {"base", "sim"},                                              {"Eigen/"},  {}},
     {"model/compile",  {"base", "scene", "sim"},                                     {"Eigen/"},  {}},
     {"model/run",      {"base", "scene", "sim", "compile", "measure"},               {"Eigen/"},  {}},
+    {"model/verify",   {"base", "scene", "builders", "sim", "compile", "measure", "run"},
+                                                                                     {"Eigen/"},  {}},
     {"model/io",       {"base", "scene", "run"},                                     {"Eigen/"},  json + posix},
     {"views/document", {"base", "scene", "compile", "run", "io"},                    {"Q", "Eigen/"},        {}},
     {"views/viewport", {"base", "scene", "run", "document", "icons"},                {"Q", "Eigen/", "vtk"}, {}},
-    {"app/cli",        {"base", "scene", "builders", "sim", "compile", "measure", "run", "io"},
+    {"app/cli",        {"base", "scene", "builders", "sim", "compile", "measure", "run", "io",
+                        "verify"},
                                                                                      {"Eigen/", "CLI/", "nlohmann/"}, posix},
     // clang-format on
 };

@@ -18,5 +18,6 @@ void addRun(CLI::App& app, Command& chosen);
 void addExport(CLI::App& app, Command& chosen);
 void addBench(CLI::App& app, Command& chosen);
 void addProperties(CLI::App& app, Command& chosen);
+void addVerify(CLI::App& app, Command& chosen);
 
 } // namespace ripstop

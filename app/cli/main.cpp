@@ -47,6 +47,7 @@ int call(int argc, char** argv)
     addExport(app, chosen);
     addBench(app, chosen);
     addProperties(app, chosen);
+    addVerify(app, chosen);
 
     if (argc > 1 && argv[1][0] != '-')
         if (const auto message = unknownCommand(app, argv[1]))

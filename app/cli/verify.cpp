@@ -1,0 +1,163 @@
+// ripstop-cli verify: every case whose answer is known, got beside expected.
+#include "cli/commands.h"
+#include "cli/terminal.h"
+#include "verify/case.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+namespace ripstop {
+namespace {
+
+struct VerifyOptions
+{
+    std::string filter;
+    bool list = false;
+    bool json = false;
+};
+
+using Row = std::vector<std::string>;
+
+std::string digits(double number)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", number);
+    return text;
+}
+
+// The last column is left as it is.
+void printTable(const std::vector<Row>& rows)
+{
+    std::vector<std::size_t> width(rows.front().size(), 0);
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            width[i] = std::max(width[i], row[i].size());
+    for (const Row& row : rows) {
+        if (row.size() == 1) { // the title of a section
+            std::cout << '\n' << row[0] << '\n';
+            continue;
+        }
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            line += i + 1 < row.size() ? row[i] + std::string(width[i] + 2 - row[i].size(), ' ')
+                                       : row[i];
+        std::cout << line << '\n';
+    }
+}
+
+void printResults(const std::vector<CaseResult>& results)
+{
+    std::vector<Row> rows{
+        {"holds", "id", "case", "expected", "got", "unit", "tolerance", "source"}};
+    std::string section;
+    for (const CaseResult& result : results) {
+        if (result.section != section)
+            rows.push_back({section = result.section});
+        rows.push_back({result.holds ? "yes" : "NO", result.id, result.title,
+                        digits(result.expected), digits(result.got), result.unit,
+                        textOf(result.tolerance, result.unit), result.source});
+    }
+    printTable(rows);
+}
+
+Json jsonOf(const CaseResult& result)
+{
+    constexpr const char* rules[]{"absolute", "relative", "at_most", "at_least"};
+    return {{"id", result.id},
+            {"section", result.section},
+            {"title", result.title},
+            {"expected", result.expected},
+            {"got", result.got},
+            {"tolerance", result.tolerance.value},
+            {"tolerance_rule", rules[std::size_t(result.tolerance.rule)]},
+            {"unit", result.unit},
+            {"source", result.source},
+            {"holds", result.holds},
+            {"seconds", result.seconds}};
+}
+
+void printJson(const std::vector<CaseResult>& results, std::size_t failed, double seconds)
+{
+    Json list = Json::array();
+    for (const CaseResult& result : results)
+        list.push_back(jsonOf(result));
+    print({{"version", RIPSTOP_VERSION},
+           {"cases", results.size()},
+           {"hold", results.size() - failed},
+           {"do_not_hold", failed},
+           {"seconds", seconds},
+           {"results", std::move(list)}});
+}
+
+void listCases(const std::vector<Case>& cases)
+{
+    std::vector<Row> rows{{"id", "case", "expected", "unit", "tolerance", "source"}};
+    for (const Case& one : cases)
+        rows.push_back({one.id, one.title, digits(one.expected), one.unit,
+                        textOf(one.tolerance, one.unit), one.source});
+    printTable(rows);
+}
+
+int verify(const VerifyOptions& options)
+{
+    const std::vector<Case> cases = casesWith(options.filter);
+    if (cases.empty())
+        return fail(WrongUsage, "No case has \"" + options.filter
+                                    + "\" in its id, title, section or source; "
+                                      "\"ripstop-cli verify --list\" lists all cases.");
+    if (options.list) {
+        listCases(cases);
+        return Done;
+    }
+    catchInterrupt();
+    std::vector<CaseResult> results;
+    double seconds = 0.0;
+    {
+        ProgressLine progress("verifying");
+        for (const Case& one : cases) {
+            progress.show(double(results.size()) / double(cases.size()));
+            if (interrupted())
+                break;
+            results.push_back(run(one));
+            seconds += results.back().seconds;
+        }
+    }
+    const auto failed = std::size_t(std::count_if(results.begin(), results.end(),
+                                                  [](const CaseResult& r) { return !r.holds; }));
+    if (options.json)
+        printJson(results, failed, seconds);
+    else if (!results.empty())
+        printResults(results);
+    if (results.size() < cases.size())
+        return fail(Interrupted, "Interrupted after " + std::to_string(results.size()) + " of "
+                                     + std::to_string(cases.size()) + " cases.");
+    if (failed > 0)
+        return fail(BadInput, std::to_string(failed) + " of " + std::to_string(cases.size())
+                                  + " cases do not hold.");
+    if (!options.json)
+        std::cout << "\nAll " << cases.size() << " cases hold (" << shortNumber(seconds)
+                  << " s).\n";
+    return Done;
+}
+
+} // namespace
+
+void addVerify(CLI::App& app, Command& chosen)
+{
+    CLI::App* command = app.add_subcommand(
+        "verify", "Run the cases whose answer is known; got beside expected, with the source.");
+    const auto options = std::make_shared<VerifyOptions>();
+    command->add_option("--filter", options->filter,
+                        "Only cases with this text in id, title, section or source");
+    command->add_flag("--list", options->list, "List the cases without running them");
+    command->add_flag("--json", options->json, "Print one JSON object");
+    command->footer("Exit code 0 when all cases hold, 1 when some do not.\n"
+                    "Examples:\n"
+                    "  ripstop-cli verify\n"
+                    "  ripstop-cli verify --filter pendulum\n"
+                    "  ripstop-cli verify --filter T-K2 --json");
+    command->callback([options, &chosen] { chosen = [options] { return verify(*options); }; });
+}
+
+} // namespace ripstop

@@ -1,0 +1,225 @@
+// The undamped oscillator, k/m = (2 pi)^2, against theory.
+//
+// Of the schemes on the list the engine offers explicit Euler (I1), semi-implicit Euler (I3),
+// Verlet (I4), Verlet with a naive start (I5) and velocity Verlet (I6). Implicit Euler (I2),
+// implicit midpoint and RK4 (I7) are not offered, so they have no row.
+#include "verify/oscillator.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+double energy(const Motion& motion, std::size_t i)
+{
+    return 0.5 * motion.v[i] * motion.v[i] + 0.5 * omega * omega * motion.x[i] * motion.x[i];
+}
+
+const char* idOf(Scheme scheme)
+{
+    constexpr std::array ids{"T-I1", "T-I3", "T-I4", "T-I5", "T-I6"};
+    return ids[std::size_t(scheme)];
+}
+
+// E / E0 after 1000 steps with cos(theta) = 1 - h^2/2, h = omega dt, from the recurrences.
+double energyRatioOf(Scheme scheme)
+{
+    const double h = omega * 0.01;
+    const double theta = 2.0 * std::asin(h / 2.0);
+    const double n = 1000.0;
+    double x = 0.0;
+    double v = 0.0; // over omega
+    switch (scheme) {
+    case Scheme::ExplicitEuler:
+        x = std::pow(1.0 + h * h, n / 2.0); // all of the amplitude; phase does not matter
+        break;
+    case Scheme::SemiImplicitEuler: // x(1) = 1 - h^2, v(n) = (x(n) - x(n-1)) / dt
+        x = std::cos((n + 0.5) * theta) / std::cos(0.5 * theta);
+        v = (x - std::cos((n - 0.5) * theta) / std::cos(0.5 * theta)) / h;
+        break;
+    case Scheme::Verlet:
+    case Scheme::VelocityVerlet:
+        x = std::cos(n * theta);
+        v = -std::sin(n * theta) * std::sin(theta) / h;
+        break;
+    case Scheme::NaiveVerlet:
+        x = std::cos((n + 0.5) * theta) / std::cos(0.5 * theta);
+        v = -std::sin((n + 0.5) * theta) / std::cos(0.5 * theta) * std::sin(theta) / h;
+        break;
+    }
+    return x * x + v * v;
+}
+
+// Norm of the error in (x, v / omega) at t = 1.1 s, where x is far from zero.
+double orderOf(Scheme scheme, bool reported)
+{
+    const auto error = [&](int perSecond) {
+        const int steps = perSecond * 11 / 10;
+        const System system = oscillator(scheme, 1.0 / perSecond);
+        const Motion motion = follow(system, steps);
+        const double v = reported ? run(system, steps).velocity[1].x() : motion.v.back();
+        return std::hypot(motion.x.back() - std::cos(omega * 1.1),
+                          v / omega + std::sin(omega * 1.1));
+    };
+    return std::log2(error(400) / error(800));
+}
+
+void addEnergies(std::vector<Case>& cases)
+{
+    // as published, and what the recurrences give with all digits
+    constexpr double published[] = {51.4222, 0.99935, 0.9999998945, 1.00099, 0.9999998945};
+    constexpr double digits[] = {0.5e-4, 0.5e-5, 0.5e-9, 0.5e-5, 0.5e-9};
+    constexpr double orders[] = {1.02, 1.007, 2.0, 1.005, 2.0};
+    for (const Scheme scheme : allSchemes) {
+        const std::size_t i = std::size_t(scheme);
+        const auto ratio = shared([=] {
+            const Motion motion = follow(oscillator(scheme, 0.01), 1000);
+            return energy(motion, 1000) / energy(motion, 0);
+        });
+        cases.push_back({idOf(scheme), "energy after ten periods of 100 steps, " + nameOf(scheme),
+                         energyRatioOf(scheme), relative(1e-6), "", "closed form of the recurrence",
+                         [=] { return ratio(); }});
+        cases.push_back({idOf(scheme), "the same, rounded as in the dossier, " + nameOf(scheme),
+                         published[i], within(digits[i]), "", "validation 2.2",
+                         [=] { return ratio(); }});
+        cases.push_back({idOf(scheme), "order of the error at 1.1 s, " + nameOf(scheme), orders[i],
+                         within(0.1), "", "order of the scheme",
+                         [=] { return orderOf(scheme, false); }});
+        cases.push_back(
+            {idOf(scheme), "order with the velocity that is reported, " + nameOf(scheme), orders[i],
+             within(0.1), "", "order of the scheme", [=] { return orderOf(scheme, true); }});
+    }
+}
+
+// 1000 periods: the energy swings in a band and does not leave it.
+void addBands(std::vector<Case>& cases)
+{
+    struct Band
+    {
+        Scheme scheme;
+        double low, high, digit;
+    };
+    for (const Band& band : {Band{Scheme::SemiImplicitEuler, 0.9695, 1.0324, 0.5e-4},
+                             Band{Scheme::VelocityVerlet, 0.999013, 1.0, 0.5e-6}}) {
+        const auto range = shared([scheme = band.scheme] {
+            const Motion motion = follow(oscillator(scheme, 0.01), 100000);
+            std::array<double, 2> held{1.0, 0.0};
+            for (std::size_t i = 0; i < motion.x.size(); ++i) {
+                held[0] = std::min(held[0], energy(motion, i) / energy(motion, 0));
+                held[1] = std::max(held[1], energy(motion, i) / energy(motion, 0));
+            }
+            return held;
+        });
+        const std::string by = " energy in 1000 periods, " + nameOf(band.scheme);
+        const std::string source =
+            band.scheme == Scheme::VelocityVerlet ? "1 - h^2/4 to 1" : "1 -+ h/2";
+        cases.push_back({idOf(band.scheme), "lowest" + by, band.low, within(band.digit), "", source,
+                         [=] { return range()[0]; }});
+        cases.push_back({idOf(band.scheme), "highest" + by, band.high, within(band.digit), "",
+                         source, [=] { return range()[1]; }});
+    }
+}
+
+// What the recurrence keeps exactly.
+double invariantOf(Scheme scheme, const Motion& motion, std::size_t i)
+{
+    const double h = omega * 0.01;
+    const double x = motion.x[i];
+    const double v = motion.v[i];
+    if (scheme == Scheme::SemiImplicitEuler)
+        return v * v + omega * omega * x * x - omega * omega * 0.01 * x * v;
+    if (scheme == Scheme::VelocityVerlet)
+        return v * v + omega * omega * x * x * (1.0 - h * h / 4.0);
+    const double y = motion.x[i + 1];
+    return x * x + y * y - 2.0 * (1.0 - h * h / 2.0) * x * y;
+}
+
+// T = 2 pi dt / theta; the angle of one step from x(n+1) + x(n-1) = 2 cos(theta) x(n), by least
+// squares over ten periods.
+double periodOf(Scheme scheme)
+{
+    const Motion motion = follow(oscillator(scheme, 0.01), 1002);
+    double products = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 1; i <= 1000; ++i) {
+        // difference form: 1 - cos(theta) would lose its digits in x + x
+        products += motion.x[i] * (2.0 * motion.x[i] - motion.x[i + 1] - motion.x[i - 1]);
+        squares += motion.x[i] * motion.x[i];
+    }
+    return omega * 0.01 / (2.0 * std::asin(0.5 * std::sqrt(products / squares)));
+}
+
+double largestOf(Scheme scheme, double h)
+{
+    double most = 0.0;
+    for (const double x : follow(oscillator(scheme, h / omega), 2000).x)
+        most = std::max(most, std::abs(x));
+    return most;
+}
+
+void addInvariants(std::vector<Case>& cases)
+{
+    for (const Scheme scheme :
+         {Scheme::SemiImplicitEuler, Scheme::Verlet, Scheme::VelocityVerlet}) {
+        cases.push_back({idOf(scheme), "invariant of the recurrence, change, " + nameOf(scheme),
+                         0.0, within(scheme == Scheme::Verlet ? 1e-10 : 1e-12), "",
+                         "kept exactly; Verlet's is a difference of near numbers", [=] {
+                             const Motion motion = follow(oscillator(scheme, 0.01), 1000);
+                             double most = 0.0;
+                             for (std::size_t i = 1; i < 1000; ++i)
+                                 most = std::max(most, std::abs(invariantOf(scheme, motion, i)
+                                                                    / invariantOf(scheme, motion, 0)
+                                                                - 1.0));
+                             return most;
+                         }});
+        cases.push_back({idOf(scheme), "period with 100 steps, " + nameOf(scheme), 0.9998354606,
+                         within(1e-9), "s", "2 pi dt / (2 asin(h/2))",
+                         [=] { return periodOf(scheme); }});
+        cases.push_back({"T-I9", "largest amplitude at h = 1.99, " + nameOf(scheme), 10.1, atMost,
+                         "m", "1 / sqrt(1 - h^2/4) = 10.01",
+                         [=] { return largestOf(scheme, 1.99); }});
+        cases.push_back({"T-I9", "largest amplitude at h = 2.01, " + nameOf(scheme), 1e100, atLeast,
+                         "m", "unstable above h = 2", [=] { return largestOf(scheme, 2.01); }});
+    }
+}
+
+// The second paper's recurrence 2 (x - previous) + a dt^2 would give 0, -2, -4, -4, 0, 8, ...
+double restlessness(Scheme scheme)
+{
+    System system = emptySystem(0.01, integratorOf(scheme));
+    addParticle(system, {1.0, 1.0, 1.0}, 1.0);
+    finish(system);
+    system.start.started = scheme == Scheme::NaiveVerlet;
+    return (run(system, 8).position[0] - Vec3(1.0, 1.0, 1.0)).norm();
+}
+
+void addPlaces(std::vector<Case>& cases)
+{
+    for (const Scheme scheme : allSchemes) {
+        cases.push_back({"T-I8", "rest at x = 1 stays at rest, way, " + nameOf(scheme), 0.0,
+                         exactly, "m", "Verlet 1967, not figure 5 of the paper",
+                         [=] { return restlessness(scheme); }});
+        cases.push_back({"T-I10", "moved by a kilometre, difference, " + nameOf(scheme), 0.0,
+                         within(1e-7), "m", "invariance; 1000 steps", [=] {
+                             const Vec3 far(1e3, -1e3, 1e3);
+                             const State here = run(oscillator(scheme, 0.01), 1000);
+                             const State there =
+                                 run(oscillator(scheme, 0.01, omega, 0.0, far), 1000);
+                             return (there.position[1] - far - here.position[1]).norm();
+                         }});
+    }
+}
+
+} // namespace
+
+std::vector<Case> integratorCases()
+{
+    std::vector<Case> cases;
+    addEnergies(cases);
+    addBands(cases);
+    addInvariants(cases);
+    addPlaces(cases);
+    return cases;
+}
+
+} // namespace ripstop

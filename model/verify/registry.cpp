@@ -1,0 +1,47 @@
+#include "verify/sections.h"
+
+#include <iterator>
+
+namespace ripstop {
+namespace {
+
+struct Section
+{
+    const char* title;
+    std::vector<Case> (*cases)();
+};
+
+const Section sections[] = {
+    {"Particles", particleCases},
+    {"Integrators", integratorCases},
+    {"Damping and step limits", dampingCases},
+    {"Pendulum", pendulumCases},
+    {"Rods", rodCases},
+    {"Softness of sweeps", softnessCases},
+    {"Hanging rods", hangCases},
+    {"Ropes", ropeCases},
+    {"Cloth", clothCases},
+    {"Conservation and invariance", invarianceCases},
+    {"Repeats", repeatCases},
+    {"Contact", contactCases},
+    {"Tearing", tearingCases},
+    {"Air", airCases},
+    {"Flight", flightCases},
+    {"Counts", countCases},
+};
+
+} // namespace
+
+std::vector<Case> allCases()
+{
+    std::vector<Case> all;
+    for (const Section& section : sections) {
+        std::vector<Case> cases = section.cases();
+        for (Case& one : cases)
+            one.section = section.title;
+        std::move(cases.begin(), cases.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+} // namespace ripstop

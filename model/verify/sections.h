@@ -1,0 +1,61 @@
+// The sections of cases; each stands in a file of its own.
+#pragma once
+
+#include "base/laws.h"
+#include "verify/case.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+std::vector<Case> particleCases();
+std::vector<Case> integratorCases();
+std::vector<Case> dampingCases();
+std::vector<Case> pendulumCases();
+std::vector<Case> rodCases();
+std::vector<Case> softnessCases();
+std::vector<Case> hangCases();
+std::vector<Case> ropeCases();
+std::vector<Case> clothCases();
+std::vector<Case> invarianceCases();
+std::vector<Case> repeatCases();
+std::vector<Case> contactCases();
+std::vector<Case> tearingCases();
+std::vector<Case> airCases();
+std::vector<Case> flightCases();
+std::vector<Case> countCases();
+
+template <typename E>
+std::string nameOf(E choice)
+{
+    return std::string(choiceNames<E>[std::size_t(choice)]);
+}
+
+// An experiment that several rows read from: made by the first of them, held for all.
+template <typename Make>
+auto shared(Make make)
+{
+    using Made = decltype(make());
+    return [make, held = std::make_shared<std::optional<Made>>()]() -> const Made& {
+        if (!*held)
+            held->emplace(make());
+        return **held;
+    };
+}
+
+// The largest value between `low` and `high` up to which something is `sound`, by halving; sound
+// at `low` and not at `high`.
+template <typename Sound>
+double limitOf(const Sound& sound, double low, double high, int halvings = 14)
+{
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (sound(middle) ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+} // namespace ripstop
