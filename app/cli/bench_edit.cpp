@@ -114,6 +114,7 @@ Result<Scene> clothScene(LinkKind kind)
               {{"columns", 315}, {"rows", 315}, {"sphere", 0}, {"width", 3.15}, {"height", 3.15}});
     if (!scene)
         return scene;
+    scene->settings.solver = Solver::GaussSeidel;
     scene->settings.substeps = 1;
     scene->settings.sweeps = 1;
     scene->settings.gravity.setZero(); // it is the way that is timed, not the flight

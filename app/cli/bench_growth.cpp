@@ -63,9 +63,9 @@ std::optional<Json> growthRace(const BenchOptions& options)
             std::vector<BenchRunner> runners;
             std::vector<std::size_t> racing;
             for (std::size_t i = 0; i < choices.size(); ++i) {
-                if (particles > choices[i].mostParticles)
-                    continue;
                 const Setup setup = choices[i].at(effort);
+                if (particles > choices[i].mostParticles || setup.solver == Solver::Auto)
+                    continue;
                 runners.push_back(engineRunner(
                     choices[i].ownSystem ? clothNetwork(side, setup.solver) : network, setup));
                 racing.push_back(i);
@@ -99,6 +99,8 @@ std::optional<Json> growthRace(const BenchOptions& options)
                 {{"solver", -16}, {"from 100", 8}, {"from 1000", 9}, {"from 1000, quiet", 16}},
                 !options.json);
     for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (middle[i].empty())
+            continue;
         exponents.push_back({{"solver", choices[i].name},
                              {"from_100", exponentOf(middle[i], 0.0)},
                              {"from_1000", exponentOf(middle[i], 1000.0)},

@@ -5,6 +5,7 @@
 #include "cli/bench_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace ripstop {
@@ -48,6 +49,8 @@ struct Finding // a row
 int guessFor(const std::string& network, const std::string& solver, double limit)
 {
     const int fine = limit < 0.005 ? 4 : 1;
+    if (solver == "auto") // what it is told is what it should keep
+        return int(std::lround(0.01 / limit));
     if (network == "cloth_100" && solver == "small_steps")
         return 220 * fine;
     if (network == "cloth_32" && solver == "small_steps")
@@ -117,7 +120,7 @@ std::vector<Finding> findAllEfforts(const Contest& contest, const BenchOptions& 
             continue;
         Search search(networkFor(contest, choice), choice, contest.reference);
         findEfforts(contest, options, search, choice, findings);
-        if (name == "cloth_32" || name == "glider_air")
+        if ((name == "cloth_32" || name == "glider_air") && choice.at(1).solver != Solver::Auto)
             addCurve(search, options);
         for (const auto& [effort, quality] : search.tried())
             curve.push_back({{"network", name},
@@ -140,7 +143,7 @@ Json rowOf(const Contest& contest, const Finding& finding, const std::vector<dou
              {"strain", finding.quality.strain}};
     if (finding.effort) {
         row["effort"] = *finding.effort;
-        row["effort_unit"] = finding.choice->unit;
+        row["effort_text"] = finding.choice->text(*finding.effort);
         row["path_error_m"] = finding.quality.centerError;
         row["steps_per_second"] = jsonOf(rates(figuresOf(times)));
     }
@@ -152,9 +155,7 @@ void print(Table& table, const Json& row)
     std::vector<std::string> cells{row["network"], percent(row["limit"]), row["solver"]};
     if (row["reached"]) {
         const Json& speed = row["steps_per_second"];
-        cells.insert(cells.end(), {std::to_string(row["effort"].get<int>()) + " "
-                                       + row["effort_unit"].get<std::string>(),
-                                   percent(row["strain"]),
+        cells.insert(cells.end(), {row["effort_text"], percent(row["strain"]),
                                    fixed(1e3 * row["path_error_m"].get<double>(), 1) + " mm"
                                        + (row["path_counts"] ? "" : "*"),
                                    rate(speed["quiet"]), rate(speed["median"])});

@@ -1,11 +1,19 @@
 #include "cli/bench_search.h"
 
+#include "cli/terminal.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 
 namespace ripstop {
+namespace {
+
+std::string sweeps(int effort) { return std::to_string(effort) + " sweeps"; }
+std::string substeps(int effort) { return std::to_string(effort) + " substeps"; }
+
+} // namespace
 
 const std::vector<Choice>& allChoices()
 {
@@ -14,22 +22,27 @@ const std::vector<Choice>& allChoices()
          [](int effort) {
              return Setup{Solver::AveragedJacobi, 1, effort, 1};
          },
-         "sweeps", false, 2e6},
+         sweeps, false, 2e6},
         {"gauss_seidel",
          [](int effort) {
              return Setup{Solver::GaussSeidel, 1, effort, 1};
          },
-         "sweeps", false, 2e6},
+         sweeps, false, 2e6},
         {"small_steps",
          [](int effort) {
              return Setup{Solver::SmallSteps, effort, 1, 1};
          },
-         "substeps", false, 2e6},
+         substeps, false, 2e6},
         {"direct",
          [](int effort) {
              return Setup{Solver::Direct, effort, 1, 1};
          },
-         "substeps", true, 5e3}};
+         substeps, true, 5e3},
+        {"auto",
+         [](int effort) {
+             return Setup{Solver::Auto, 1, 1, 1, 0.01 / effort};
+         },
+         [](int effort) { return shortNumber(1.0 / effort) + " % wanted"; }, true, 2e6}};
     return choices;
 }
 

@@ -8,14 +8,15 @@
 
 namespace ripstop {
 
-// A solver and what its effort is: sweeps, or substeps of one sweep.
+// A solver and what its effort is: sweeps, substeps, or of the automatic one the n of 1 % / n, the
+// strain that it is told to keep.
 struct Choice
 {
     const char* name;
     Setup (*at)(int effort);
-    const char* unit;     // of the effort
-    bool ownSystem;       // needs a system that was finished for it
-    double mostParticles; // more would take too long or too much memory
+    std::string (*text)(int effort); // with its unit
+    bool ownSystem;                  // needs a system that was finished for it
+    double mostParticles;            // more would take too long or too much memory
 };
 
 const std::vector<Choice>& allChoices();

@@ -112,6 +112,7 @@ void apply(const Setup& setup, System& system)
     system.solver = setup.solver;
     system.substeps = setup.substeps;
     system.sweeps = setup.sweeps;
+    system.strainGoal = setup.strainGoal;
 }
 
 BenchRunner restartingRunner(const BenchNetwork& network, const Setup& setup, int steps)
@@ -133,7 +134,10 @@ BenchRunner engineRunner(const BenchNetwork& network, const Setup& setup)
     const auto engine = engineOf(network, setup);
     apply(setup, *network.system);
     const auto start = Clock::now();
-    for (int i = 0; i < 50 && secondsSince(start) < 0.1; ++i)
+    const bool automatic = setup.solver == Solver::Auto;
+    const int steps = automatic ? 200 : 50;
+    const double most = automatic ? 5.0 : 0.1; // s
+    for (int i = 0; i < steps && secondsSince(start) < most; ++i)
         engine->stepper.step(*engine->system, engine->begin);
     return {[engine] {
                 apply(engine->setup, *engine->system);

@@ -52,12 +52,14 @@ struct Setup
     int substeps = 1;
     int sweeps = 1;
     int threads = 1;
+    double strainGoal = 0.01; // 1, of Solver::Auto
 };
 
 void apply(const Setup& setup, System& system);
 
-// Steps the network from a state some steps into its motion, the same one for each block. The
-// network's system is shared: the setup is put into it before each block.
+// Steps the network from a state some steps into its motion, the same one for each block; the
+// automatic solver has found its substeps by then. The network's system is shared: the setup is put
+// into it before each block.
 BenchRunner engineRunner(const BenchNetwork& network, const Setup& setup);
 
 // The first steps of the motion over and over, for setups that cannot hold a design for long. What
