@@ -108,34 +108,33 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
     PaddedVec3* const position = task.position.data();
     const std::size_t projections = system.rods.size() * std::size_t(task.sweeps);
     const bool shared =
-        crew.threads() > 1 && system.chunkStart.size() > 2 && projections >= worthThreads;
+        crew.threads() > 1 && system.chunkClass.size() > 1 && projections >= worthThreads;
     if (shared) {
         if (m_relaySerial != m_serial)
             prepareRelay(system);
-        m_relay.run(crew, task.sweeps, m_classOrder, [&](int sweep, int chunk) {
-            sweepChunk(system, chunk, sweep % 2 != 0, position);
-        });
+        m_relay.run(crew, task.sweeps, m_classRank,
+                    [&](int sweep, int chunk) { sweepChunk(system, chunk, sweep, position); });
     } else {
-        const std::size_t classes = m_classOrder.size();
+        const auto chunks = int(system.chunkClass.size());
+        m_wave.arrange(system.chunkClass, system.chunkReach, m_classRank, 0, chunks);
         for (int sweep = 0; sweep < task.sweeps; ++sweep)
-            for (std::size_t k = 0; k < classes; ++k) {
-                const bool back = sweep % 2 != 0;
-                const auto c = std::size_t(m_classOrder[back ? classes - 1 - k : k]);
-                for (int chunk = system.classStart[c]; chunk < system.classStart[c + 1]; ++chunk)
-                    sweepChunk(system, chunk, back, position);
+            for (int i = 0; i < chunks; ++i) {
+                const int at = sweep % 2 == 0 ? i : chunks - 1 - i;
+                sweepChunk(system, m_wave.chunks()[std::size_t(at)], sweep, position);
             }
     }
     if (task.note)
         noteSoft();
+    m_anew = m_anew && !task.note;
 }
 
-void ColouredSweeps::sweepChunk(const System& system, int chunk, bool backwards,
-                                PaddedVec3* position)
+void ColouredSweeps::sweepChunk(const System& system, int chunk, int sweep, PaddedVec3* position)
 {
     const auto first = std::size_t(system.chunkStart[std::size_t(chunk)]);
     const auto last = std::size_t(system.chunkStart[std::size_t(chunk) + 1]);
+    const Note note = !m_noting ? Note::Nothing : m_anew && sweep == 0 ? Note::Anew : Note::More;
     sweepRuns(m_batches, std::span(m_colorOrder).subspan(first, last - first),
-              {backwards, m_noting, wideMachine}, position);
+              {sweep % 2 != 0, note, wideMachine}, position);
 }
 
 void ColouredSweeps::noteSoft()
@@ -145,27 +144,31 @@ void ColouredSweeps::noteSoft()
             m_softSum[i].value[lane] += m_batches.multiplier[i].value[lane];
 }
 
-void ColouredSweeps::takeMultipliers(const System& system, std::span<double> sum)
+void ColouredSweeps::takeMultipliers(const System& system, double scale, Crew& crew,
+                                     std::span<double> multiplier)
 {
     if (system.serial != m_serial)
         return; // not one substep yet
-    for (std::size_t r = 0; r < m_place.size(); ++r) {
-        const Place& place = m_place[r];
-        if (!place.ours)
-            continue;
-        const int lane = std::countr_zero(place.lanes);
-        if (place.kind == Kind::Soft)
-            sum[r] += m_softSum[place.batch].value[lane];
-        else if (m_torn[r] || m_inverseWeight[r] == 0.0)
-            continue;
-        else if (place.kind == Kind::Plain)
-            sum[r] += m_batches.plainStretch[place.batch].value[lane] * m_inverseWeight[r];
-        else
-            sum[r] += m_batches.evenStretch[place.batch].value[lane] * 2.0 * m_inverseWeight[r];
-    }
-    std::fill(m_batches.evenStretch.begin(), m_batches.evenStretch.end(), Lanes{});
-    std::fill(m_batches.plainStretch.begin(), m_batches.plainStretch.end(), Lanes{});
+    crew.each(m_place.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r)
+            if (m_place[r].ours)
+                multiplier[r] = scale * taken(r);
+    });
     std::fill(m_softSum.begin(), m_softSum.end(), Lanes{});
+    m_anew = true;
+}
+
+double ColouredSweeps::taken(std::size_t r) const
+{
+    const Place& place = m_place[r];
+    const int lane = std::countr_zero(place.lanes);
+    if (place.kind == Kind::Soft)
+        return m_softSum[place.batch].value[lane];
+    if (m_torn[r] || m_inverseWeight[r] == 0.0)
+        return 0.0;
+    if (place.kind == Kind::Plain)
+        return m_batches.plainStretch[place.batch].value[lane] * m_inverseWeight[r];
+    return m_batches.evenStretch[place.batch].value[lane] * 2.0 * m_inverseWeight[r];
 }
 
 // --- cooking ------------------------------------------------------------------------------------
@@ -376,7 +379,7 @@ void ColouredSweeps::update(const RodTask& task)
 
 void ColouredSweeps::prepareRelay(const System& system)
 {
-    m_relay.prepare(touchingChunks(system), system.classStart);
+    m_relay.prepare(touchingChunks(system), system.chunkClass, system.chunkReach);
     m_relaySerial = system.serial;
 }
 
@@ -384,15 +387,16 @@ void ColouredSweeps::prepareRelay(const System& system)
 
 void ColouredSweeps::putInOrder(const System& system)
 {
-    m_classOrder.resize(system.classStart.size() - 1);
-    std::iota(m_classOrder.begin(), m_classOrder.end(), 0);
+    const auto last = std::max_element(system.chunkClass.begin(), system.chunkClass.end());
+    m_classRank.resize(last == system.chunkClass.end() ? 0 : std::size_t(*last) + 1);
+    std::iota(m_classRank.begin(), m_classRank.end(), 0);
     m_colorOrder.resize(m_batches.runs.size());
     std::iota(m_colorOrder.begin(), m_colorOrder.end(), 0);
 }
 
 void ColouredSweeps::shuffle(const System& system, std::uint64_t seed)
 {
-    shuffleInts(m_classOrder, seed);
+    shuffleInts(m_classRank, seed);
     for (std::size_t c = 0; c + 1 < system.chunkStart.size(); ++c) {
         const auto first = std::size_t(system.chunkStart[c]);
         const auto last = std::size_t(system.chunkStart[c + 1]);

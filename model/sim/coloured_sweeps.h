@@ -3,6 +3,7 @@
 #include "sim/relay.h"
 #include "sim/rod_batches.h"
 #include "sim/system.h"
+#include "sim/wave.h"
 
 #include <cstdint>
 #include <span>
@@ -22,8 +23,9 @@ public:
     // All sweeps of one substep.
     void project(const RodTask& task, Crew& crew);
 
-    // Adds what each rod took since the last call, kg m.
-    void takeMultipliers(const System& system, std::span<double> sum);
+    // What each of its rods took since the last call, kg m, times `scale`.
+    void takeMultipliers(const System& system, double scale, Crew& crew,
+                         std::span<double> multiplier);
 
 private:
     enum class Kind : std::uint8_t { Even, Plain, Soft };
@@ -50,7 +52,8 @@ private:
     void update(const RodTask& task);
     void putInOrder(const System& system);
     void shuffle(const System& system, std::uint64_t seed);
-    void sweepChunk(const System& system, int chunk, bool backwards, PaddedVec3* position);
+    void sweepChunk(const System& system, int chunk, int sweep, PaddedVec3* position);
+    double taken(std::size_t rod) const;
     void noteSoft();
 
     static Kind kindOf(const System& system, const Rod& rod);
@@ -58,15 +61,17 @@ private:
     std::uint64_t m_serial = 0; // of the system that is cooked
     std::uint64_t m_valuesSerial = 0;
     std::vector<std::uint8_t> m_direct; // [rods] that another solver has, or empty
-    bool m_noting = true;
-    double m_h = 0.0; // s, for which soft rods are cooked
+    bool m_noting = true;               // in this substep
+    bool m_anew = true;                 // nothing is noted yet
+    double m_h = 0.0;                   // s, for which soft rods are cooked
     RodBatches m_batches;
     std::vector<Lanes> m_softSum;        // [soft] kg m, since takeMultipliers()
     std::vector<Place> m_place;          // [rods]
     std::vector<double> m_inverseWeight; // [rods] kg; 0 when pinned at both ends
     std::vector<std::uint8_t> m_torn;    // [rods] as cooked
     std::vector<int> m_colorOrder;       // [colours] within each chunk
-    std::vector<int> m_classOrder;       // [classes]
+    std::vector<int> m_classRank;        // [classes] its turn
+    Wave m_wave;
     Relay m_relay;
     std::uint64_t m_relaySerial = 0; // of the system that it is prepared for
 };

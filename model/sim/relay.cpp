@@ -20,38 +20,31 @@ void pause(int waited)
 
 } // namespace
 
-void Relay::prepare(Rows touching, std::span<const int> classStart)
+void Relay::prepare(Rows touching, std::span<const int> classOf, int reach)
 {
     m_touching = std::move(touching);
-    m_classStart.assign(classStart.begin(), classStart.end());
-    const std::size_t chunks = m_touching.start.size() - 1;
-    m_class.resize(chunks);
-    m_place.resize(chunks);
-    m_rank.resize(classStart.size() - 1);
-    m_order.resize(classStart.size() - 1);
-    for (std::size_t k = 0; k + 1 < classStart.size(); ++k)
-        for (int c = classStart[k]; c < classStart[k + 1]; ++c) {
-            m_class[std::size_t(c)] = int(k);
-            m_place[std::size_t(c)] = c - classStart[k];
-        }
-    m_progress = std::make_unique<Progress[]>(chunks);
+    m_class.assign(classOf.begin(), classOf.end());
+    m_reach = reach;
+    m_progress = std::make_unique<Progress[]>(m_class.size());
 }
 
-void Relay::start(int rounds, std::span<const int> order, int seats)
+void Relay::start(int rounds, std::span<const int> rank, int seats)
 {
     m_rounds = rounds;
-    m_seats = seats;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        m_order[i] = order[i];
-        m_rank[std::size_t(order[i])] = int(i);
-    }
+    m_rank.assign(rank.begin(), rank.end());
+    m_waves.resize(std::size_t(seats));
+    const auto chunks = int(m_class.size());
+    for (int seat = 0; seat < seats; ++seat)
+        m_waves[std::size_t(seat)].arrange(m_class, m_reach, m_rank,
+                                           int(std::int64_t(chunks) * seat / seats),
+                                           int(std::int64_t(chunks) * (seat + 1) / seats));
     for (std::size_t c = 0; c < m_class.size(); ++c) {
         m_progress[c].begun.store(0, std::memory_order_relaxed);
         m_progress[c].done.store(0, std::memory_order_relaxed);
     }
 }
 
-int Relay::rank(int round, int chunk) const
+int Relay::turn(int round, int chunk) const
 {
     const int rank = m_rank[std::size_t(m_class[std::size_t(chunk)])];
     return round % 2 == 0 ? rank : int(m_rank.size()) - 1 - rank;
@@ -59,16 +52,10 @@ int Relay::rank(int round, int chunk) const
 
 void Relay::takePart(int seat, Call call, const void* work)
 {
-    const int classes = int(m_order.size());
+    const std::span<const int> wave = m_waves[std::size_t(seat)].chunks();
     for (int round = 0; round < m_rounds; ++round)
-        for (int k = 0; k < classes; ++k) {
-            const int which = m_order[std::size_t(round % 2 == 0 ? k : classes - 1 - k)];
-            const int first = m_classStart[std::size_t(which)];
-            const int size = m_classStart[std::size_t(which) + 1] - first;
-            // Chunks of a class lie in the order of space: seats get neighbourhoods.
-            for (int c = size * seat / m_seats; c < size * (seat + 1) / m_seats; ++c)
-                finishRounds(first + c, round + 1, call, work);
-        }
+        for (std::size_t i = 0; i < wave.size(); ++i)
+            finishRounds(wave[round % 2 == 0 ? i : wave.size() - 1 - i], round + 1, call, work);
 }
 
 // Does the next round of `chunk` unless that many are begun.
@@ -81,11 +68,11 @@ void Relay::finishRounds(int chunk, int rounds, Call call, const void* work)
             continue;
         for (int waited = 0; progress.done.load(std::memory_order_acquire) < round; ++waited)
             pause(waited); // another thread is at it
-        const int turn = rank(round, chunk);
+        const int own = turn(round, chunk);
         for (int i = m_touching.start[std::size_t(chunk)];
              i < m_touching.start[std::size_t(chunk) + 1]; ++i) {
             const int neighbour = m_touching.items[std::size_t(i)];
-            await(neighbour, round + (rank(round, neighbour) < turn), call, work);
+            await(neighbour, round + (turn(round, neighbour) < own), call, work);
         }
         call(work, round, chunk);
         progress.done.store(round + 1, std::memory_order_release);

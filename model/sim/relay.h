@@ -2,6 +2,7 @@
 
 #include "sim/crew.h"
 #include "sim/system.h"
+#include "sim/wave.h"
 
 #include <atomic>
 #include <memory>
@@ -13,21 +14,23 @@ namespace ripstop {
 //
 // Chunks that touch each other are in different classes. In each round the classes take turns in a
 // given order; a chunk starts as soon as the chunks that it touches have had their turns, so
-// threads wait for neighbours and not for all of the others. Each thread has chunks of its own, as
-// their data are then in its core's cache; a thread that waits for one that nobody has begun does
-// it itself, so it does not matter how many threads come, or when.
+// threads wait for neighbours and not for all of the others. Each thread has a stretch of chunks of
+// its own, as their data are then in its core's cache, and goes over it in waves; a thread that
+// waits for one that nobody has begun does it itself, so it does not matter how many threads come,
+// or when.
 class Relay
 {
 public:
-    // `touching` [chunks]: neighbours of each; `classStart` [classes + 1]: its first chunk.
-    void prepare(Rows touching, std::span<const int> classStart);
+    // `touching` [chunks]: neighbours of each, numbered at most `reach` away.
+    void prepare(Rows touching, std::span<const int> classOf, int reach);
 
-    // Calls work(round, chunk). Classes take turns in `order` in even rounds and the other way
-    // round in odd ones.
+    // Calls work(round, chunk). Classes take turns as ranked in even rounds and the other way round
+    // in odd ones.
+    //   rank  [classes]  its turn in even rounds
     template <typename Work>
-    void run(Crew& crew, int rounds, std::span<const int> order, Work work)
+    void run(Crew& crew, int rounds, std::span<const int> rank, Work work)
     {
-        start(rounds, order, crew.threads());
+        start(rounds, rank, crew.threads());
         const auto call = [](const void* w, int round, int chunk) {
             (*static_cast<const Work*>(w))(round, chunk);
         };
@@ -45,21 +48,19 @@ private:
         std::atomic<int> done = 0;
     };
 
-    void start(int rounds, std::span<const int> order, int seats);
+    void start(int rounds, std::span<const int> rank, int seats);
     void takePart(int seat, Call call, const void* work);
     void finishRounds(int chunk, int rounds, Call call, const void* work);
     void await(int chunk, int rounds, Call call, const void* work);
-    int rank(int round, int chunk) const;
+    int turn(int round, int chunk) const;
 
     Rows m_touching;
-    std::vector<int> m_class;      // [chunks]
-    std::vector<int> m_place;      // [chunks] within its class
-    std::vector<int> m_classStart; // [classes + 1]
-    std::vector<int> m_rank;       // [classes] in even rounds
-    std::vector<int> m_order;      // [classes]
+    std::vector<int> m_class; // [chunks]
+    int m_reach = 0;
+    std::vector<int> m_rank;   // [classes] in even rounds
+    std::vector<Wave> m_waves; // [seats]
     std::unique_ptr<Progress[]> m_progress;
     int m_rounds = 0;
-    int m_seats = 1;
 };
 
 } // namespace ripstop

@@ -72,11 +72,14 @@ struct RodBatches
     std::vector<BatchRun> runs;      // [colours]
 };
 
+// What becomes of evenStretch and plainStretch in a sweep.
+enum class Note { Nothing, Anew, More };
+
 struct SweepHow
 {
     bool backwards = false;
-    bool noting = true; // add to evenStretch and plainStretch
-    bool wide = false;  // must not be asked of a machine that is not; the bits are the same
+    Note note = Note::More;
+    bool wide = false; // must not be asked of a machine that is not; the bits are the same
 };
 
 // Projects the runs in `order`, or in the opposite order.

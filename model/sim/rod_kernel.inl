@@ -89,9 +89,18 @@ RIPSTOP_INLINE auto canMove(Four share)
     return share > all(std::numeric_limits<double>::lowest());
 }
 
+template <Note note>
+RIPSTOP_INLINE void add(Lanes& sum, Four value)
+{
+    if constexpr (note == Note::Anew)
+        four(sum.value) = value;
+    if constexpr (note == Note::More)
+        four(sum.value) += value;
+}
+
 // The share is (1 - rest / length) of what both ends move. rest / length is taken as
 // (rest / square) length, so that root and division need not wait for each other.
-template <Spread way, bool noting>
+template <Spread way, Note note>
 RIPSTOP_INLINE void project(const EvenBatch& batch, Lanes& stretch, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
@@ -101,12 +110,11 @@ RIPSTOP_INLINE void project(const EvenBatch& batch, Lanes& stretch, PaddedVec3* 
     const Four half = all(0.5);
     const Four share = fused(-(halfRest / square), length, half);
     const auto moves = canMove(share);
-    if constexpr (noting)
-        four(stretch.value) += moves ? fused(length, half, -halfRest) : Four{};
+    add<note>(stretch, moves ? fused(length, half, -halfRest) : Four{});
     pullEvenly(batch, position, e, moves ? share : Four{});
 }
 
-template <Spread way, bool noting>
+template <Spread way, Note note>
 RIPSTOP_INLINE void project(const PlainBatch& batch, Lanes& stretch, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
@@ -115,13 +123,12 @@ RIPSTOP_INLINE void project(const PlainBatch& batch, Lanes& stretch, PaddedVec3*
     const Four rest = four(batch.rest);
     const Four share = fused(-(rest / square), length, all(1.0));
     const auto moves = canMove(share);
-    if constexpr (noting)
-        four(stretch.value) += moves ? length - rest : Four{};
+    add<note>(stretch, moves ? length - rest : Four{});
     const Four moved = moves ? share : Four{};
     pull<way>(batch, position, e, moved * four(batch.shareA), moved * four(batch.shareB));
 }
 
-template <Spread way, bool>
+template <Spread way, Note>
 RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec3* position)
 {
     const Ends e = endsOf(batch, position);
@@ -143,41 +150,76 @@ RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec
 // In short runs each batch waits for one of the run before.
 constexpr std::uint32_t shortRun = 4; // batches
 
-template <bool noting, typename Batch>
-RIPSTOP_INLINE void projectAll(BatchRange range, const Batch* batch, Lanes* lanes,
+// Each chunk is a new stretch of memory, shorter than what the processor needs to find out by itself
+// that it is read in order. These addresses may lie beyond the arrays: nothing is read from them.
+constexpr std::uint32_t ahead = 16; // batches
+
+template <typename Batch>
+RIPSTOP_INLINE void readAhead(const Batch* batch, const Lanes* lanes)
+{
+    __builtin_prefetch(batch);
+    __builtin_prefetch(lanes);
+}
+
+template <Spread way, Note note, typename Batch>
+RIPSTOP_INLINE void projectEach(BatchRange range, bool backwards, const Batch* batch, Lanes* lanes,
+                                PaddedVec3* position)
+{
+    if (backwards)
+        for (std::uint32_t i = range.last; i-- > range.first;) {
+            readAhead(batch + i - ahead, lanes + i - ahead);
+            project<way, note>(batch[i], lanes[i], position);
+        }
+    else
+        for (std::uint32_t i = range.first; i < range.last; ++i) {
+            readAhead(batch + i + ahead, lanes + i + ahead);
+            project<way, note>(batch[i], lanes[i], position);
+        }
+}
+
+template <Note note, typename Batch>
+RIPSTOP_INLINE void projectAll(BatchRange range, bool backwards, const Batch* batch, Lanes* lanes,
                                PaddedVec3* position)
 {
     if (range.last - range.first < shortRun)
-        for (std::uint32_t i = range.first; i < range.last; ++i)
-            project<Spread::ByShuffle, noting>(batch[i], lanes[i], position);
+        projectEach<Spread::ByShuffle, note>(range, backwards, batch, lanes, position);
     else
-        for (std::uint32_t i = range.first; i < range.last; ++i)
-            project<Spread::ByLoad, noting>(batch[i], lanes[i], position);
+        projectEach<Spread::ByLoad, note>(range, backwards, batch, lanes, position);
 }
 
-template <bool noting>
-RIPSTOP_INLINE void sweepRun(RodBatches& batches, const BatchRun& run, PaddedVec3* position)
+// The batches of a run share no particle, so their order does not matter to the result. It does to
+// the processor, which reads ahead only where memory is gone through in one direction.
+template <Note note>
+RIPSTOP_INLINE void sweepRun(RodBatches& batches, const BatchRun& run, bool backwards,
+                             PaddedVec3* position)
 {
-    projectAll<noting>(run.even, batches.even.data(), batches.evenStretch.data(), position);
-    projectAll<noting>(run.plain, batches.plain.data(), batches.plainStretch.data(), position);
-    projectAll<noting>(run.soft, batches.soft.data(), batches.multiplier.data(), position);
+    projectAll<note>(run.even, backwards, batches.even.data(), batches.evenStretch.data(),
+                       position);
+    projectAll<note>(run.plain, backwards, batches.plain.data(), batches.plainStretch.data(),
+                       position);
+    projectAll<note>(run.soft, backwards, batches.soft.data(), batches.multiplier.data(),
+                       position);
 }
 
-template <bool noting>
+template <Note note>
 RIPSTOP_INLINE void sweepInOrder(RodBatches& batches, std::span<const int> order, bool backwards,
                                  PaddedVec3* position)
 {
     const std::size_t count = order.size();
     for (std::size_t i = 0; i < count; ++i)
-        sweepRun<noting>(batches, batches.runs[std::size_t(order[backwards ? count - 1 - i : i])],
-                         position);
+        sweepRun<note>(batches, batches.runs[std::size_t(order[backwards ? count - 1 - i : i])],
+                         backwards, position);
 }
 
 void sweepRuns(RodBatches& batches, std::span<const int> order, const SweepHow& how,
                PaddedVec3* position)
 {
-    if (how.noting)
-        sweepInOrder<true>(batches, order, how.backwards, position);
-    else
-        sweepInOrder<false>(batches, order, how.backwards, position);
+    switch (how.note) {
+    case Note::Nothing:
+        return sweepInOrder<Note::Nothing>(batches, order, how.backwards, position);
+    case Note::Anew:
+        return sweepInOrder<Note::Anew>(batches, order, how.backwards, position);
+    case Note::More:
+        return sweepInOrder<Note::More>(batches, order, how.backwards, position);
+    }
 }

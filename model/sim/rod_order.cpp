@@ -161,7 +161,7 @@ void sortByNumber(std::span<const int> number, std::vector<int>& start, std::vec
 RodOrder orderRods(std::size_t particles, std::span<const RodEnds> rods)
 {
     const std::size_t count = rods.size();
-    RodOrder order{{}, {0}, {0}, {0}};
+    RodOrder order{{}, {0}, {0}, {}};
     if (count == 0)
         return order;
 
@@ -171,9 +171,9 @@ RodOrder orderRods(std::size_t particles, std::span<const RodEnds> rods)
     const auto chunkAt = [&](std::size_t c) {
         return std::pair(c * size, std::min(count, (c + 1) * size));
     };
-    std::vector<int> classOf(chunks);
     std::vector<int> colorOf(count); // by place in `near`
     std::vector<int> touched;
+    std::vector<int> firstChunk(particles, -1);
     ColorSets inChunk(particles);
     ColorSets ofChunks(particles);
     for (std::size_t c = 0; c < chunks; ++c) {
@@ -188,29 +188,26 @@ RodOrder orderRods(std::size_t particles, std::span<const RodEnds> rods)
         }
         fillFours(std::span(colorOf).subspan(first, last - first),
                   std::span(near).subspan(first, last - first), rods, inChunk);
-        classOf[c] = ofChunks.take(touched);
-        for (const int particle : touched)
+        order.chunkClass.push_back(ofChunks.take(touched));
+        for (const int particle : touched) {
             inChunk.clear(particle);
+            int& earliest = firstChunk[std::size_t(particle)];
+            earliest = earliest < 0 ? int(c) : earliest;
+            order.reach = std::max(order.reach, int(c) - earliest);
+        }
     }
 
-    std::vector<int> classStart;
-    std::vector<int> chunkOrder;
-    sortByNumber(classOf, classStart, chunkOrder);
     order.rod.reserve(count);
     std::vector<int> colorStart;
     std::vector<int> inColors;
-    for (std::size_t k = 0; k + 1 < classStart.size(); ++k) {
-        for (int at = classStart[k]; at < classStart[k + 1]; ++at) {
-            const auto [first, last] = chunkAt(std::size_t(chunkOrder[std::size_t(at)]));
-            sortByNumber(std::span(colorOf).subspan(first, last - first), colorStart, inColors);
-            const int base = int(order.rod.size());
-            for (std::size_t color = 1; color < colorStart.size(); ++color)
-                order.colorStart.push_back(base + colorStart[color]);
-            for (const int i : inColors)
-                order.rod.push_back(near[first + std::size_t(i)]);
-            order.chunkStart.push_back(int(order.colorStart.size()) - 1);
-        }
-        order.classStart.push_back(int(order.chunkStart.size()) - 1);
+    for (std::size_t c = 0; c < chunks; ++c) {
+        const auto [first, last] = chunkAt(c);
+        sortByNumber(std::span(colorOf).subspan(first, last - first), colorStart, inColors);
+        for (std::size_t color = 1; color < colorStart.size(); ++color)
+            order.colorStart.push_back(int(first) + colorStart[color]);
+        for (const int i : inColors)
+            order.rod.push_back(near[first + std::size_t(i)]);
+        order.chunkStart.push_back(int(order.colorStart.size()) - 1);
     }
     return order;
 }

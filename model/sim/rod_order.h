@@ -3,6 +3,7 @@
 // Rods near each other go into chunks that fit a core's cache. Within a chunk they are coloured: no
 // two rods of a colour share a particle, so four of them can be projected at once. Chunks are
 // coloured too, into classes: no two chunks of a class share a particle, so each can have a thread.
+// Chunks stand in the order of space; classes take turns as wave.h says.
 // The order depends on the network alone, never on the machine.
 #pragma once
 
@@ -19,7 +20,8 @@ struct RodOrder
     std::vector<int> rod;        // [rods] old index at each new place
     std::vector<int> colorStart; // [colours + 1] places
     std::vector<int> chunkStart; // [chunks + 1] colours
-    std::vector<int> classStart; // [classes + 1] chunks
+    std::vector<int> chunkClass; // [chunks]
+    int reach = 0;               // chunks that share a particle are numbered at most this far apart
 };
 
 struct RodEnds // particle indices

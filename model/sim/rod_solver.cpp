@@ -27,7 +27,6 @@ constexpr int enoughIterations = 10;
 
 void RodSolver::start(const RodTask& task, std::span<const double> tension)
 {
-    m_sum.assign(task.system.rods.size(), 0.0);
     m_substeps = 0;
     m_multiplier.resize(task.system.rods.size());
     prepareDirect(task);
@@ -51,13 +50,7 @@ void RodSolver::project(const RodTask& task, Crew& crew)
         break;
     case Solver::AveragedJacobi:
     case Solver::PaperJacobi:
-        std::fill(m_multiplier.begin(), m_multiplier.end(), 0.0);
-        m_pull.resize(task.system.rods.size());
-        countRods(task);
-        for (int sweep = 0; sweep < task.sweeps; ++sweep)
-            averagedSweep(task, crew);
-        for (std::size_t i = 0; task.note && i < m_sum.size(); ++i)
-            m_sum[i] += m_multiplier[i];
+        average(task, crew);
         break;
     case Solver::Auto:
         break;
@@ -74,18 +67,18 @@ void RodSolver::projectDirect(const RodTask& task, int iterations)
         m_tension[std::size_t(rod)] = m_multiplier[std::size_t(rod)] / (task.h * task.h);
 }
 
-void RodSolver::takeTensions(const RodTask& task, std::span<double> tension)
+void RodSolver::takeTensions(const RodTask& task, Crew& crew, std::span<double> tension)
 {
     if (m_substeps == 0)
         return;
-    if (task.solver == Solver::GaussSeidel || task.solver == Solver::SmallSteps)
-        m_coloured.takeMultipliers(task.system, m_sum);
     const double newtons = 1.0 / (task.h * task.h * m_substeps);
-    for (std::size_t i = 0; i < m_sum.size(); ++i)
-        tension[i] = m_sum[i] * newtons;
+    if (task.solver == Solver::GaussSeidel || task.solver == Solver::SmallSteps)
+        m_coloured.takeMultipliers(task.system, newtons, crew, tension);
+    else if (task.solver != Solver::Direct)
+        for (std::size_t i = 0; i < m_sum.size(); ++i)
+            tension[i] = m_sum[i] * newtons;
     for (const int rod : m_direct.rods())
         tension[std::size_t(rod)] = m_tension[std::size_t(rod)];
-    std::fill(m_sum.begin(), m_sum.end(), 0.0);
     m_substeps = 0;
 }
 
@@ -109,6 +102,22 @@ void RodSolver::prepareDirect(const RodTask& task)
     }
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
+}
+
+void RodSolver::average(const RodTask& task, Crew& crew)
+{
+    m_pull.resize(task.system.rods.size());
+    std::fill(m_multiplier.begin(), m_multiplier.end(), 0.0);
+    countRods(task);
+    for (int sweep = 0; sweep < task.sweeps; ++sweep)
+        averagedSweep(task, crew);
+    if (!task.note)
+        return;
+    if (m_substeps == 1) // the first that is noted
+        m_sum.assign(m_multiplier.begin(), m_multiplier.end());
+    else
+        for (std::size_t i = 0; i < m_sum.size(); ++i)
+            m_sum[i] += m_multiplier[i];
 }
 
 void RodSolver::countRods(const RodTask& task)

@@ -41,9 +41,10 @@ public:
     // It is the mean over the noted substeps since the last call, because single sweeps in changing
     // order share a load out differently in each substep and their mean is what the rods carry. Of
     // rods that are solved directly it is that of the last substep.
-    void takeTensions(const RodTask& task, std::span<double> tension);
+    void takeTensions(const RodTask& task, Crew& crew, std::span<double> tension);
 
 private:
+    void average(const RodTask& task, Crew& crew);
     void averagedSweep(const RodTask& task, Crew& crew);
     void countRods(const RodTask& task);
     void prepareDirect(const RodTask& task);
@@ -58,7 +59,7 @@ private:
     int m_substeps = 0;               // since the last call of takeTensions()
     std::vector<double> m_multiplier; // [rods] kg m, of this substep
     std::vector<double> m_tension;    // [rods] N, of the substep before; of direct rods only
-    std::vector<double> m_sum;        // [rods] kg m, of all substeps
+    std::vector<double> m_sum;        // [rods] kg m, of all substeps; of averaged solvers only
     std::vector<Vec3> m_pull;         // [rods] kg m, or m for the paper's averaging
     std::vector<double> m_valence;    // [particles] rods that are not torn
 };

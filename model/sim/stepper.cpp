@@ -36,7 +36,7 @@ void Stepper::step(const System& system, State& state)
         substep(task, state);
         ++state.substep;
     }
-    m_rods.takeTensions(rodTask(system, state, h), state.rodTension);
+    m_rods.takeTensions(rodTask(system, state, h), m_crew, state.rodTension);
     ++state.step;
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
         adapt(system, state, substeps);
@@ -171,7 +171,7 @@ void Stepper::project(const RodTask& task, State& state)
     // Of single sweeps the tension of one substep says little; rods then tear by the mean over the
     // step before.
     if (m_tearsByForce && task.solver != Solver::SmallSteps)
-        m_rods.takeTensions(task, state.rodTension);
+        m_rods.takeTensions(task, m_crew, state.rodTension);
 }
 
 } // namespace ripstop

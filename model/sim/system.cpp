@@ -120,16 +120,16 @@ auto fieldsOf(S& system)
 {
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
            solver, strainGoal, gravity, airDensity, wind, viscosity, speedLimit, key, mass,
-           inverseMass, springs, rods, colorStart, chunkStart, classStart, direct, materialAir,
-           dragLines, panels, panelKey, links, linkStuff, springLink, rodLink, tearable, springsAt,
-           rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, inputs, shiftedRods, probes,
-           start] = system;
+           inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach, direct,
+           materialAir, dragLines, panels, panelKey, links, linkStuff, springLink, rodLink,
+           tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, inputs,
+           shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     gravity, airDensity, wind, viscosity, speedLimit, key, mass, inverseMass,
-                    springs, rods, colorStart, chunkStart, classStart, direct, materialAir,
-                    dragLines, panels, panelKey, links, linkStuff, springLink, rodLink, tearable,
-                    springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, inputs,
-                    shiftedRods, probes, start);
+                    springs, rods, colorStart, chunkStart, chunkClass, chunkReach, direct,
+                    materialAir, dragLines, panels, panelKey, links, linkStuff, springLink, rodLink,
+                    tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles,
+                    inputs, shiftedRods, probes, start);
 }
 
 template <typename S>
@@ -211,7 +211,8 @@ void finishOrdered(System& system, RodOrder order)
     touchAll(system);
     system.colorStart = std::move(order.colorStart);
     system.chunkStart = std::move(order.chunkStart);
-    system.classStart = std::move(order.classStart);
+    system.chunkClass = std::move(order.chunkClass);
+    system.chunkReach = order.reach;
     backReferences(system);
     listTearable(system);
 

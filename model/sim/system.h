@@ -255,7 +255,8 @@ struct System
     std::vector<Rod> rods;                // in the order of rod_order.h
     std::vector<int> colorStart;          // [colours + 1] places in rods
     std::vector<int> chunkStart;          // [chunks + 1] colours
-    std::vector<int> classStart;          // [classes + 1] chunks
+    std::vector<int> chunkClass;          // [chunks] no two of a class share a particle
+    int chunkReach = 0;                   // those that do are numbered at most this far apart
     std::vector<std::uint8_t> direct;     // [rods] solved as one block (direct_choice.h), or empty
     std::vector<MaterialAir> materialAir; // the first is that of no material
     std::vector<DragLine> dragLines;      // in the order of their links

@@ -140,7 +140,7 @@ public:
     {
         const std::array order{2, 0, 1};
         for (int i = 0; i < 20; ++i)
-            sweepRuns(batches, order, {i % 2 != 0, i % 3 != 0, wide}, position.data());
+            sweepRuns(batches, order, {i % 2 != 0, Note((i + 1) % 3), wide}, position.data());
     }
 
     RodBatches batches;

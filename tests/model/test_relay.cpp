@@ -30,12 +30,13 @@ std::uint64_t mixed(std::uint64_t x)
 
 struct Graph
 {
-    Rows touching;               // [chunks]
-    Rows cells;                  // [chunks]
-    std::vector<int> classStart; // [classes + 1]
+    Rows touching;            // [chunks]
+    Rows cells;               // [chunks]
+    std::vector<int> classOf; // [chunks]
+    int classes = 0;
+    int reach = 0; // most between the numbers of two that touch
     std::size_t cellCount = 0;
-    std::size_t chunks() const { return touching.start.size() - 1; }
-    std::size_t classes() const { return classStart.size() - 1; }
+    std::size_t chunks() const { return classOf.size(); }
 };
 
 void append(Rows& rows, const std::vector<int>& row)
@@ -47,53 +48,32 @@ void append(Rows& rows, const std::vector<int>& row)
 // Chunks at random that touch about `degree` others within `reach` of their number; greedy classes.
 Graph randomGraph(std::size_t chunks, int degree, int reach, Dice& dice)
 {
-    std::vector<std::vector<int>> near(chunks);
-    for (int c = 0; c < int(chunks); ++c)
-        for (int k = 0; k < degree / 2; ++k) {
-            const int other = std::min(c + 1 + dice.below(reach), int(chunks) - 1);
-            auto& mine = near[std::size_t(c)];
-            if (other == c || std::find(mine.begin(), mine.end(), other) != mine.end())
-                continue;
-            mine.push_back(other);
-            near[std::size_t(other)].push_back(c);
-        }
-    std::vector<std::size_t> color(chunks, chunks);
-    std::vector<std::vector<int>> members;
-    for (std::size_t c = 0; c < chunks; ++c) {
-        std::vector<bool> taken(members.size() + 1, false);
-        for (const int other : near[c])
-            if (color[std::size_t(other)] < chunks)
-                taken[color[std::size_t(other)]] = true;
-        color[c] = std::size_t(std::find(taken.begin(), taken.end(), false) - taken.begin());
-        if (color[c] == members.size())
-            members.emplace_back();
-        members[color[c]].push_back(int(c));
-    }
-
     Graph graph;
-    graph.classStart.push_back(0);
-    std::vector<int> place(chunks);
-    std::vector<int> original;
-    for (const auto& group : members) {
-        for (const int c : group) {
-            place[std::size_t(c)] = int(original.size());
-            original.push_back(c);
-        }
-        graph.classStart.push_back(int(original.size()));
-    }
+    std::vector<std::vector<int>> touching(chunks);
     std::vector<std::vector<int>> cells(chunks);
     for (std::size_t c = 0; c < chunks; ++c)
         cells[c].push_back(int(graph.cellCount++));
-    std::vector<std::vector<int>> touching(chunks);
-    for (std::size_t c = 0; c < chunks; ++c)
-        for (const int old : near[std::size_t(original[c])]) {
-            const auto other = std::size_t(place[std::size_t(old)]);
-            touching[c].push_back(int(other));
-            if (other < c)
+    for (int c = 0; c < int(chunks); ++c)
+        for (int k = 0; k < degree / 2; ++k) {
+            const int other = std::min(c + 1 + dice.below(reach), int(chunks) - 1);
+            auto& mine = touching[std::size_t(c)];
+            if (other == c || std::find(mine.begin(), mine.end(), other) != mine.end())
                 continue;
-            cells[c].push_back(int(graph.cellCount));
-            cells[other].push_back(int(graph.cellCount++));
+            mine.push_back(other);
+            touching[std::size_t(other)].push_back(c);
+            cells[std::size_t(c)].push_back(int(graph.cellCount));
+            cells[std::size_t(other)].push_back(int(graph.cellCount++));
+            graph.reach = std::max(graph.reach, other - c);
         }
+    graph.classOf.assign(chunks, -1);
+    for (std::size_t c = 0; c < chunks; ++c) {
+        std::vector<bool> taken(chunks + 1, false);
+        for (const int other : touching[c])
+            if (const int theirs = graph.classOf[std::size_t(other)]; theirs >= 0)
+                taken[std::size_t(theirs)] = true;
+        graph.classOf[c] = int(std::find(taken.begin(), taken.end(), false) - taken.begin());
+        graph.classes = std::max(graph.classes, graph.classOf[c] + 1);
+    }
     graph.touching.start.push_back(0);
     graph.cells.start.push_back(0);
     for (std::size_t c = 0; c < chunks; ++c) {
@@ -131,25 +111,26 @@ struct Trace
     friend bool operator==(const Trace&, const Trace&) = default;
 };
 
-Trace expected(const Graph& graph, int rounds, const std::vector<int>& order)
+Trace expected(const Graph& graph, int rounds, const std::vector<int>& rank)
 {
     Trace trace(graph);
     for (int round = 0; round < rounds; ++round)
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            const auto which = std::size_t(order[round % 2 == 0 ? k : order.size() - 1 - k]);
-            for (int c = graph.classStart[which]; c < graph.classStart[which + 1]; ++c)
-                trace.turn(graph, round, c);
+        for (int k = 0; k < graph.classes; ++k) {
+            const int turn = round % 2 == 0 ? k : graph.classes - 1 - k;
+            for (std::size_t c = 0; c < graph.chunks(); ++c)
+                if (rank[std::size_t(graph.classOf[c])] == turn)
+                    trace.turn(graph, round, int(c));
         }
     return trace;
 }
 
-std::vector<int> shuffledClasses(const Graph& graph, Dice& dice)
+std::vector<int> shuffledRanks(const Graph& graph, Dice& dice)
 {
-    std::vector<int> order(graph.classes());
-    std::iota(order.begin(), order.end(), 0);
-    for (std::size_t i = order.size(); i > 1; --i)
-        std::swap(order[i - 1], order[std::size_t(dice.below(int(i)))]);
-    return order;
+    std::vector<int> rank(std::size_t(graph.classes));
+    std::iota(rank.begin(), rank.end(), 0);
+    for (std::size_t i = rank.size(); i > 1; --i)
+        std::swap(rank[i - 1], rank[std::size_t(dice.below(int(i)))]);
+    return rank;
 }
 
 enum class Pace { Even, Dawdling, Late };
@@ -208,16 +189,16 @@ private slots:
             Relay relay; // used again, as a solver does
             for (int repeat = 0; repeat < repeats; ++repeat) {
                 const Graph graph = randomGraph(std::size_t(chunks), degree, reach, dice);
-                relay.prepare(graph.touching, graph.classStart);
+                relay.prepare(graph.touching, graph.classOf, graph.reach);
                 for (int again = 0; again < 2; ++again) {
-                    const std::vector<int> classes = shuffledClasses(graph, dice);
+                    const std::vector<int> rank = shuffledRanks(graph, dice);
                     Trace trace(graph);
                     const auto caller = std::this_thread::get_id();
-                    relay.run(crew, rounds, classes, [&](int round, int chunk) {
+                    relay.run(crew, rounds, rank, [&](int round, int chunk) {
                         delay(pace, round, chunk, caller);
                         trace.turn(graph, round, chunk);
                     });
-                    QVERIFY2(trace == expected(graph, rounds, classes),
+                    QVERIFY2(trace == expected(graph, rounds, rank),
                              qPrintable(QString("%1 threads").arg(threads)));
                 }
             }
@@ -229,11 +210,11 @@ private slots:
     {
         Dice dice(3);
         const Graph graph = randomGraph(20, 6, 6, dice);
-        std::vector<int> order = shuffledClasses(graph, dice);
-        const Trace right = expected(graph, 3, order);
-        std::swap(order[0], order[1]);
-        QVERIFY(!(expected(graph, 3, order) == right));
-        QVERIFY(!(expected(graph, 2, order) == right));
+        std::vector<int> rank = shuffledRanks(graph, dice);
+        const Trace right = expected(graph, 3, rank);
+        std::swap(rank[0], rank[1]);
+        QVERIFY(!(expected(graph, 3, rank) == right));
+        QVERIFY(!(expected(graph, 2, rank) == right));
     }
 };
 

@@ -32,7 +32,7 @@ Projected project(System system, Solver solver, int sweeps, double h = 1.0)
                        h,      0,      result.position};
     rods.start(task, system.start.rodTension);
     rods.project(task, crew);
-    rods.takeTensions(task, result.multiplier);
+    rods.takeTensions(task, crew, result.multiplier);
     for (double& multiplier : result.multiplier) // so far tensions
         multiplier *= h * h;
     return result;
