@@ -1,7 +1,9 @@
-// ripstop-cli verify: every case whose answer is known, got beside expected.
+// ripstop-cli verify: every case whose answer is known, got beside expected; and what designs do
+// beside what was measured of real ones.
 #include "cli/commands.h"
 #include "cli/terminal.h"
 #include "verify/case.h"
+#include "verify/reference.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -14,6 +16,7 @@ struct VerifyOptions
 {
     std::string filter;
     bool list = false;
+    bool references = false;
     bool json = false;
 };
 
@@ -99,30 +102,108 @@ void listCases(const std::vector<Case>& cases)
     printTable(rows);
 }
 
+// What runs of `all`, or as much of it as there is time for until Ctrl-C.
+template <typename Result, typename One>
+std::vector<Result> runAll(const std::vector<One>& all)
+{
+    catchInterrupt();
+    std::vector<Result> results;
+    ProgressLine progress("verifying");
+    for (const One& one : all) {
+        progress.show(double(results.size()) / double(all.size()));
+        if (interrupted())
+            break;
+        results.push_back(run(one));
+    }
+    return results;
+}
+
+int stopped(std::size_t done, std::size_t all)
+{
+    return fail(Interrupted,
+                "Interrupted after " + std::to_string(done) + " of " + std::to_string(all) + ".");
+}
+
+int nothingHas(const std::string& filter)
+{
+    return fail(WrongUsage, "Nothing has \"" + filter
+                                + "\" in its id, title, section or source; "
+                                  "\"ripstop-cli verify --list\" lists all cases.");
+}
+
+// --- comparisons with measured data --------------------------------------------------------------
+
+std::string published(const ReferenceResult& result)
+{
+    return result.low == result.high ? shortNumber(result.low)
+                                     : shortNumber(result.low) + " to " + shortNumber(result.high);
+}
+
+std::string rounded(double number, int decimals)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, number);
+    return number == number ? text : "not reached";
+}
+
+void printReferences(const std::vector<ReferenceResult>& results)
+{
+    std::vector<Row> rows{
+        {"comparison", "published", "got", "unit", "ratio", "published by", "simulated as"}};
+    std::string section;
+    for (const ReferenceResult& result : results) {
+        if (result.section != section)
+            rows.push_back({section = result.section});
+        rows.push_back({result.title, published(result), rounded(result.got, 3), result.unit,
+                        rounded(result.ratio, 2), result.source, result.note});
+    }
+    printTable(rows);
+    std::cout << "\nA ratio of 1 is the middle of what was published. No row is tuned.\n";
+}
+
+Json jsonOf(const ReferenceResult& result)
+{
+    return {{"section", result.section}, {"title", result.title},    {"low", result.low},
+            {"high", result.high},       {"got", result.got},        {"ratio", result.ratio},
+            {"inside", result.inside},   {"unit", result.unit},      {"source", result.source},
+            {"note", result.note},       {"seconds", result.seconds}};
+}
+
+int compare(const VerifyOptions& options)
+{
+    const std::vector<Reference> references = referencesWith(options.filter);
+    if (references.empty())
+        return nothingHas(options.filter);
+    const auto results = runAll<ReferenceResult>(references);
+    if (options.json) {
+        Json list = Json::array();
+        for (const ReferenceResult& result : results)
+            list.push_back(jsonOf(result));
+        print({{"version", RIPSTOP_VERSION}, {"references", std::move(list)}});
+    } else if (!results.empty()) {
+        printReferences(results);
+    }
+    return results.size() < references.size() ? stopped(results.size(), references.size()) : Done;
+}
+
+// --- cases
+// -----------------------------------------------------------------------------------------
+
 int verify(const VerifyOptions& options)
 {
+    if (options.references)
+        return compare(options);
     const std::vector<Case> cases = casesWith(options.filter);
     if (cases.empty())
-        return fail(WrongUsage, "No case has \"" + options.filter
-                                    + "\" in its id, title, section or source; "
-                                      "\"ripstop-cli verify --list\" lists all cases.");
+        return nothingHas(options.filter);
     if (options.list) {
         listCases(cases);
         return Done;
     }
-    catchInterrupt();
-    std::vector<CaseResult> results;
+    const auto results = runAll<CaseResult>(cases);
     double seconds = 0.0;
-    {
-        ProgressLine progress("verifying");
-        for (const Case& one : cases) {
-            progress.show(double(results.size()) / double(cases.size()));
-            if (interrupted())
-                break;
-            results.push_back(run(one));
-            seconds += results.back().seconds;
-        }
-    }
+    for (const CaseResult& result : results)
+        seconds += result.seconds;
     const auto failed = std::size_t(std::count_if(results.begin(), results.end(),
                                                   [](const CaseResult& r) { return !r.holds; }));
     if (options.json)
@@ -130,8 +211,7 @@ int verify(const VerifyOptions& options)
     else if (!results.empty())
         printResults(results);
     if (results.size() < cases.size())
-        return fail(Interrupted, "Interrupted after " + std::to_string(results.size()) + " of "
-                                     + std::to_string(cases.size()) + " cases.");
+        return stopped(results.size(), cases.size());
     if (failed > 0)
         return fail(BadInput, std::to_string(failed) + " of " + std::to_string(cases.size())
                                   + " cases do not hold.");
@@ -150,13 +230,16 @@ void addVerify(CLI::App& app, Command& chosen)
     const auto options = std::make_shared<VerifyOptions>();
     command->add_option("--filter", options->filter,
                         "Only cases with this text in id, title, section or source");
+    command->add_flag("--references", options->references,
+                      "Instead, compare designs with measured data: descent, glide, kites");
     command->add_flag("--list", options->list, "List the cases without running them");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->footer("Exit code 0 when all cases hold, 1 when some do not.\n"
                     "Examples:\n"
                     "  ripstop-cli verify\n"
                     "  ripstop-cli verify --filter pendulum\n"
-                    "  ripstop-cli verify --filter T-K2 --json");
+                    "  ripstop-cli verify --filter T-K2 --json\n"
+                    "  ripstop-cli verify --references");
     command->callback([options, &chosen] { chosen = [options] { return verify(*options); }; });
 }
 

@@ -136,6 +136,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Run", "reset",       tr("&Reset"),              "reset",   QKeySequence("Ctrl+R"), tr("Back to the design; controls return to zero."), [&player] { player.reset(); }},
 
         {"&Help", "keys",       tr("&Keys"),               "keys",    QKeySequence("F1"),   tr("All keys, and those of the controls of this scene."), bench.showKeys},
+        {"&Help", "verification", tr("&Verification…"),    nullptr,   {},                   tr("Run the cases whose answer is known, and see what comes out."), bench.showVerification},
         {"&Help", "about",      tr("&About Ripstop"),      "about",   {},                   tr("Version and licence."), [&window] { about(&window); }},
     };
     // clang-format on

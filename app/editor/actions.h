@@ -36,6 +36,7 @@ struct Workbench
     Files& files;
     std::function<void()> showStartPage;
     std::function<void()> showKeys;
+    std::function<void()> showVerification;
 };
 
 class Actions final : public QObject

@@ -5,6 +5,7 @@
 #include "document/selection.h"
 #include "document/words.h"
 #include "editor/keys_dialog.h"
+#include "editor/verification_dialog.h"
 #include "inspector/inspector.h"
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
@@ -107,7 +108,8 @@ void MainWindow::addDock(const QString& id, const QString& title, QWidget* widge
 void MainWindow::buildActions()
 {
     m_actions = new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline,
-                             *m_files, [this] { showStartPage(); }, [this] { showKeys(); }});
+                             *m_files, [this] { showStartPage(); }, [this] { showKeys(); },
+                             [this] { showVerification(); }});
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
 }
@@ -242,6 +244,20 @@ void MainWindow::showKeys()
 {
     KeysDialog dialog(m_actions->all(), m_document.scene(), this);
     dialog.exec();
+}
+
+// The window goes on while cases run.
+void MainWindow::showVerification()
+{
+    if (!m_verification) {
+        m_verification = new VerificationDialog(this);
+        m_verification->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    m_verification->show();
+    m_verification->raise();
+    m_verification->activateWindow();
+    if (!m_verification->isRunning() && m_verification->done() == 0)
+        m_verification->start();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

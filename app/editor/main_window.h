@@ -4,6 +4,7 @@
 #include "editor/files.h"
 
 #include <QMainWindow>
+#include <QPointer>
 
 #include <map>
 #include <set>
@@ -23,6 +24,7 @@ class ProblemList;
 class Selection;
 class StartPage;
 class Transport;
+class VerificationDialog;
 class Viewport;
 
 // Places the docks and menus; no logic. The view or the start page in the middle, the outline on
@@ -60,6 +62,7 @@ private:
     void showTitle();
     void showCounts();
     void showKeys();
+    void showVerification();
 
     Document& m_document;
     Selection& m_selection;
@@ -81,6 +84,7 @@ private:
     std::set<QString> m_hidden; // docks that the user has closed
     QLabel* m_counts;
     QLabel* m_selected;
+    QPointer<VerificationDialog> m_verification; // while it is open
 };
 
 } // namespace ripstop

@@ -1,30 +1,18 @@
 #include "verify/case.h"
 
-#include <algorithm>
+#include "verify/text.h"
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
 namespace ripstop {
-namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
-
-bool contains(std::string_view text, std::string_view part)
-{
-    return std::search(text.begin(), text.end(), part.begin(), part.end(),
-                       [](char a, char b) { return lower(a) == lower(b); })
-           != text.end();
-}
-
-} // namespace
-
 std::vector<Case> casesWith(std::string_view text)
 {
     std::vector<Case> cases = allCases();
     std::erase_if(cases, [&](const Case& one) {
-        return !contains(one.id, text) && !contains(one.title, text) && !contains(one.section, text)
-               && !contains(one.source, text);
+        return !containsText(one.id, text) && !containsText(one.title, text)
+               && !containsText(one.section, text) && !containsText(one.source, text);
     });
     return cases;
 }
@@ -65,7 +53,10 @@ std::string textOf(const Tolerance& tolerance, const std::string& unit)
         std::snprintf(text, sizeof text, "%.3g", tolerance.value);
         return text + (unit.empty() ? std::string() : ' ' + unit);
     case Rule::Relative:
-        std::snprintf(text, sizeof text, "%.3g %% of expected", 100.0 * tolerance.value);
+        if (tolerance.value < 1e-4)
+            std::snprintf(text, sizeof text, "%.3g of expected", tolerance.value);
+        else
+            std::snprintf(text, sizeof text, "%.3g %% of expected", 100.0 * tolerance.value);
         return text;
     case Rule::AtMost:
         return "at most";

@@ -1,8 +1,9 @@
 // Cases whose answer is known: what must come out, why, and how to find out what does.
 //
-// The expected values follow from theory, never from this program. The ids are those of the
-// sections "particles", "integrators", ... of the manual's page on verification: T-P1 is a
-// projectile, and so on. A case is one row; adding one is a row in the file of its section.
+// The expected values follow from theory or a publication, never from this program. The rows of one
+// experiment share an id; its letter is that of the subject: P particles, I integrators, S springs,
+// K constraint solvers, R ropes, M membranes, C conservation, B bodies in contact, T tearing, A
+// air, F flight. Adding a case is a row in the file of its section.
 #pragma once
 
 #include <functional>
@@ -68,7 +69,7 @@ CaseResult run(const Case& one);
 
 bool holds(double got, double expected, const Tolerance& tolerance); // never for not-a-number
 
-// "0.001 m", "0.1 % of expected", "at most".
+// "0.001 m", "0.1 % of expected", "1e-12 of expected", "at most".
 std::string textOf(const Tolerance& tolerance, const std::string& unit);
 
 } // namespace ripstop

@@ -3,6 +3,7 @@
 #include "document/selection.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
+#include "editor/verification_dialog.h"
 #include "viewport/viewport.h"
 
 #include "compile/compile.h"
@@ -225,6 +226,40 @@ private slots:
         const Finished done = run(EDITOR_PROGRAM, arguments);
         QCOMPARE(done.exitCode, exitCode);
         QVERIFY2(done.error.contains(message), qPrintable(done.error));
+    }
+
+    // Help > Verification: the same cases as on the command line, while the window goes on.
+    void verification()
+    {
+        VerificationDialog dialog(nullptr);
+        dialog.setFilter("T-K5");
+        dialog.start();
+        QVERIFY(dialog.isRunning());
+        QTRY_VERIFY(!dialog.isRunning());
+        QCOMPARE(dialog.done(), int(casesWith("T-K5").size()));
+        QCOMPARE(dialog.failed(), 0);
+        const QStringList lines = dialog.table(',').split('\n');
+        QCOMPARE(lines.filter("holds,T-K5,").size(), dialog.done());
+        QVERIFY(lines[0].startsWith("Result,Id,Case,Expected,Got,Unit,Tolerance,Source"));
+
+        dialog.setFilter({});
+        dialog.start();
+        QTRY_VERIFY(dialog.done() > 0);
+        dialog.cancel();
+        QTRY_VERIFY(!dialog.isRunning());
+        QVERIFY(dialog.done() < int(allCases().size()));
+        dialog.start(); // and what runs is let go of when the dialog goes
+    }
+
+    void verificationIsInTheMenu()
+    {
+        Editor editor("pendulum");
+        QVERIFY(QTest::qWaitForWindowExposed(&editor.window));
+        editor.window.actions()["verification"]->trigger();
+        const auto dialogs = QApplication::topLevelWidgets();
+        QVERIFY(std::any_of(dialogs.begin(), dialogs.end(), [](QWidget* widget) {
+            return qobject_cast<VerificationDialog*>(widget) && widget->isVisible();
+        }));
     }
 };
 

@@ -1,5 +1,6 @@
 // The cases of ripstop-cli verify: each holds, and the list is what its readers expect.
 #include "verify/case.h"
+#include "verify/reference.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -109,9 +110,31 @@ private slots:
         QCOMPARE(textOf(within(0.001), "m"), std::string("0.001 m"));
         QCOMPARE(textOf(within(0.1), ""), std::string("0.1"));
         QCOMPARE(textOf(relative(0.001), "m"), std::string("0.1 % of expected"));
+        QCOMPARE(textOf(relative(1e-12), "m"), std::string("1e-12 of expected"));
         QCOMPARE(textOf(exactly, "m"), std::string("exact"));
         QCOMPARE(textOf(atMost, "m"), std::string("at most"));
         QCOMPARE(textOf(atLeast, "m"), std::string("at least"));
+    }
+
+    // No row must hold, but each is about something that was published.
+    void references()
+    {
+        const std::vector<Reference> references = allReferences();
+        QVERIFY(references.size() >= 20);
+        std::set<std::string> titles;
+        for (const Reference& one : references) {
+            const QString name = QString::fromStdString(one.title + ", " + one.note);
+            QVERIFY2(one.low > 0.0 && one.high >= one.low, qPrintable(name));
+            QVERIFY2(!one.section.empty() && !one.source.empty() && !one.note.empty(),
+                     qPrintable(name));
+            QVERIFY2(titles.insert(name.toStdString()).second,
+                     qPrintable(name + " is there twice"));
+        }
+        const std::vector<Reference> cups = referencesWith("CUP");
+        QVERIFY(!cups.empty() && cups.size() < references.size());
+        const ReferenceResult cup = run(cups[0]);
+        QCOMPARE(cup.ratio, cup.got / (0.5 * (cup.low + cup.high)));
+        QCOMPARE(cup.inside, cup.got >= cup.low && cup.got <= cup.high);
     }
 
     void command()
@@ -135,6 +158,15 @@ private slots:
         const QByteArray table = process.readAllStandardOutput();
         QVERIFY2(table.contains("All " + QByteArray::number(results.size()) + " cases hold"),
                  table);
+
+        process.start(CLI_PROGRAM, {"verify", "--references", "--filter", "head on", "--json"});
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitCode(), 0);
+        const QJsonArray compared = QJsonDocument::fromJson(process.readAllStandardOutput())
+                                        .object()["references"]
+                                        .toArray();
+        QCOMPARE(compared.size(), int(referencesWith("head on").size()));
+        QVERIFY(compared[0].toObject()["ratio"].toDouble() > 0.0);
 
         process.start(CLI_PROGRAM, {"verify", "--filter", "no such case"});
         QVERIFY(process.waitForFinished(60000));
