@@ -5,6 +5,7 @@
 #include "document/selection.h"
 #include "document/words.h"
 #include "editor/keys_dialog.h"
+#include "editor/result_page.h"
 #include "editor/verification_dialog.h"
 #include "inspector/inspector.h"
 #include "outline/outline.h"
@@ -256,8 +257,9 @@ void MainWindow::showVerification()
     m_verification->show();
     m_verification->raise();
     m_verification->activateWindow();
-    if (!m_verification->isRunning() && m_verification->done() == 0)
-        m_verification->start();
+    ResultPage& cases = m_verification->cases();
+    if (!cases.isRunning() && cases.done() == 0)
+        cases.start();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

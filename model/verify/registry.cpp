@@ -26,6 +26,7 @@ const Section sections[] = {
     {"Contact", contactCases},
     {"Tearing", tearingCases},
     {"Air", airCases},
+    {"Laws of the air", airLawCases},
     {"Flight", flightCases},
     {"Counts", countCases},
 };

@@ -25,6 +25,7 @@ std::vector<Case> repeatCases();
 std::vector<Case> contactCases();
 std::vector<Case> tearingCases();
 std::vector<Case> airCases();
+std::vector<Case> airLawCases();
 std::vector<Case> flightCases();
 std::vector<Case> countCases();
 

@@ -3,12 +3,15 @@
 #include "document/selection.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
+#include "editor/result_page.h"
 #include "editor/verification_dialog.h"
 #include "viewport/viewport.h"
 
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
 #include "scene/path.h"
+#include "verify/case.h"
+#include "verify/reference.h"
 
 #include <QAction>
 #include <QJsonDocument>
@@ -232,23 +235,30 @@ private slots:
     void verification()
     {
         VerificationDialog dialog(nullptr);
-        dialog.setFilter("T-K5");
-        dialog.start();
-        QVERIFY(dialog.isRunning());
-        QTRY_VERIFY(!dialog.isRunning());
-        QCOMPARE(dialog.done(), int(casesWith("T-K5").size()));
-        QCOMPARE(dialog.failed(), 0);
-        const QStringList lines = dialog.table(',').split('\n');
-        QCOMPARE(lines.filter("holds,T-K5,").size(), dialog.done());
-        QVERIFY(lines[0].startsWith("Result,Id,Case,Expected,Got,Unit,Tolerance,Source"));
+        ResultPage& cases = dialog.cases();
+        cases.setFilter("T-K5");
+        cases.start();
+        QVERIFY(cases.isRunning());
+        QTRY_VERIFY(!cases.isRunning());
+        QCOMPARE(cases.done(), int(casesWith("T-K5").size()));
+        QCOMPARE(cases.failed(), 0);
+        const QStringList lines = cases.text(',').split('\n');
+        QCOMPARE(lines[0], "Section,Result,Id,Case,Expected,Got,Unit,Tolerance,Source");
+        QCOMPARE(lines.filter("Rods,holds,T-K5,").size(), cases.done());
 
-        dialog.setFilter({});
-        dialog.start();
-        QTRY_VERIFY(dialog.done() > 0);
-        dialog.cancel();
-        QTRY_VERIFY(!dialog.isRunning());
-        QVERIFY(dialog.done() < int(allCases().size()));
-        dialog.start(); // and what runs is let go of when the dialog goes
+        cases.setFilter({});
+        cases.start();
+        QTRY_VERIFY(cases.done() > 0);
+        cases.cancel();
+        QTRY_VERIFY(!cases.isRunning());
+        QVERIFY(cases.done() < int(allCases().size()));
+        cases.start(); // and what runs is let go of when the dialog goes
+
+        ResultPage& references = dialog.references();
+        references.setFilter("head on");
+        references.start();
+        QTRY_VERIFY(!references.isRunning());
+        QCOMPARE(references.done(), int(referencesWith("head on").size()));
     }
 
     void verificationIsInTheMenu()

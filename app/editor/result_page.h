@@ -1,0 +1,93 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+#include <thread>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace ripstop {
+
+// A table whose rows have to be computed before they are whole.
+struct ResultTable
+{
+    struct Column
+    {
+        QString title;
+        int width; // px
+        bool isNumber = false;
+    };
+    struct Row
+    {
+        QString section;
+        QStringList cells; // [columns] empty where a result will stand
+    };
+    struct Outcome
+    {
+        QStringList cells;         // [columns] what was empty; the others stay
+        std::optional<bool> holds; // nothing when it is not judged
+    };
+    std::vector<Column> columns; // the first one is for the verdict
+    std::vector<Row> rows;       // rows of one section are together
+    bool isJudged = true;
+    std::function<Outcome(int row)> compute; // called on another thread, row after row
+};
+
+// Shows such a table and computes it on a thread of its own while the window goes on. It can be
+// filtered, cancelled, copied and saved.
+class ResultPage final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // `make` is called for each start, so that nothing is kept from the one before.
+    ResultPage(std::function<ResultTable()> make, QWidget* parent = nullptr);
+    ~ResultPage() override;
+
+    bool isRunning() const { return m_running; }
+    int done() const { return m_done; }
+    int failed() const { return m_failed; }
+
+    void setFilter(const QString& text);
+    void start();  // from the beginning, with the rows that the filter shows
+    void cancel(); // after the row that is under way
+
+    // One line per row, with a header. What was not computed is empty there.
+    QString text(QChar separator) const;
+
+private:
+    void fill();
+    void take(int start, int row, const ResultTable::Outcome& outcome);
+    void finish();
+    void showWhatIsWanted();
+    void showSummary();
+    void save();
+
+    std::function<ResultTable()> m_make;
+    ResultTable m_table;
+    std::vector<QTreeWidgetItem*> m_items; // [rows]
+    QLineEdit* m_filter;
+    QCheckBox* m_onlyFailed;
+    QTreeWidget* m_tree;
+    QProgressBar* m_progress;
+    QLabel* m_summary;
+    QPushButton* m_run;
+    int m_wanted = 0;
+    int m_done = 0;
+    int m_failed = 0;
+    bool m_running = false;
+    int m_start = 0;       // counts starts
+    std::jthread m_thread; // last: stops and joins before the rest is destroyed
+};
+
+} // namespace ripstop
