@@ -45,6 +45,7 @@ int call(int argc, char** argv)
     addBuilders(app, chosen);
     addRun(app, chosen);
     addExport(app, chosen);
+    addPolar(app, chosen);
     addBench(app, chosen);
     addProperties(app, chosen);
     addVerify(app, chosen);

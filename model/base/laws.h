@@ -25,6 +25,7 @@ enum class LinkKind { Spring, Rod };               // a force; a constraint
 enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
 enum class TearRule { Never, Length, Strain, Force };
 enum class AirLaw { None, Paper, LinearNormal, LiftDrag };
+enum class WindKind { Uniform, PowerLaw, LogLaw, Gusts, Jet };
 enum class ColliderShape { Plane, Sphere };
 enum class Response { Stop, Slide, Contact };
 enum class ControlKind { Move, WeightShift };
@@ -72,6 +73,9 @@ inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", 
 template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<AirLaw>{"none", "paper",
                                                                      "linear_normal", "lift_drag"};
+template <>
+inline constexpr std::array<std::string_view, 5> choiceNames<WindKind>{"uniform", "power_law",
+                                                                       "log_law", "gusts", "jet"};
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<ColliderShape>{"plane", "sphere"};
 template <>

@@ -38,6 +38,7 @@ constexpr Parameter parameters[]{
     {"line_density", "kg/m",  0.0005, 1e-5, 0.1, false, "Mass of the line per length."},
     {"line_diameter", "m",    0.0008, 0, 0.02,  false, "Thickness of the line, which the wind drags."},
     {"wind",         "m/s",   6,      0, 30,    false, "Speed of the wind."},
+    {"gusts",        "m/s",   0,      0, 50,    false, "Wind at 20 ft whose gusts blow as well; 7.7 is light turbulence, 15.4 moderate."},
     {"launch",       "deg",   35,     5, 85,    false, "Angle of the line above the horizon at the start."},
     {"lift_slope",   "1/rad", 3.7,    0.1, 8,   false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a delta of aspect ratio A, less for a loose sail."},
     {"drag",         "",      0.04,   0, 0.5,   false, "Drag coefficient of sail and spars edge on, as skin friction of the sail."},
@@ -215,6 +216,14 @@ Scene buildDeltaKite(const Parameters& p)
         "Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.";
     addGround(scene);
     addWind(scene, Vec3(p.at("wind"), 0.0, 0.0));
+    if (p.at("gusts") > 0.0) {
+        Wind gusts;
+        gusts.name = "gusts";
+        gusts.kind = WindKind::Gusts;
+        gusts.gustiness = p.at("gusts");
+        gusts.referenceHeight = p.at("hand_height") + 0.5 * p.at("line_length");
+        addItem(scene, gusts);
+    }
     const Materials materials = addMaterials(scene, p);
 
     Network network(scene, "kite");

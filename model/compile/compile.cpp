@@ -114,7 +114,7 @@ void compileSound(const Scene& scene, const ElementIndex& index, System& system)
     forEachPart(scene, [&](Id, const Part& part) { addParticles(part, system); });
     RodOrder order = addLinks(scene, index, system);
     addPanels(scene, index, system);
-    system.wind = totalWind(scene);
+    takeWinds(windsOf(scene), system);
     system.obstacles = obstaclesOf(scene);
     system.inputs = inputsOf(scene, index);
     system.probes = probesOf(scene, index);

@@ -12,6 +12,7 @@ bool isStructure(const Property& property)
 {
     const auto is = [&](auto... keys) { return ((property.key == keys) || ...); };
     return (property.kind == Kind::Link && is("from", "to", "kind"))
+           || (property.kind == Kind::Wind && is("kind")) // the states of gusts
            || (property.kind == Kind::Panel && is("a", "b", "c"));
 }
 
@@ -131,7 +132,7 @@ std::variant<Update, Problem> LiveSystem::update(std::uint64_t generation, std::
 bool LiveSystem::isSound() const
 {
     const auto sound = [&](Id id) { return ripstop::isSound(*find(m_scene, id), m_index); };
-    const bool items = m_noted.obstacles || m_noted.inputs || m_noted.probes;
+    const bool items = m_noted.obstacles || m_noted.wind || m_noted.inputs || m_noted.probes;
     return std::all_of(m_noted.particles.begin(), m_noted.particles.end(), sound)
            && std::all_of(m_noted.links.begin(), m_noted.links.end(), sound)
            && std::all_of(m_noted.panels.begin(), m_noted.panels.end(), sound)
@@ -144,7 +145,7 @@ Patch LiveSystem::patch() const
     if (m_noted.settings)
         patch.settings = m_scene.settings;
     if (m_noted.wind)
-        patch.wind = totalWind(m_scene);
+        patch.winds = windsOf(m_scene);
     if (m_noted.obstacles)
         patch.obstacles = obstaclesOf(m_scene);
     if (m_noted.inputs)

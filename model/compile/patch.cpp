@@ -102,8 +102,10 @@ private:
 
     void items(const Patch& patch)
     {
-        if (patch.wind)
-            m_system.wind = *patch.wind;
+        if (patch.winds) {
+            takeWinds(*patch.winds, m_system);
+            startGusts(m_system);
+        }
         if (patch.obstacles)
             m_system.obstacles = *patch.obstacles;
         if (patch.inputs)

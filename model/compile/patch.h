@@ -29,7 +29,7 @@ struct Patch
     At<LinkStuff> linkStuff;
     At<Key> panels; // their materials
 
-    std::optional<Vec3> wind; // m/s
+    std::optional<Winds> winds;
     std::optional<std::vector<Obstacle>> obstacles;
     std::optional<std::vector<Input>> inputs;
     std::optional<std::vector<ProbeSpec>> probes;

@@ -1,5 +1,8 @@
 #include "compile/resolve.h"
 
+#include "scene/wind.h"
+#include "sim/gusts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -224,11 +227,27 @@ const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id)
     return place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item);
 }
 
-Vec3 totalWind(const Scene& scene)
+Winds windsOf(const Scene& scene)
 {
-    Vec3 wind = Vec3::Zero();
-    forEachItem<Wind>(scene, [&](Id, const Wind& item) { wind += item.velocity; });
-    return wind;
+    Winds winds;
+    forEachItem<Wind>(scene, [&](Id id, const Wind& item) {
+        if (item.kind == WindKind::Uniform)
+            winds.uniform += item.velocity;
+        else if (item.kind == WindKind::Gusts)
+            winds.gusts.push_back(drydenGusts(Key(id),
+                                              meanWindAt(scene, {0.0, item.referenceHeight, 0.0}),
+                                              item.referenceHeight, item.gustiness, item.seed));
+        else
+            winds.airflows.push_back(airflowOf(item));
+    });
+    return winds;
+}
+
+void takeWinds(const Winds& winds, System& system)
+{
+    system.wind = winds.uniform;
+    system.airflows = winds.airflows;
+    system.gusts = winds.gusts;
 }
 
 std::vector<Obstacle> obstaclesOf(const Scene& scene)

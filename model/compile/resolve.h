@@ -32,7 +32,14 @@ void takeMaterial(const Material& material, std::uint8_t own, Rod& rod);
 // The material, or default numbers when there is none.
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id);
 
-Vec3 totalWind(const Scene& scene); // m/s
+struct Winds
+{
+    Vec3 uniform = Vec3::Zero();   // m/s
+    std::vector<Airflow> airflows; // those that depend on the place
+    std::vector<GustSpec> gusts;
+};
+Winds windsOf(const Scene& scene);
+void takeWinds(const Winds& winds, System& system);
 std::vector<Obstacle> obstaclesOf(const Scene& scene);
 std::vector<Input> inputsOf(const Scene& scene, const ElementIndex& index);
 std::vector<ProbeSpec> probesOf(const Scene& scene, const ElementIndex& index);

@@ -192,6 +192,7 @@ std::uint64_t stateHash(const State& state)
     hash.add(state.position);
     hash.add(state.velocity);
     hash.add(state.inputValue);
+    hash.add(state.gusts);
     hash.add(state.springTorn);
     hash.add(state.rodTorn);
     hash.add(state.panelGone);

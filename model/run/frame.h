@@ -77,6 +77,7 @@ struct Frame
     std::vector<std::uint8_t> torn;   // [links]
     std::vector<Vec3> panelLoad;      // [panels] N
     std::vector<std::uint8_t> gone;   // [panels]
+    Vec3 gust = Vec3::Zero();         // m/s, of all gusts together, the same everywhere
     std::vector<double> inputCommand; // [inputs] m
     std::vector<double> inputValue;   // [inputs] m
     std::vector<double> probe;        // [probes] in the unit of the probe

@@ -3,6 +3,7 @@
 #include "measure/diagnostics.h"
 #include "measure/probe.h"
 #include "sim/carry_over.h"
+#include "sim/wind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,7 @@ void Simulation::reset(const Patch& patch)
         m_state = start;
         return;
     }
+    m_state.gusts = start.gusts;
     for (const auto& particle : patch.particles) {
         const auto i = std::size_t(particle.first);
         m_state.position[i] = start.position[i];
@@ -180,6 +182,7 @@ std::shared_ptr<Frame> Simulation::frame() const
                                   ? m_state.rodTorn[std::size_t(link.index)]
                                   : m_state.springTorn[std::size_t(link.index)]);
     frame->gone = m_state.panelGone;
+    frame->gust = commonWind(*m_system, m_state) - m_system->wind;
     frame->inputCommand = m_state.inputCommand;
     frame->inputValue = m_state.inputValue;
 

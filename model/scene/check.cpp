@@ -226,6 +226,12 @@ private:
                     add("normal", Severity::Error,
                         "Collider " + collider->name + " needs a normal that is not zero.",
                         entry.id);
+            if (const Wind* wind = std::get_if<Wind>(&entry.item))
+                if (wind->kind == WindKind::LogLaw && !(wind->roughness < wind->referenceHeight))
+                    add("roughness", Severity::Error,
+                        "Wind " + wind->name
+                            + " needs a roughness that is below its reference height.",
+                        entry.id);
             if (const Control* control = std::get_if<Control>(&entry.item)) {
                 if (!(control->axis.norm() > 0.0))
                     add("axis", Severity::Error,

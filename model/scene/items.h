@@ -134,6 +134,15 @@ struct Wind
 {
     std::string name = "wind";
     Vec3 velocity = Vec3::Zero(); // m/s
+    WindKind kind = WindKind::Uniform;
+    double referenceHeight = 10.0; // m over y = 0
+    double exponent = 1.0 / 7.0;   // 1, power law
+    double roughness = 0.03;       // m, log law
+    double gustiness = 7.7;        // m/s, wind at 20 ft that the gusts are those of
+    int seed = 1;
+    Vec3 position = Vec3::Zero(); // m, nozzle of a jet
+    double radius = 0.5;          // m, of the nozzle
+    double spread = 12.0;         // degrees, half the angle of a jet
 
     friend bool operator==(const Wind&, const Wind&) = default;
 };

@@ -171,7 +171,16 @@ std::span<const Property> allProperties()
         property<&Collider::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
 
         property<&Wind::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Wind::velocity>        ("velocity",    "Velocity",     "m/s",     Recompile,   "Velocity of the air, the same everywhere; the winds of a scene add up."),
+        property<&Wind::kind>            ("kind",        "Kind",         "",        Recompile,   "The same everywhere, growing with height by a power law or a logarithm, gusts that the other winds carry past, or a jet from a nozzle; the winds of a scene add up."),
+        property<&Wind::velocity>        ("velocity",    "Velocity",     "m/s",     Recompile,   "Velocity of the air: everywhere, at the reference height, or in the nozzle; gusts have none of their own."),
+        property<&Wind::referenceHeight> ("referenceHeight", "Reference height", "m", Recompile, "Height over y = 0 at which a profile has its velocity, or for which gusts are made.", positive),
+        property<&Wind::exponent>        ("exponent",    "Exponent",     "",        Recompile,   "Exponent of the power law; 1/7 over open land, 0.1 over water.", {0.0, 2.0}),
+        property<&Wind::roughness>       ("roughness",   "Roughness",    "m",       Recompile,   "Height at which the logarithmic profile starts; 0.0002 on the sea, 0.03 over grass, 0.1 over farmland, 0.5 to 1 over suburbs.", positive),
+        property<&Wind::gustiness>       ("gustiness",   "Gustiness",    "m/s",     Recompile,   "Wind at 20 ft whose gusts these are; 7.7 is light turbulence, 15.4 moderate, 23.2 severe.", notNegative),
+        property<&Wind::seed>            ("seed",        "Seed",         "",        Recompile,   "Number that the gusts follow from; the same seed gives the same gusts.", notNegative),
+        property<&Wind::position>        ("position",    "Position",     "m",       Recompile,   "Middle of the nozzle of a jet."),
+        property<&Wind::radius>          ("radius",      "Radius",       "m",       Recompile,   "Radius of the nozzle of a jet.", positive),
+        property<&Wind::spread>          ("spread",      "Spread",       "deg",     Recompile,   "Half the angle by which a jet widens; 12 is that of a free jet.", {0.0, 80.0}),
 
         property<&Control::name>         ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
         property<&Control::kind>         ("kind",        "Kind",         "",        Recompile,   "Moves its targets, or shifts their weight inside the rods that hold them."),

@@ -111,6 +111,11 @@ State carryOver(const System& from, const State& state, const System& to, State 
             carried.inputCommand[j] = state.inputCommand[std::size_t(match)];
             carried.inputValue[j] = state.inputValue[std::size_t(match)];
         }
+
+    const KeyIndex gustsOf = indexOf(from.gusts, [](const GustSpec& gusts) { return gusts.key; });
+    for (std::size_t j = 0; j < to.gusts.size(); ++j)
+        if (const int match = gustsOf(to.gusts[j].key); match >= 0)
+            carried.gusts[j] = state.gusts[std::size_t(match)];
     return carried;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/line_drag.h"
 
+#include "sim/wind.h"
+
 #include <cmath>
 
 namespace ripstop {
@@ -17,6 +19,7 @@ Vec3 lineDrag(double width, const Vec3& a, const Vec3& b, const Vec3& apparentWi
 
 void fillLineDrags(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> drag)
 {
+    const Vec3 common = commonWind(system, state);
     crew.each(system.dragLines.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const DragLine& line = system.dragLines[i];
@@ -28,7 +31,9 @@ void fillLineDrags(const System& system, const State& state, Crew& crew, std::sp
             }
             const auto a = std::size_t(line.a);
             const auto b = std::size_t(line.b);
-            const Vec3 wind = system.wind - 0.5 * (state.velocity[a] + state.velocity[b]);
+            Vec3 wind = common - 0.5 * (state.velocity[a] + state.velocity[b]);
+            if (!system.airflows.empty())
+                wind += localWind(system, 0.5 * (state.position[a] + state.position[b]));
             drag[i] =
                 lineDrag(line.width, state.position[a], state.position[b], wind, system.airDensity);
         }

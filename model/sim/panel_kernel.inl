@@ -114,6 +114,18 @@ RIPSTOP_INLINE Four polarLoad(const MaterialAir& air, const Coordinates& normals
     return power < 0.0 ? Four(load - all(power / (speed * speed)) * w) : load;
 }
 
+RIPSTOP_INLINE void addLocalWind(const PanelWork& work, const FabricPanel& panel, int lane,
+                                 Coordinates& wind)
+{
+    const auto [a, b, c] = panel.corner;
+    const PaddedVec3* x = work.position;
+    const Four middle = (four(x[a]) + four(x[b]) + four(x[c])) * all(1.0 / 3.0);
+    const Vec3 local = localWind(*work.local, {middle[0], middle[1], middle[2]});
+    wind.x[lane] += local.x();
+    wind.y[lane] += local.y();
+    wind.z[lane] += local.z();
+}
+
 RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t i1, std::size_t i2,
                              std::size_t i3)
 {
@@ -139,9 +151,15 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
         four(v[a0]) + four(v[b0]) + four(v[c0]), four(v[a1]) + four(v[b1]) + four(v[c1]),
         four(v[a2]) + four(v[b2]) + four(v[c2]), four(v[a3]) + four(v[b3]) + four(v[c3]));
     const Four third = all(-1.0 / 3.0);
-    const Coordinates wind = {fused(sum.x, third, all(work.wind.x())),
-                              fused(sum.y, third, all(work.wind.y())),
-                              fused(sum.z, third, all(work.wind.z()))};
+    Coordinates wind = {fused(sum.x, third, all(work.wind.x())),
+                        fused(sum.y, third, all(work.wind.y())),
+                        fused(sum.z, third, all(work.wind.z()))};
+    if (work.local) {
+        addLocalWind(work, p0, 0, wind);
+        addLocalWind(work, p1, 1, wind);
+        addLocalWind(work, p2, 2, wind);
+        addLocalWind(work, p3, 3, wind);
+    }
 
     FourAirs air = fourAirs(work.airs, p0.air, p1.air, p2.air, p3.air);
     const std::uint8_t g0 = work.gone[i0], g1 = work.gone[i1];

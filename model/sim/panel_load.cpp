@@ -1,6 +1,7 @@
 #include "sim/panel_load.h"
 
 #include "sim/four.h"
+#include "sim/wind.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,7 +16,8 @@ struct PanelWork
     const std::uint8_t* gone;   // [panels]
     const PaddedVec3* position; // [particles] m
     const PaddedVec3* velocity; // [particles] m/s
-    Vec3 wind;                  // m/s
+    Vec3 wind;                  // m/s, what is the same everywhere
+    const System* local;        // whose other winds depend on the place, or null
     double airDensity;          // kg/m^3
     PaddedVec3* load;           // [panels] N
 };
@@ -36,8 +38,8 @@ Vec3 panelLoad(const MaterialAir& air, const Vec3& a, const Vec3& b, const Vec3&
     const PaddedVec3 position[3] = {a, b, c};
     const PaddedVec3 velocity[3];
     PaddedVec3 load;
-    const PanelWork work = {&alone,   &air,         &gone,      position,
-                            velocity, apparentWind, airDensity, &load};
+    const PanelWork work = {&alone,       &air,    &gone,      position, velocity,
+                            apparentWind, nullptr, airDensity, &load};
     (wideMachine ? wide::fillPanels : anywhere::fillPanels)(work, 0, 1);
     return load;
 }
@@ -51,10 +53,15 @@ void fillPanelLoads(const System& system, const State& state, Crew& crew,
 void fillPanelLoads(const System& system, const State& state, Crew& crew,
                     std::span<PaddedVec3> load, bool asWide)
 {
-    const PanelWork work = {system.panels.data(),   system.materialAir.data(),
-                            state.panelGone.data(), state.position.data(),
-                            state.velocity.data(),  system.wind,
-                            system.airDensity,      load.data()};
+    const PanelWork work = {system.panels.data(),
+                            system.materialAir.data(),
+                            state.panelGone.data(),
+                            state.position.data(),
+                            state.velocity.data(),
+                            commonWind(system, state),
+                            system.airflows.empty() ? nullptr : &system,
+                            system.airDensity,
+                            load.data()};
     crew.each(system.panels.size(), [&](std::size_t first, std::size_t last) {
         (asWide ? wide::fillPanels : anywhere::fillPanels)(work, first, last);
     });

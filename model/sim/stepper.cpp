@@ -1,6 +1,7 @@
 #include "sim/stepper.h"
 
 #include "sim/contact.h"
+#include "sim/gusts.h"
 #include "sim/inputs.h"
 #include "sim/line_drag.h"
 #include "sim/panel_load.h"
@@ -25,6 +26,7 @@ void Stepper::step(const System& system, State& state)
     const int substeps = substepsOf(system, state);
     const double h = system.timeStep / substeps;
     const double startTime = state.time;
+    advanceGusts(system, state);
     m_keep = std::exp(-system.viscosity * h);
     for (int s = 0; s < substeps; ++s) {
         state.time = startTime + (s + 1) * h;

@@ -1,6 +1,7 @@
 #include "sim/system.h"
 
 #include "base/key_index.h"
+#include "sim/gusts.h"
 #include "sim/rod_order.h"
 
 #include <algorithm>
@@ -119,17 +120,17 @@ requires std::is_same_v<std::remove_const_t<S>, System>
 auto fieldsOf(S& system)
 {
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
-           solver, strainGoal, gravity, airDensity, wind, viscosity, speedLimit, key, mass,
-           inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach, direct,
-           materialAir, dragLines, panels, panelKey, links, linkStuff, springLink, rodLink,
+           solver, strainGoal, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
+           key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach,
+           direct, materialAir, dragLines, panels, panelKey, links, linkStuff, springLink, rodLink,
            tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, inputs,
            shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
-                    gravity, airDensity, wind, viscosity, speedLimit, key, mass, inverseMass,
-                    springs, rods, colorStart, chunkStart, chunkClass, chunkReach, direct,
-                    materialAir, dragLines, panels, panelKey, links, linkStuff, springLink, rodLink,
-                    tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles,
-                    inputs, shiftedRods, probes, start);
+                    gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit, key, mass,
+                    inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach,
+                    direct, materialAir, dragLines, panels, panelKey, links, linkStuff, springLink,
+                    rodLink, tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside,
+                    obstacles, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>
@@ -137,9 +138,9 @@ requires std::is_same_v<std::remove_const_t<S>, State>
 auto fieldsOf(S& state)
 {
     auto& [time, step, substep, substeps, started, position, velocity, drift, inputCommand,
-           inputValue, springTorn, rodTorn, panelGone, rodTension, tears] = state;
+           inputValue, gusts, springTorn, rodTorn, panelGone, rodTension, tears] = state;
     return std::tie(time, step, substep, substeps, started, position, velocity, drift, inputCommand,
-                    inputValue, springTorn, rodTorn, panelGone, rodTension, tears);
+                    inputValue, gusts, springTorn, rodTorn, panelGone, rodTension, tears);
 }
 
 // Arrays are emptied and keep their memory; anything else starts as `fresh` does.
@@ -232,10 +233,18 @@ void finishOrdered(System& system, RodOrder order)
     fill(start.drift, n, PaddedVec3());
     fill(start.inputCommand, system.inputs.size(), 0.0);
     fill(start.inputValue, system.inputs.size(), 0.0);
+    startGusts(system);
     fill(start.springTorn, system.springs.size(), std::uint8_t(0));
     fill(start.rodTorn, system.rods.size(), std::uint8_t(0));
     fill(start.panelGone, system.panels.size(), std::uint8_t(0));
     fill(start.rodTension, system.rods.size(), 0.0);
+}
+
+void startGusts(System& system)
+{
+    system.start.gusts.clear();
+    for (const GustSpec& gusts : system.gusts)
+        system.start.gusts.push_back(firstGust(gusts));
 }
 
 void clear(System& system)

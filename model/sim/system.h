@@ -6,6 +6,7 @@
 // edited system is which.
 #pragma once
 
+#include "base/airflow.h"
 #include "base/laws.h"
 #include "base/vec3.h"
 
@@ -156,6 +157,32 @@ struct ShiftedRod
     friend bool operator==(const ShiftedRod&, const ShiftedRod&) = default;
 };
 
+// Gusts after Dryden (gusts.h).
+struct GustSpec
+{
+    Key key = 0;
+    Vec3 along = Vec3::UnitX();  // unit, level, with the mean wind
+    Vec3 across = Vec3::UnitZ(); // unit, level
+    double speed = 1.0;          // m/s, of the mean wind
+    double lengthAlong = 1.0;    // m, across as well
+    double lengthUp = 1.0;       // m
+    double sigmaAlong = 0.0;     // m/s, across as well
+    double sigmaUp = 0.0;        // m/s
+    int seed = 1;
+
+    friend bool operator==(const GustSpec&, const GustSpec&) = default;
+};
+
+// In standard deviations, so that it goes on when the gusts become stronger.
+struct GustState
+{
+    double along = 0.0;
+    std::array<double, 2> across{};
+    std::array<double, 2> up{};
+
+    friend bool operator==(const GustState&, const GustState&) = default;
+};
+
 struct ProbeSpec
 {
     Key key;
@@ -194,6 +221,8 @@ struct State
 
     std::vector<double> inputCommand; // [inputs] m, where the input is told to go
     std::vector<double> inputValue;   // [inputs] m, where it is
+
+    std::vector<GustState> gusts; // [gusts]
 
     std::vector<std::uint8_t> springTorn; // [springs]
     std::vector<std::uint8_t> rodTorn;    // [rods]
@@ -243,9 +272,11 @@ struct System
     double strainGoal = 0.01;                // 1, for Solver::Auto
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
     double airDensity = 1.225;               // kg/m^3
-    Vec3 wind = Vec3::Zero();                // m/s, everywhere
-    double viscosity = 0.0;                  // 1/s
-    double speedLimit = 1000.0;              // m/s
+    Vec3 wind = Vec3::Zero();                // m/s, what is the same everywhere and always
+    std::vector<Airflow> airflows;           // winds that depend on the place
+    std::vector<GustSpec> gusts;
+    double viscosity = 0.0;     // 1/s
+    double speedLimit = 1000.0; // m/s
 
     std::vector<Key> key;            // [particles]
     std::vector<double> mass;        // [particles] kg, the true mass even when pinned
@@ -296,6 +327,7 @@ bool operator==(const System& a, const System& b);
 
 // Whoever changes a finished system in place, and is its only owner, says so with these.
 void listTearable(System& system);                  // after a tear rule
+void startGusts(System& system);                    // after another seed
 void listDragLines(System& system);                 // after the air or the material of a link
 void touch(System& system, const Touched& changed); // after these inverse masses and rods
 void touchAll(System& system);

@@ -258,6 +258,11 @@ private slots:
             const std::vector<PaddedVec3> load = loads(system, wideMachine);
             QVERIFY(sameBits(load, loads(system, false)));
             QVERIFY(isPadded(load));
+            System windy = system;
+            windy.airflows = {Airflow{WindKind::LogLaw, {5.0, 0.0, 1.0}}};
+            const std::vector<PaddedVec3> other = loads(windy, wideMachine);
+            QVERIFY(sameBits(other, loads(windy, false)));
+            QVERIFY(isPadded(other) && !sameBits(other, load));
             for (std::size_t i = 0; i < load.size(); ++i)
                 if (system.start.panelGone[i] || airOf(system, i).law == AirLaw::None)
                     QCOMPARE(load[i].norm(), 0.0);

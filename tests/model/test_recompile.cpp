@@ -56,6 +56,15 @@ Scene rich()
     addItem(scene, weight);
     addWind(scene, {1.0, 0.0, 2.0});
     addWind(scene, {0.0, 0.3, 0.0});
+    Wind gusts{"gusts"};
+    gusts.kind = WindKind::Gusts;
+    addItem(scene, gusts);
+    Wind fan{"fan", {0.0, 0.0, 3.0}};
+    fan.kind = WindKind::Jet;
+    addItem(scene, fan);
+    Wind shear{"shear", {2.0, 0.0, 0.0}};
+    shear.kind = WindKind::LogLaw;
+    addItem(scene, shear);
     const Id group = addGroup(scene, "some", {nodes[1], rows.links[3].id, rows.panels[0].id});
     addProbe(scene, "group", Quantity::MaxTension, group);
     addProbe(scene, "elevation", Quantity::Elevation, nodes[5], nodes[0]);

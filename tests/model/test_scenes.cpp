@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include <numbers>
+#include <set>
 
 #include <cmath>
 
@@ -150,6 +151,69 @@ private slots:
         qInfo("line angle %.1f to %.1f degrees", lowest, highest);
         QVERIFY(lowest > 45.0 && highest < 80.0);
         QVERIFY(highest - lowest < 2.0);
+    }
+
+    // T-F1: tan(beta) = (L - W) / D and T = sqrt((L - W)^2 + D^2) of the line where it is tied to
+    // the steady kite; lift and drag are summed up over the panels.
+    void kitePullsAsStaticsSay()
+    {
+        const Scene scene = sample("delta_kite");
+        Simulation simulation = started("delta_kite");
+        QVERIFY(simulation.runUntil(20.0));
+        const Part& part = partOf(scene);
+        const auto isLine = [&](const Link& link) {
+            return findItem<Material>(scene, link.material)->name.starts_with("line");
+        };
+        const Id tow = std::find_if(part.links.begin(), part.links.end(), isLine)->from;
+        std::set<Id> onLine;
+        for (const Link& link : part.links)
+            if (isLine(link))
+                onLine.insert({link.from, link.to});
+        onLine.erase(tow);
+        double weight = 0.0;
+        for (const Particle& particle : part.particles)
+            weight += onLine.contains(particle.id) ? 0.0 : particle.mass * 9.80665;
+
+        constexpr int steps = 480;
+        Vec3 force = Vec3::Zero(); // means over the steps, as is the pull of the line on the kite
+        Vec3 pull = Vec3::Zero();
+        for (int step = 0; step < steps; ++step) {
+            QVERIFY(simulation.step());
+            const auto frame = simulation.frame();
+            for (const Vec3& load : frame->panelLoad)
+                force += load / steps;
+            for (std::size_t i = 0; i < part.links.size(); ++i)
+                if (isLine(part.links[i]) && part.links[i].from == tow) {
+                    const auto& place = frame->layout->links[i];
+                    const Vec3 along = frame->position[std::size_t(place.b)]
+                                       - frame->position[std::size_t(place.a)];
+                    pull += frame->tension[i] / steps * along.normalized();
+                }
+        }
+        const double up = force.y() - weight;
+        const double beta = std::atan2(up, force.x());
+        const double line = std::atan2(-pull.y(), -pull.x());
+        qInfo("line at the kite %.2f degrees, statics %.2f; pull %.2f N, statics %.2f",
+              line * 180.0 / std::numbers::pi, beta * 180.0 / std::numbers::pi, pull.norm(),
+              std::hypot(up, force.x()));
+        QVERIFY(std::abs(line - beta) < 0.01);
+        QVERIFY(std::abs(pull.norm() / std::hypot(up, force.x()) - 1.0) < 0.02);
+    }
+
+    // The gusts of light turbulence shake the pull, and the kite stays up.
+    void kiteFliesInGusts()
+    {
+        Simulation simulation = started("kite_in_gusts");
+        double least = 1e9;
+        double most = 0.0;
+        for (double time = 5.0; time <= 20.0; time += 0.1) {
+            QVERIFY(simulation.runUntil(time));
+            least = std::min(least, probe(simulation, "line tension"));
+            most = std::max(most, probe(simulation, "line tension"));
+            QVERIFY(probe(simulation, "height") > 10.0);
+        }
+        qInfo("pull %.1f to %.1f N", least, most);
+        QVERIFY(most > 1.3 * least);
     }
 
     // Glide ratio above 2 and steady; the linear-normal law allows some 3.5 (validation 4.7).

@@ -1,0 +1,44 @@
+// Logarithm and exponential that have the same bits on every machine, unlike those of the
+// mathematical libraries; exact to two units in the last place. Sums and products only.
+#pragma once
+
+#include <cmath>
+
+namespace ripstop {
+
+inline constexpr double ln2High = 0.693147180369123816490; // 33 bits, so that n ln2High is exact
+inline constexpr double ln2Low = 1.90821492927058770002e-10;
+
+// ln x = e ln 2 + 2 artanh((m - 1) / (m + 1)), x = m 2^e with m within a factor sqrt 2 of 1; x > 0.
+inline double portableLog(double x)
+{
+    int e = 0;
+    double m = std::frexp(x, &e);
+    if (m < 0.70710678118654752) {
+        m *= 2.0;
+        --e;
+    }
+    const double s = (m - 1.0) / (m + 1.0);
+    const double square = s * s;
+    double sum = 0.0;
+    for (int k = 23; k >= 3; k -= 2)
+        sum = square * (sum + 1.0 / k);
+    return e * ln2High + (2.0 * s + (2.0 * s * sum + e * ln2Low));
+}
+
+// e^x = 2^n e^r with |r| <= ln 2 / 2.
+inline double portableExp(double x)
+{
+    if (!(x > -700.0))
+        return x < 0.0 ? 0.0 : x; // not a number stays so
+    if (x > 709.0)
+        return HUGE_VAL;
+    const double n = std::floor(x / (ln2High + ln2Low) + 0.5);
+    const double r = (x - n * ln2High) - n * ln2Low;
+    double sum = 1.0;
+    for (int k = 15; k >= 1; --k)
+        sum = 1.0 + r * sum / k;
+    return std::ldexp(sum, int(n));
+}
+
+} // namespace ripstop

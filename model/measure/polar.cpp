@@ -1,0 +1,72 @@
+#include "measure/polar.h"
+
+#include "sim/panel_load.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double aspectRatio = 2.0; // of the curves for finite plates
+
+double separated(double alpha)
+{
+    const double s = std::sin(alpha);
+    return 1.98 * s / (0.56 + 0.44 * s);
+}
+
+constexpr std::array references{
+    PolarReference{"paper", "4 sin^2 a (Beaudry, Egli and Patenaude 2005)", 90.0,
+                   [](double a) { return 4.0 * std::sin(a) * std::sin(a); }},
+    PolarReference{"nasa", "1.28 sin^2 a (kite pages of NASA Glenn)", 90.0,
+                   [](double a) { return 1.28 * std::sin(a) * std::sin(a); }},
+    PolarReference{"kirchhoff", "2 pi sin a / (4 + pi sin a) (Kirchhoff 1869)", 90.0,
+                   [](double a) { return 2.0 * pi * std::sin(a) / (4.0 + pi * std::sin(a)); }},
+    PolarReference{"lindenburg", "separated plate, infinite span (Lindenburg 2003)", 90.0,
+                   separated},
+    PolarReference{"lindenburg_ar2", "separated plate, aspect ratio 2 (Lindenburg 2003)", 90.0,
+                   [](double a) {
+                       const double lost = 0.41 * (1.0 - std::exp(-17.0 / aspectRatio));
+                       return separated(a) - 1.98 * lost * std::sin(a);
+                   }},
+    PolarReference{"wing_ar2", "2 pi a / (1 + 2 / A), aspect ratio 2 (lifting line, to stall)",
+                   20.0, [](double a) { return 2.0 * pi * a / (1.0 + 2.0 / aspectRatio); }},
+    PolarReference{"plate", "2 sin a (Moore, Cory and Tedrake 2014)", 90.0,
+                   [](double a) { return 2.0 * std::sin(a); }},
+};
+
+} // namespace
+
+std::vector<PolarRow> platePolar(const MaterialAir& air, double step)
+{
+    constexpr double speed = 10.0;  // m/s
+    constexpr double density = 1.0; // kg/m^3
+    constexpr double area = 0.5;    // m^2
+    std::vector<PolarRow> rows;
+    const int count = int(std::floor(90.0 / step + 1e-9));
+    for (int i = 0; i <= count; ++i) {
+        const double degrees = i * step;
+        const double s = std::sin(degrees * pi / 180.0);
+        const double c = std::cos(degrees * pi / 180.0);
+        const Vec3 load = panelLoad(air, Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(),
+                                    speed * Vec3(c, s, 0.0), density)
+                          / (0.5 * density * speed * speed * area);
+        rows.push_back(
+            {degrees, load.y(), load.y() * c - load.x() * s, load.y() * s + load.x() * c});
+    }
+    return rows;
+}
+
+std::span<const PolarReference> polarReferences() { return references; }
+
+PolarRow rowOf(const PolarReference& reference, double degrees)
+{
+    const double alpha = degrees * pi / 180.0;
+    const double normal = reference.normal(alpha);
+    return {degrees, normal, normal * std::cos(alpha), normal * std::sin(alpha)};
+}
+
+} // namespace ripstop
