@@ -130,10 +130,13 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&View", "links",      tr("Show lin&ks"),         "link",    {},                   tr("Draw springs, rods and lines."), showing("links", &Viewport::setLinksShown), Toggle::On},
         {"&View", "particles",  tr("Show partic&les"),     "particle", QKeySequence("Shift+P"), tr("Draw a dot at each particle."), showing("particles", &Viewport::setParticlesShown), Toggle::Off},
         {"&View", "wind",       tr("Show &wind"),          "wind",    {},                   tr("Draw an arrow for the wind."), showing("wind", &Viewport::setWindShown), Toggle::On},
+        {"&View", "windField",  tr("Show wind fiel&d"),    nullptr,   QKeySequence("Shift+W"), tr("Draw arrows for the wind all around the design."), showing("windField", &Viewport::setWindFieldShown), Toggle::Off},
 
         {"&Run", "play",        tr("&Play"),               "play",    QKeySequence("Space"), tr("Run the simulation, or hold it."), [&player] { player.toggle(); }},
         {"&Run", "step",        tr("&Step"),               "step",    QKeySequence("."),    tr("One time step."), [&player] { player.step(); }},
         {"&Run", "reset",       tr("&Reset"),              "reset",   QKeySequence("Ctrl+R"), tr("Back to the design; controls return to zero."), [&player] { player.reset(); }},
+
+        {"&Tools", "polar",     tr("&Polar of an air law"), "plot",   {},                   tr("What the air law of a material does to a flat plate, beside published curves."), bench.showPolar},
 
         {"&Help", "keys",       tr("&Keys"),               "keys",    QKeySequence("F1"),   tr("All keys, and those of the controls of this scene."), bench.showKeys},
         {"&Help", "verification", tr("&Verification…"),    nullptr,   {},                   tr("Run the cases whose answer is known, and see what comes out."), bench.showVerification},

@@ -37,6 +37,7 @@ struct Workbench
     std::function<void()> showStartPage;
     std::function<void()> showKeys;
     std::function<void()> showVerification;
+    std::function<void()> showPolar;
 };
 
 class Actions final : public QObject

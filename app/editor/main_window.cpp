@@ -5,6 +5,7 @@
 #include "document/selection.h"
 #include "document/words.h"
 #include "editor/keys_dialog.h"
+#include "editor/polar_dialog.h"
 #include "editor/result_page.h"
 #include "editor/verification_dialog.h"
 #include "inspector/inspector.h"
@@ -110,7 +111,7 @@ void MainWindow::buildActions()
 {
     m_actions = new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline,
                              *m_files, [this] { showStartPage(); }, [this] { showKeys(); },
-                             [this] { showVerification(); }});
+                             [this] { showVerification(); }, [this] { showPolar(); }});
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
 }
@@ -260,6 +261,13 @@ void MainWindow::showVerification()
     ResultPage& cases = m_verification->cases();
     if (!cases.isRunning() && cases.done() == 0)
         cases.start();
+}
+
+void MainWindow::showPolar()
+{
+    const auto& ids = m_selection.ids();
+    const bool one = ids.size() == 1 && findItem<Material>(m_document.scene(), ids.front());
+    (new PolarDialog(m_document, one ? ids.front() : noId, this))->show();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

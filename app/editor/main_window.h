@@ -63,6 +63,7 @@ private:
     void showCounts();
     void showKeys();
     void showVerification();
+    void showPolar();
 
     Document& m_document;
     Selection& m_selection;

@@ -5,6 +5,7 @@
 #include "document/selection.h"
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
+#include "plots/polar_chart.h"
 #include "problems/problem_list.h"
 #include "small_scenes.h"
 #include "start/builder_dialog.h"
@@ -206,6 +207,16 @@ private slots:
                 button->click();
         QCOMPARE(opened.size(), qsizetype(sampleFiles().size()));
         QCOMPARE(built.size(), qsizetype(allBuilders().size()));
+    }
+
+    void thePolarChartShowsItsCurves()
+    {
+        PolarChart chart;
+        static_cast<QWidget&>(chart).show();
+        chart.show("C_N", {{"law", {0, 45, 90}, {0, 1, 2}}, {"published", {0, 20}, {0, 1}, true}});
+        QCOMPARE(chart.curveCount(), 2);
+        chart.show("C_L", {});
+        QCOMPARE(chart.curveCount(), 0);
     }
 
     void theBuilderDialogBuildsWhatItSays()

@@ -7,6 +7,7 @@
 #include "document/selection.h"
 #include "run/simulation.h"
 #include "viewport/steady_range.h"
+#include "viewport/wind_layer.h"
 
 #include <Eigen/Geometry>
 #include <QSurfaceFormat>
@@ -73,6 +74,47 @@ private slots:
         QVERIFY(isReddish(view.middle()));
         view.viewport.setPanelsShown(false);
         QVERIFY(!isReddish(view.middle()));
+    }
+
+    // Arrows stand on multiples of their step above the ground and show the wind of their place,
+    // gust included.
+    void windFieldIsSampled()
+    {
+        Scene scene = redPanel();
+        Wind shear{.name = "shear", .velocity = Vec3(6, 0, 0)};
+        shear.kind = WindKind::PowerLaw;
+        scene.items.push_back({Id{7}, shear});
+        const Vec3 gust(0.0, 0.5, -1.0);
+        const Eigen::AlignedBox3d bounds(Vec3(-2.0, 4.0, -1.0), Vec3(2.0, 9.0, 1.0));
+        const std::vector<WindArrow> arrows = windField(scene, gust, bounds);
+        QVERIFY(arrows.size() > 50);
+        double lowest = 1e9;
+        double highest = 0.0;
+        for (const WindArrow& arrow : arrows) {
+            QVERIFY(arrow.place.y() > 0.0);
+            const double expected = 6.0 * std::pow(arrow.place.y() / 10.0, 1.0 / 7.0);
+            QVERIFY((arrow.velocity - gust - Vec3(expected, 0, 0)).norm() < 1e-12);
+            lowest = std::min(lowest, arrow.place.y());
+            highest = std::max(highest, arrow.place.y());
+        }
+        QVERIFY(lowest < 4.0 && highest > 9.0);
+        const Eigen::AlignedBox3d moved(Vec3(-1.9, 4.1, -0.9), Vec3(2.1, 9.1, 1.1));
+        QCOMPARE(windField(scene, gust, moved).front().place, arrows.front().place);
+        QVERIFY(windField(redPanel(), Vec3::Zero(), bounds).empty()); // calm
+    }
+
+    void windFieldIsDrawn()
+    {
+        Scene scene = redPanel();
+        scene.items.push_back({Id{7}, Wind{.name = "wind", .velocity = Vec3(6, 0, 0)}});
+        View view(scene);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        const QImage calm = view.viewport.image(Viewport::Overlays::Without);
+        view.viewport.setWindFieldShown(true);
+        QVERIFY(view.viewport.image(Viewport::Overlays::Without) != calm);
+        view.viewport.setWindFieldShown(false);
+        QCOMPARE(view.viewport.image(Viewport::Overlays::Without), calm);
     }
 
     void panelsFollowFrames()

@@ -61,6 +61,18 @@ bool isUsed(const Property& property, const ConstRef& ref)
             return (c.shape == ColliderShape::Plane) == (key == "normal");
         return (key != "restitution" && key != "friction") || c.response == Response::Contact;
     }
+    if (const auto* wind = std::get_if<const Wind*>(&ref)) {
+        const WindKind wanted = (*wind)->kind;
+        if (key == "velocity")
+            return wanted != WindKind::Gusts;
+        if (key == "referenceHeight")
+            return wanted != WindKind::Uniform && wanted != WindKind::Jet;
+        if (key == "exponent" || key == "roughness")
+            return wanted == (key == "exponent" ? WindKind::PowerLaw : WindKind::LogLaw);
+        if (key == "gustiness" || key == "seed")
+            return wanted == WindKind::Gusts;
+        return wanted == WindKind::Jet || key == "name" || key == "kind";
+    }
     if (const auto* link = std::get_if<const Link*>(&ref)) {
         if (key == "stiffness" || key == "damping")
             return (*link)->kind == LinkKind::Spring;

@@ -27,6 +27,7 @@ constexpr std::array tunings{
     Tuning{Kind::Collider, "restitution",       Linear,      0.0,  1.0},
     Tuning{Kind::Collider, "friction",          Linear,      0.0,  1.5},
     Tuning{Kind::Wind,     "velocity",          Linear,      0.0,  25.0},
+    Tuning{Kind::Wind,     "gustiness",         Linear,      0.0,  25.0},
 };
 // clang-format on
 

@@ -44,7 +44,7 @@ struct Writer
     }
     QString operator()(const Wind& wind) const
     {
-        const double speed = wind.velocity.norm();
+        const double speed = wind.kind == WindKind::Gusts ? wind.gustiness : wind.velocity.norm();
         return QString::number(speed, 'g', 3) + QStringLiteral(" m/s");
     }
     QString operator()(const Control& control) const

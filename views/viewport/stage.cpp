@@ -1,5 +1,7 @@
 #include "viewport/stage.h"
 
+#include "scene/wind.h"
+
 #include <vtkCamera.h>
 #include <vtkCullerCollection.h>
 #include <vtkLight.h>
@@ -22,10 +24,10 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 9> Stage::layers()
+std::array<Layer*, 10> Stage::layers()
 {
     return {&m_ground,  &m_shadow,  &m_colliders, &panels, &links,
-            &particles, &m_weights, &m_highlight, &m_pins};
+            &particles, &m_weights, &m_highlight, &m_pins, &m_wind};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft
@@ -88,6 +90,18 @@ void Stage::setPanelsShown(bool shown)
 {
     panels.setShown(shown);
     m_shadow.setShown(shown);
+}
+
+void Stage::setWindShown(bool shown)
+{
+    m_wind.setShown(shown);
+    m_layersAreOld = true;
+}
+
+Vec3 Stage::windAtDesign(const Scene& scene) const
+{
+    const Vec3 place = m_bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_bounds.center());
+    return meanWindAt(scene, place) + (m_frame ? m_frame->gust : Vec3(Vec3::Zero()));
 }
 
 const ColorMap& Stage::colors() const

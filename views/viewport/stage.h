@@ -12,6 +12,7 @@
 #include "viewport/shadow_layer.h"
 #include "viewport/turntable.h"
 #include "viewport/weight_layer.h"
+#include "viewport/wind_layer.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkPoints.h>
@@ -40,6 +41,7 @@ public:
     void place(const Turntable& camera);
 
     void setPanelsShown(bool shown); // and their shadow
+    void setWindShown(bool shown);   // the field of arrows
 
     PanelLayer panels;
     LinkLayer links;
@@ -50,6 +52,7 @@ public:
     // What a designer looks at first: the fabric and what it carries. Everything when there is
     // none.
     std::vector<Vec3> subjectPoints(const Scene& scene) const;
+    Vec3 windAtDesign(const Scene& scene) const; // m/s, in the middle of what is shown
     const Look& look() const { return m_look; }
     const Eigen::AlignedBox3d& bounds() const { return m_bounds; }
     const Theme& theme() const { return m_theme; }
@@ -66,7 +69,7 @@ private:
     void takeBounds(const Scene& scene);
     void takeRange();
     bool somethingBroke() const;
-    std::array<Layer*, 9> layers();
+    std::array<Layer*, 10> layers();
 
     PinLayer m_pins;
     WeightLayer m_weights;
@@ -74,6 +77,7 @@ private:
     GroundLayer m_ground;
     ColliderLayer m_colliders;
     ShadowLayer m_shadow;
+    WindLayer m_wind;
 
     std::shared_ptr<const Frame> m_frame; // keeps the coordinates alive
     std::shared_ptr<const Frame> m_drawn; // what the layers show

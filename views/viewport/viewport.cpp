@@ -39,15 +39,6 @@ Vec3 middleOf(const Frame& frame)
     return count > 0.0 ? Vec3(sum / count) : sum;
 }
 
-Vec3 windOf(const Scene& scene)
-{
-    Vec3 sum = Vec3::Zero();
-    for (const Entry& entry : scene.items)
-        if (const Wind* wind = std::get_if<Wind>(&entry.item))
-            sum += wind->velocity;
-    return sum;
-}
-
 } // namespace
 
 class Viewport::Private
@@ -127,7 +118,7 @@ void Viewport::Private::prepare()
 {
     stage.setPixelRatio(screen.devicePixelRatioF());
     stage.prepare(document.scene());
-    compass.setWind(windOf(document.scene()));
+    compass.setWind(stage.windAtDesign(document.scene()));
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
     place();
 }
@@ -241,6 +232,12 @@ void Viewport::setParticlesShown(bool shown)
 }
 
 void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
+
+void Viewport::setWindFieldShown(bool shown)
+{
+    d->stage.setWindShown(shown);
+    d->screen.update();
+}
 
 void Viewport::setTheme(const Theme& theme)
 {

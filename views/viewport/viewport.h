@@ -48,6 +48,7 @@ public:
     void setLinksShown(bool shown);
     void setParticlesShown(bool shown);
     void setWindShown(bool shown);
+    void setWindFieldShown(bool shown); // off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();

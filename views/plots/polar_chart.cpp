@@ -1,0 +1,97 @@
+#include "plots/polar_chart.h"
+
+#include "plots/curve_color.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+#include <qcustomplot.h>
+
+#include <algorithm>
+
+namespace ripstop {
+
+PolarChart::PolarChart(QWidget* parent)
+    : QWidget(parent)
+    , m_plot(new QCustomPlot)
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_plot);
+    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    m_plot->xAxis->setLabel(tr("Angle of attack (degrees)"));
+    m_plot->xAxis->setRange(0.0, 90.0);
+    const QSharedPointer<QCPAxisTickerFixed> ticks(new QCPAxisTickerFixed);
+    ticks->setTickStep(15.0);
+    m_plot->xAxis->setTicker(ticks);
+    m_plot->legend->setVisible(true);
+    // below the curves, which fill the whole chart
+    m_plot->axisRect()->insetLayout()->take(m_plot->legend);
+    m_plot->plotLayout()->addElement(1, 0, m_plot->legend);
+    m_plot->plotLayout()->setRowStretchFactor(1, 0.001);
+    m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
+    m_plot->legend->setWrap(2);
+    style();
+}
+
+void PolarChart::show(const QString& quantity, const std::vector<Curve>& curves)
+{
+    m_plot->clearGraphs();
+    m_plot->yAxis->setLabel(quantity);
+    double highest = 0.0;
+    double lowest = 0.0;
+    for (const Curve& curve : curves) {
+        QCPGraph* graph = m_plot->addGraph();
+        graph->setName(curve.name);
+        graph->setData(QVector<double>(curve.degrees.begin(), curve.degrees.end()),
+                       QVector<double>(curve.value.begin(), curve.value.end()), true);
+        for (const double value : curve.value) {
+            highest = std::max(highest, value);
+            lowest = std::min(lowest, value);
+        }
+    }
+    for (int i = 0; i < m_plot->graphCount(); ++i) {
+        const bool published = curves[std::size_t(i)].published;
+        m_plot->graph(i)->setPen(QPen(curveColor(i, palette()), published ? 1.4 : 3.0,
+                                      published ? Qt::DashLine : Qt::SolidLine));
+        if (!published)
+            m_plot->graph(i)->setLayer(QStringLiteral("axes")); // above the published ones
+    }
+    m_plot->yAxis->setRange(lowest, 1.05 * std::max(highest, 0.1));
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+int PolarChart::curveCount() const { return m_plot->graphCount(); }
+
+void PolarChart::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange)
+        style();
+    QWidget::changeEvent(event);
+}
+
+void PolarChart::style()
+{
+    const QColor ink = palette().color(QPalette::Text);
+    QColor faint = ink;
+    faint.setAlphaF(0.35f);
+    QColor grid = ink;
+    grid.setAlphaF(isDark(palette()) ? 0.16f : 0.12f);
+    QColor veil = palette().color(QPalette::Base);
+    veil.setAlphaF(0.75f);
+    m_plot->setBackground(palette().base());
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
+        axis->setBasePen(QPen(faint, 1));
+        axis->setTickPen(QPen(faint, 1));
+        axis->setSubTickPen(Qt::NoPen);
+        axis->setTickLabelColor(ink);
+        axis->setLabelColor(ink);
+        axis->grid()->setPen(QPen(grid, 1));
+        axis->grid()->setZeroLinePen(QPen(faint, 1));
+    }
+    m_plot->legend->setBrush(veil);
+    m_plot->legend->setBorderPen(Qt::NoPen);
+    m_plot->legend->setTextColor(ink);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+} // namespace ripstop
