@@ -27,6 +27,7 @@ const Section sections[] = {
     {"Tearing", tearingCases},
     {"Air", airCases},
     {"Laws of the air", airLawCases},
+    {"Wind", windCases},
     {"Flight", flightCases},
     {"Counts", countCases},
 };
