@@ -15,14 +15,20 @@ struct FourAirs
     Four saturation;
     Four friction;
     Four porosity;
+    bool plain; // neither blended nor porous nor by table, as mostly
 };
+
+RIPSTOP_INLINE bool isPlain(const MaterialAir& air)
+{
+    return air.saturation == 0.0 && air.porosity == 0.0 && air.law != AirLaw::LiftDrag;
+}
 
 RIPSTOP_INLINE FourAirs fourAirs(const MaterialAir* airs, int i0, int i1, int i2, int i3)
 {
     const MaterialAir& a0 = airs[i0];
     if (i0 == i1 && i0 == i2 && i0 == i3) // mostly
         return {Mask{} + std::int64_t(a0.law), all(a0.normalCoefficient), all(a0.saturation),
-                all(a0.skinFriction), all(a0.porosity)};
+                all(a0.skinFriction),          all(a0.porosity),          isPlain(a0)};
     const MaterialAir& a1 = airs[i1];
     const MaterialAir& a2 = airs[i2];
     const MaterialAir& a3 = airs[i3];
@@ -32,7 +38,21 @@ RIPSTOP_INLINE FourAirs fourAirs(const MaterialAir* airs, int i0, int i1, int i2
                  a3.normalCoefficient},
             Four{a0.saturation, a1.saturation, a2.saturation, a3.saturation},
             Four{a0.skinFriction, a1.skinFriction, a2.skinFriction, a3.skinFriction},
-            Four{a0.porosity, a1.porosity, a2.porosity, a3.porosity}};
+            Four{a0.porosity, a1.porosity, a2.porosity, a3.porosity},
+            isPlain(a0) && isPlain(a1) && isPlain(a2) && isPlain(a3)};
+}
+
+// Kept out of line, as what else is rare, so that it costs nothing where it is not called.
+#define RIPSTOP_RARE __attribute__((noinline))
+
+// What is left of the pace |c| |w| when the law is blended, and of that when the cloth is porous.
+RIPSTOP_RARE void blendAndLeak(const FourAirs& air, const Four& through, Four& pace)
+{
+    const Four blend = pace * pace / (pace + air.saturation * magnitude(through));
+    pace = (air.saturation != all(0.0)) & (pace > all(0.0)) ? blend : pace;
+    const Four meets = root(magnitude(through));
+    const Four left = meets / (meets + air.porosity * root(air.coefficient * pace));
+    pace = (air.porosity > all(0.0)) & (through != all(0.0)) ? pace * left * left : pace;
 }
 
 // Zero where there is no law, no area or no panel any more.
@@ -47,16 +67,12 @@ RIPSTOP_INLINE Coordinates panelLoads(const Coordinates& normal, const Coordinat
     Four pace = magnitude(through);
     if (any(linear))
         pace = linear ? root(square * dot(wind, wind)) : pace;
-    const Mask blended = air.saturation != all(0.0);
-    if (any(blended)) {
-        const Four blend = pace * pace / (pace + air.saturation * magnitude(through));
-        pace = blended & (pace > all(0.0)) ? blend : pace;
-    }
-    const Mask porous = air.porosity > all(0.0);
-    if (any(porous)) {
-        const Four meets = root(magnitude(through));
-        const Four left = meets / (meets + air.porosity * root(air.coefficient * pace));
-        pace = porous & (through != all(0.0)) ? pace * left * left : pace;
+    if (!air.plain) {
+        const FourAirs airs = air;
+        const Four meets = through;
+        Four left = pace;
+        blendAndLeak(airs, meets, left);
+        pace = left;
     }
     Coordinates load = (quarterDensity * air.coefficient * pace * share) * normal;
 
@@ -114,16 +130,31 @@ RIPSTOP_INLINE Four polarLoad(const MaterialAir& air, const Coordinates& normals
     return power < 0.0 ? Four(load - all(power / (speed * speed)) * w) : load;
 }
 
-RIPSTOP_INLINE void addLocalWind(const PanelWork& work, const FabricPanel& panel, int lane,
-                                 Coordinates& wind)
+RIPSTOP_RARE void localWinds(const PanelWork& work, const std::size_t (&panel)[4],
+                             Coordinates& wind)
 {
-    const auto [a, b, c] = panel.corner;
-    const PaddedVec3* x = work.position;
-    const Four middle = (four(x[a]) + four(x[b]) + four(x[c])) * all(1.0 / 3.0);
-    const Vec3 local = localWind(*work.local, {middle[0], middle[1], middle[2]});
-    wind.x[lane] += local.x();
-    wind.y[lane] += local.y();
-    wind.z[lane] += local.z();
+    for (int lane = 0; lane < 4; ++lane) {
+        const auto [a, b, c] = work.panels[panel[lane]].corner;
+        const PaddedVec3* x = work.position;
+        const Four middle = (four(x[a]) + four(x[b]) + four(x[c])) * all(1.0 / 3.0);
+        const Vec3 local = localWind(*work.local, {middle[0], middle[1], middle[2]});
+        wind.x[lane] = local.x();
+        wind.y[lane] = local.y();
+        wind.z[lane] = local.z();
+    }
+}
+
+RIPSTOP_RARE void addPolarLoads(const PanelWork& work, const std::size_t (&panel)[4],
+                                const Mask& byTable, const Coordinates& normal,
+                                const Coordinates& wind)
+{
+    for (int lane = 0; lane < 4; ++lane) {
+        const std::size_t i = panel[lane];
+        const bool again = lane > 0 && i == panel[lane - 1]; // repeated, has its load already
+        if (byTable[lane] && !again)
+            four(work.load[i]) += all(0.25 * work.airDensity)
+                                  * polarLoad(work.airs[work.panels[i].air], normal, wind, lane);
+    }
 }
 
 RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t i1, std::size_t i2,
@@ -154,11 +185,11 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
     Coordinates wind = {fused(sum.x, third, all(work.wind.x())),
                         fused(sum.y, third, all(work.wind.y())),
                         fused(sum.z, third, all(work.wind.z()))};
+    const std::size_t panel[4] = {i0, i1, i2, i3};
     if (work.local) {
-        addLocalWind(work, p0, 0, wind);
-        addLocalWind(work, p1, 1, wind);
-        addLocalWind(work, p2, 2, wind);
-        addLocalWind(work, p3, 3, wind);
+        Coordinates local;
+        localWinds(work, panel, local);
+        wind = {wind.x + local.x, wind.y + local.y, wind.z + local.z};
     }
 
     FourAirs air = fourAirs(work.airs, p0.air, p1.air, p2.air, p3.air);
@@ -167,7 +198,7 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
     if (g0 | g1 | g2 | g3)
         air.law = Mask{g0, g1, g2, g3} == 0 ? air.law : Mask{} + std::int64_t(AirLaw::None);
     const Mask byTable = air.law == std::int64_t(AirLaw::LiftDrag);
-    const bool someByTable = any(byTable);
+    const bool someByTable = !air.plain && any(byTable);
     if (someByTable)
         air.coefficient = byTable ? all(0.0) : air.coefficient;
 
@@ -175,15 +206,10 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
     const Coordinates normal = cross(ab, ac);
     store(panelLoads(normal, wind, air, quarterDensity), work.load[i0], work.load[i1],
           work.load[i2], work.load[i3]);
-    if (!someByTable)
-        return;
-    const std::size_t panel[4] = {i0, i1, i2, i3};
-    for (int lane = 0; lane < 4; ++lane) {
-        const std::size_t i = panel[lane];
-        const bool again = lane > 0 && i == panel[lane - 1]; // repeated, has its load already
-        if (byTable[lane] && !again)
-            four(work.load[i]) +=
-                quarterDensity * polarLoad(work.airs[work.panels[i].air], normal, wind, lane);
+    if (someByTable) {
+        const Coordinates normals = normal, winds = wind;
+        const Mask lanes = byTable;
+        addPolarLoads(work, panel, lanes, normals, winds);
     }
 }
 
@@ -195,3 +221,5 @@ void fillPanels(const PanelWork& work, std::size_t first, std::size_t last)
     if (i < last) // the last one is repeated, and written again
         fillFour(work, i, std::min(i + 1, last - 1), std::min(i + 2, last - 1), last - 1);
 }
+
+#undef RIPSTOP_RARE
