@@ -26,7 +26,7 @@ enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
 enum class TearRule { Never, Length, Strain, Force };
 enum class AirLaw { None, Paper, LinearNormal, LiftDrag };
 enum class WindKind { Uniform, PowerLaw, LogLaw, Gusts, Jet };
-enum class ColliderShape { Plane, Sphere };
+enum class ColliderShape { Plane, Sphere, Box, HeightField, Mesh };
 enum class Response { Stop, Slide, Contact };
 enum class ControlKind { Move, WeightShift };
 
@@ -77,7 +77,8 @@ template <>
 inline constexpr std::array<std::string_view, 5> choiceNames<WindKind>{"uniform", "power_law",
                                                                        "log_law", "gusts", "jet"};
 template <>
-inline constexpr std::array<std::string_view, 2> choiceNames<ColliderShape>{"plane", "sphere"};
+inline constexpr std::array<std::string_view, 5> choiceNames<ColliderShape>{
+    "plane", "sphere", "box", "height_field", "mesh"};
 template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<Response>{"stop", "slide", "contact"};
 template <>

@@ -33,6 +33,8 @@ constexpr Parameter parameters[]{
     {"level",     "m",      1.6,  0.01, 1000, false, "Height of the top edge over the ground."},
     {"flat",      "",       1,    0, 1,    true,  "1 starts with the sheet lying level, 0 hanging."},
     {"sphere",    "m",      0.25,    0, 20,   false, "Radius of a sphere below the sheet; 0 leaves it out."},
+    {"boxes",     "",       0,    0, 9,    true,  "Boxes on the ground in a ring below the sheet, each turned another way."},
+    {"thickness", "m",      0,    0, 0.2,  false, "Distance that the sheet keeps from itself and from sphere and boxes; 0 lets it pass through itself."},
     {"wind",      "m/s",    0,    -50, 50, false, "Speed of the wind, across the sheet when it is hung by corners and along it when by an edge."},
     {"lift_slope", "1/rad", 2,    0, 8,    false, "Normal force coefficient of the fabric in the wind."},
     {"friction",  "",       0.02, 0, 0.5,  false, "Coefficient of the air's force along the fabric."},
@@ -180,11 +182,33 @@ void addSphere(Scene& scene, const Parameters& p)
     sphere.name = "sphere";
     sphere.shape = ColliderShape::Sphere;
     sphere.radius = p.at("sphere");
+    sphere.thickness = 0.5 * p.at("thickness");
     const bool flat = p.at("flat") > 0.0;
     const double gap = 1.15 * sphere.radius;
     sphere.position = flat ? Vec3(0.0, p.at("level") - gap, 0.5 * p.at("height"))
                            : Vec3(0.0, p.at("level") - 0.8 * p.at("height"), gap);
     addItem(scene, sphere);
+}
+
+void addBoxes(Scene& scene, const Parameters& p)
+{
+    const int count = int(p.at("boxes"));
+    const double width = std::min(p.at("width"), p.at("height"));
+    const Vec3 middle(0.0, 0.0, p.at("flat") > 0.0 ? 0.5 * p.at("height") : 0.0);
+    for (int i = 0; i < count; ++i) {
+        Collider box;
+        box.name = "box " + std::to_string(i + 1);
+        box.shape = ColliderShape::Box;
+        box.size = width * Vec3(0.24, 0.2 + 0.1 * (i % 3), 0.24);
+        box.turn = Vec3(0.0, 40.0 * i, i % 2 == 1 ? 45.0 : 0.0); // every other one on an edge
+        const double angle = 2.0 * pi * i / count;
+        const double away = count > 1 ? 0.3 * width : 0.0;
+        const double reach =
+            i % 2 == 1 ? (box.size.x() + box.size.y()) * std::sqrt(0.125) : 0.5 * box.size.y();
+        box.position = middle + Vec3(away * std::cos(angle), reach, away * std::sin(angle));
+        box.thickness = 0.5 * p.at("thickness");
+        addItem(scene, box);
+    }
 }
 
 // What is held is moved by keys as in the cloth paper; up is away from the viewer.
@@ -212,6 +236,7 @@ Scene buildCloth(const Parameters& p)
     addGround(scene);
     if (p.at("sphere") > 0.0)
         addSphere(scene, p);
+    addBoxes(scene, p);
     addWind(scene, p.at("wind") * (hang == byEdge ? Vec3::UnitX() : Vec3::UnitZ()));
     const Materials materials = addMaterials(scene, p);
 
@@ -235,6 +260,7 @@ Scene buildCloth(const Parameters& p)
 
     const Id middle = sheet.at(sheet.rows(), sheet.columns() / 2);
     const Id part = network.finish("cloth", p);
+    std::get<Part>(*findItem(scene, part)).selfContact = p.at("thickness");
     addGroup(scene, "held", held);
     if (hang == byCorners)
         addControls(scene, "corner", {sheet.at(0, 0)});

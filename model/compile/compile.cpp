@@ -116,6 +116,7 @@ void compileSound(const Scene& scene, const ElementIndex& index, System& system)
     addPanels(scene, index, system);
     takeWinds(windsOf(scene), system);
     system.obstacles = obstaclesOf(scene);
+    system.fabricLayer = fabricLayersOf(scene);
     system.inputs = inputsOf(scene, index);
     system.probes = probesOf(scene, index);
     finishOrdered(system, std::move(order));

@@ -95,6 +95,7 @@ void LiveSystem::note(const SetValues& change)
         m_noted.probes = true;
         break;
     case Kind::Part:
+        m_noted.fabricLayers = true;
         break;
     }
 }
@@ -146,6 +147,8 @@ Patch LiveSystem::patch() const
         patch.settings = m_scene.settings;
     if (m_noted.wind)
         patch.winds = windsOf(m_scene);
+    if (m_noted.fabricLayers)
+        patch.fabricLayers = fabricLayersOf(m_scene);
     if (m_noted.obstacles)
         patch.obstacles = obstaclesOf(m_scene);
     if (m_noted.inputs)

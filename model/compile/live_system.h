@@ -43,6 +43,7 @@ private:
         bool settings = false;
         bool wind = false;
         bool obstacles = false;
+        bool fabricLayers = false;
         bool inputs = false;
         bool probes = false;
         std::vector<Id> materials;

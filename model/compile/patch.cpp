@@ -108,6 +108,8 @@ private:
         }
         if (patch.obstacles)
             m_system.obstacles = *patch.obstacles;
+        if (patch.fabricLayers)
+            m_system.fabricLayer = *patch.fabricLayers;
         if (patch.inputs)
             m_system.inputs = *patch.inputs;
         if (patch.probes) {

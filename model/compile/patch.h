@@ -31,6 +31,7 @@ struct Patch
 
     std::optional<Winds> winds;
     std::optional<std::vector<Obstacle>> obstacles;
+    std::optional<std::vector<FabricLayer>> fabricLayers;
     std::optional<std::vector<Input>> inputs;
     std::optional<std::vector<ProbeSpec>> probes;
 };

@@ -1,5 +1,7 @@
 #include "compile/resolve.h"
 
+#include "scene/collider_path.h"
+#include "scene/collider_shape.h"
 #include "scene/wind.h"
 #include "sim/gusts.h"
 
@@ -253,16 +255,42 @@ void takeWinds(const Winds& winds, System& system)
 std::vector<Obstacle> obstaclesOf(const Scene& scene)
 {
     std::vector<Obstacle> obstacles;
-    forEachItem<Collider>(scene, [&](Id, const Collider& collider) {
-        obstacles.push_back({collider.shape, collider.position, collider.normal.normalized(),
-                             collider.radius, collider.response, collider.restitution,
-                             collider.friction});
+    forEachItem<Collider>(scene, [&](Id id, const Collider& collider) {
+        Obstacle obstacle{collider.shape,    collider.position,  collider.normal.normalized(),
+                          collider.radius,   collider.response,  collider.restitution,
+                          collider.friction, collider.thickness, collider.size,
+                          turnOf(collider)};
+        obstacle.key = Key(id);
+        obstacle.scale = collider.scale;
+        // What fails here was found by the check before.
+        if (const auto path = pathFromText(collider.path))
+            obstacle.path = *path;
+        if (collider.shape == ColliderShape::HeightField)
+            if (const auto grid = gridOf(scene, collider))
+                obstacle.grid = *grid;
+        if (collider.shape == ColliderShape::Mesh)
+            if (const auto mesh = meshOf(scene, collider))
+                obstacle.mesh = *mesh;
+        obstacles.push_back(std::move(obstacle));
     });
     return obstacles;
 }
 
+std::vector<FabricLayer> fabricLayersOf(const Scene& scene)
+{
+    std::vector<FabricLayer> layers;
+    bool any = false;
+    forEachPart(scene, [&](Id, const Part& part) {
+        layers.resize(layers.size() + part.particles.size(), {part.selfContact, part.selfFriction});
+        any |= part.selfContact > 0.0;
+    });
+    return any ? layers : std::vector<FabricLayer>();
+}
+
 std::vector<Input> inputsOf(const Scene& scene, const ElementIndex& index)
 {
+    std::vector<Id> colliders;
+    forEachItem<Collider>(scene, [&](Id id, const Collider&) { colliders.push_back(id); });
     std::vector<Input> inputs;
     forEachItem<Control>(scene, [&](Id id, const Control& control) {
         Input input{Key(id),
@@ -273,7 +301,11 @@ std::vector<Input> inputsOf(const Scene& scene, const ElementIndex& index)
                     control.automaticRate,
                     {}};
         for (const Id target : control.targets)
-            input.targets.push_back(index.particle(target));
+            if (const int particle = index.particle(target); particle >= 0)
+                input.targets.push_back(particle);
+            else
+                input.obstacles.push_back(
+                    int(std::find(colliders.begin(), colliders.end(), target) - colliders.begin()));
         inputs.push_back(std::move(input));
     });
     return inputs;

@@ -125,7 +125,10 @@ Result<Scene> readScene(const std::filesystem::path& file)
         const Result<std::string> text = readWholeFile(file, wrongStart);
         if (!text)
             return text.failure();
-        return parseScene(*text, file.string());
+        Result<Scene> scene = parseScene(*text, file.string());
+        if (scene)
+            scene->folder.path = file.parent_path().string();
+        return scene;
     } catch (const std::bad_alloc&) {
         return Failure{file.string() + " is too large for the memory of this computer."};
     }

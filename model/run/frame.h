@@ -41,7 +41,8 @@ struct Layout
     std::vector<Link> links;               // in the author's order
     std::vector<std::uint32_t> panelId;    // [panels]
     std::vector<std::array<int, 3>> panelCorners;
-    std::vector<std::uint32_t> inputId; // [inputs] ids of the controls
+    std::vector<std::uint32_t> inputId;    // [inputs] ids of the controls
+    std::vector<std::uint32_t> colliderId; // [colliders]
     std::vector<Probe> probes;
 
     friend bool operator==(const Layout&, const Layout&) = default;
@@ -72,18 +73,19 @@ struct Frame
     std::vector<Vec3> position; // [particles] m
     std::vector<Vec3> velocity; // [particles] m/s
 
-    std::vector<double> strain;       // [links] 1
-    std::vector<double> tension;      // [links] N, negative in compression
-    std::vector<std::uint8_t> torn;   // [links]
-    std::vector<Vec3> panelLoad;      // [panels] N
-    std::vector<std::uint8_t> gone;   // [panels]
-    Vec3 gust = Vec3::Zero();         // m/s, of all gusts together, the same everywhere
-    std::vector<double> inputCommand; // [inputs] m
-    std::vector<double> inputValue;   // [inputs] m
-    std::vector<double> probe;        // [probes] in the unit of the probe
-    std::vector<Tear> tears;          // all since the start, in order of time
-    std::string stopped;              // why the simulation cannot go on; empty when it can
-    std::uint32_t culprit = 0;        // id of the element that stopped it
+    std::vector<double> strain;         // [links] 1
+    std::vector<double> tension;        // [links] N, negative in compression
+    std::vector<std::uint8_t> torn;     // [links]
+    std::vector<Vec3> panelLoad;        // [panels] N
+    std::vector<std::uint8_t> gone;     // [panels]
+    Vec3 gust = Vec3::Zero();           // m/s, of all gusts together, the same everywhere
+    std::vector<Vec3> colliderPosition; // [colliders] m
+    std::vector<double> inputCommand;   // [inputs] m
+    std::vector<double> inputValue;     // [inputs] m
+    std::vector<double> probe;          // [probes] in the unit of the probe
+    std::vector<Tear> tears;            // all since the start, in order of time
+    std::string stopped;                // why the simulation cannot go on; empty when it can
+    std::uint32_t culprit = 0;          // id of the element that stopped it
 };
 
 } // namespace ripstop

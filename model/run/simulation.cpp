@@ -3,6 +3,7 @@
 #include "measure/diagnostics.h"
 #include "measure/probe.h"
 #include "sim/carry_over.h"
+#include "sim/obstacle_motion.h"
 #include "sim/wind.h"
 
 #include <algorithm>
@@ -31,6 +32,8 @@ std::shared_ptr<const Layout> layoutOf(const System& system)
         layout->panelCorners.push_back(panel.corner);
     for (const Input& input : system.inputs)
         layout->inputId.push_back(input.key);
+    for (const Obstacle& obstacle : system.obstacles)
+        layout->colliderId.push_back(obstacle.key);
     for (const ProbeSpec& probe : system.probes)
         layout->probes.push_back(
             {probe.key, probe.name, std::string(unitOf(probe.quantity)), probe.plotted});
@@ -183,6 +186,8 @@ std::shared_ptr<Frame> Simulation::frame() const
                                   : m_state.springTorn[std::size_t(link.index)]);
     frame->gone = m_state.panelGone;
     frame->gust = commonWind(*m_system, m_state) - m_system->wind;
+    for (std::size_t i = 0; i < m_system->obstacles.size(); ++i)
+        frame->colliderPosition.push_back(obstaclePosition(*m_system, m_state, i, m_state.time));
     frame->inputCommand = m_state.inputCommand;
     frame->inputValue = m_state.inputValue;
 

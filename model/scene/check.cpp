@@ -1,6 +1,7 @@
 #include "scene/check.h"
 
 #include "base/step_limit.h"
+#include "scene/collider_shape.h"
 #include "scene/element_index.h"
 
 #include <algorithm>
@@ -103,6 +104,7 @@ public:
         errors();
         duplicates();
         stability();
+        gaps();
         if (!m_hasParticles)
             add("empty", Severity::Warning,
                 "The scene has no particles: insert a part or import a mesh.", noId);
@@ -222,10 +224,8 @@ private:
     {
         for (const Entry& entry : m_scene.items) {
             if (const Collider* collider = std::get_if<Collider>(&entry.item))
-                if (collider->shape == ColliderShape::Plane && !(collider->normal.norm() > 0.0))
-                    add("normal", Severity::Error,
-                        "Collider " + collider->name + " needs a normal that is not zero.",
-                        entry.id);
+                if (auto error = colliderError(m_scene, *collider))
+                    add("collider", Severity::Error, std::move(*error), entry.id);
             if (const Wind* wind = std::get_if<Wind>(&entry.item))
                 if (wind->kind == WindKind::LogLaw && !(wind->roughness < wind->referenceHeight))
                     add("roughness", Severity::Error,
@@ -236,6 +236,14 @@ private:
                 if (!(control->axis.norm() > 0.0))
                     add("axis", Severity::Error,
                         "Control " + control->name + " needs an axis that is not zero.", entry.id);
+                const auto isCollider = [&](Id id) { return m_index.kindOf(id) == Kind::Collider; };
+                if (control->kind == ControlKind::WeightShift
+                    && std::any_of(control->targets.begin(), control->targets.end(), isCollider))
+                    add("weight", Severity::Warning,
+                        "Control " + control->name
+                            + " shifts weights, and a collider has none: make it move, or remove "
+                              "the collider from its targets.",
+                        entry.id);
                 if (control->targets.empty())
                     add("idle", Severity::Warning,
                         "Control " + control->name + " has no targets and does nothing.", entry.id);
@@ -248,6 +256,17 @@ private:
                         "Probe " + probe->name + " needs a target and a particle to measure from.",
                         entry.id);
         }
+    }
+
+    void gaps()
+    {
+        double edge = -1.0; // is found when it is asked for
+        for (const Entry& entry : m_scene.items)
+            if (const Collider* collider = std::get_if<Collider>(&entry.item)) {
+                edge = edge < 0.0 ? meanPanelEdge(m_scene) : edge;
+                if (auto warning = colliderWarning(*collider, edge))
+                    add("gap", Severity::Warning, std::move(*warning), entry.id);
+            }
     }
 
     void duplicates()

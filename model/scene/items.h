@@ -71,7 +71,9 @@ struct Part
 {
     std::string name = "part";
     bool shown = true;
-    std::string builder;                      // empty when drawn by hand
+    double selfContact = 0.0;  // m, distance that fabric keeps from fabric; 0 lets it through
+    double selfFriction = 0.3; // 1
+    std::string builder;       // empty when drawn by hand
     std::map<std::string, double> parameters; // of the builder
     std::vector<Particle> particles;
     std::vector<Link> links;
@@ -122,9 +124,18 @@ struct Collider
     Vec3 position = Vec3::Zero();      // m
     Vec3 normal = Vec3(0.0, 1.0, 0.0); // plane only
     double radius = 1.0;               // m, sphere only
+    Vec3 size = Vec3::Ones();          // m, box: its edges; height field: width, height, depth
+    Vec3 turn = Vec3::Zero();          // degrees about x, then y, then z; not of planes or spheres
+    double thickness = 0.0;            // m, what touches stays this far from the surface
     Response response = Response::Contact;
     double restitution = 0.0; // 1
     double friction = 0.3;    // 1
+    std::string path;         // "0: 0 1 0; 2.5: 3 1 0", s and m; empty stays at `position`
+    std::string file;         // height field: a picture; mesh: a mesh; beside the scene file
+    double scale = 1.0;       // m per unit of a mesh file
+    int grid = 256;           // points along each side of generated hills
+    int seed = 1;             // of generated hills
+    double hillLength = 0.25; // of generated hills, over the width of the field
     bool shown = true;
 
     friend bool operator==(const Collider&, const Collider&) = default;
@@ -153,7 +164,7 @@ struct Control
 {
     std::string name = "control";
     ControlKind kind = ControlKind::Move;
-    std::vector<Id> targets; // particles
+    std::vector<Id> targets; // particles, and colliders that are moved
     Vec3 axis = Vec3(1.0, 0.0, 0.0);
     std::string keyLess; // "Left"; "Ctrl+Left" and the like as Qt writes key sequences
     std::string keyMore;

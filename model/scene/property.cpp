@@ -89,6 +89,7 @@ constexpr Range notNegative{0.0};
 constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
 constexpr Range fraction{0.0, 1.0};
 constexpr Kinds particles{Kind::Particle};
+constexpr Kinds movable{Kind::Particle, Kind::Collider};
 constexpr Kinds materials{Kind::Material};
 constexpr Kinds elements{Kind::Particle, Kind::Link, Kind::Panel};
 constexpr Kinds measurable{Kind::Particle, Kind::Link, Kind::Part, Kind::Group};
@@ -138,6 +139,8 @@ std::span<const Property> allProperties()
 
         property<&Part::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
         property<&Part::shown>           ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
+        property<&Part::selfContact>     ("selfContact", "Self-contact", "m",       Recompile,   "Distance that particles of this part keep from its own panels and from those of other parts with self-contact; 0 lets fabric pass through fabric.", notNegative),
+        property<&Part::selfFriction>    ("selfFriction", "Self-friction", "",      Recompile,   "Coulomb coefficient of fabric on fabric.", notNegative),
         property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand."),
 
         property<&Material::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
@@ -161,13 +164,22 @@ std::span<const Property> allProperties()
         property<&Group::members>        ("members",     "Members",      "",        Recompile,   "Particles, links and panels that belong to the group.", {}, elements),
 
         property<&Collider::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Collider::shape>       ("shape",       "Shape",        "",        Recompile,   "A plane without end, or a sphere."),
-        property<&Collider::position>    ("position",    "Position",     "m",       Recompile,   "A point of the plane, or the centre of the sphere."),
+        property<&Collider::shape>       ("shape",       "Shape",        "",        Recompile,   "A plane without end, a sphere, a box, hills or a relief from a picture, or a mesh from a file."),
+        property<&Collider::position>    ("position",    "Position",     "m",       Recompile,   "A point of the plane, the centre of the sphere or the box, the middle of the foot of a height field, or the origin of the mesh."),
         property<&Collider::normal>      ("normal",      "Normal",       "",        Recompile,   "Direction that the plane faces; only planes use it."),
         property<&Collider::radius>      ("radius",      "Radius",       "m",       Recompile,   "Radius of the sphere; only spheres use it.", positive),
+        property<&Collider::size>        ("size",        "Size",         "m",       Recompile,   "Edges of a box, or width, height and depth of a height field."),
+        property<&Collider::turn>        ("turn",        "Turn",         "deg",     Recompile,   "Angles about x, then y, then z; planes and spheres do not use it."),
+        property<&Collider::thickness>   ("thickness",   "Thickness",    "m",       Recompile,   "Distance that fabric keeps from the surface, half the thickness of the fabric or more; it rounds edges.", notNegative),
         property<&Collider::response>    ("response",    "Response",     "",        Recompile,   "What is left of the motion of a particle that touches: nothing, the part along the surface, or a bounce with friction."),
         property<&Collider::restitution> ("restitution", "Restitution",  "",        Recompile,   "Share of the impact speed that a bounce gives back; only the response contact uses it.", fraction),
         property<&Collider::friction>    ("friction",    "Friction",     "",        Recompile,   "Coulomb coefficient; only the response contact uses it.", notNegative),
+        property<&Collider::path>        ("path",        "Path",         "",        Recompile,   "Times in s and places in m that the collider moves through, as 0: 0 1 0; 2.5: 3 1 0; empty stays at its position."),
+        property<&Collider::file>        ("file",        "File",         "",        Recompile,   "Grey picture of a height field (PNG, PGM) or mesh (OBJ, STL, PLY and others), beside the scene file; a height field without one gets generated hills."),
+        property<&Collider::scale>       ("scale",       "Scale",        "",        Recompile,   "Metres per unit of the mesh file; only meshes use it.", positive),
+        property<&Collider::grid>        ("grid",        "Grid",         "",        Recompile,   "Points along each side of generated hills.", {2, 4096}),
+        property<&Collider::seed>        ("seed",        "Seed",         "",        Recompile,   "Number that picks the generated hills; the same number gives the same hills."),
+        property<&Collider::hillLength>  ("hillLength",  "Hill length",  "",        Recompile,   "Distance from one generated hill to the next, over the width of the field.", {0.01, 10.0}),
         property<&Collider::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
 
         property<&Wind::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
@@ -184,7 +196,7 @@ std::span<const Property> allProperties()
 
         property<&Control::name>         ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
         property<&Control::kind>         ("kind",        "Kind",         "",        Recompile,   "Moves its targets, or shifts their weight inside the rods that hold them."),
-        property<&Control::targets>      ("targets",     "Targets",      "",        Recompile,   "Particles that the control acts on.", {}, particles),
+        property<&Control::targets>      ("targets",     "Targets",      "",        Recompile,   "Particles that the control acts on, and colliders that it moves.", {}, movable),
         property<&Control::axis>         ("axis",        "Axis",         "",        Recompile,   "Direction of a positive value."),
         property<&Control::keyLess>      ("keyLess",     "Key less",     "",        DisplayOnly, "Key that lowers the value by one step, for example Left."),
         property<&Control::keyMore>      ("keyMore",     "Key more",     "",        DisplayOnly, "Key that raises the value by one step, for example Right."),

@@ -16,6 +16,15 @@ struct Entry
     friend bool operator==(const Entry&, const Entry&) = default;
 };
 
+// The folder that the files of a scene are seen from: that of the scene file, or the working
+// directory when there is none. Where a scene lies is not part of what it is.
+struct Folder
+{
+    std::string path;
+
+    friend bool operator==(const Folder&, const Folder&) { return true; }
+};
+
 // What the author made. A plain value: copy it, compare it, save it. Only apply() (edit.h), the
 // file reader and the builders write to one.
 struct Scene
@@ -25,6 +34,7 @@ struct Scene
     Id nextId{1};                      // above every id ever used
     std::map<Id, std::string> unknown; // JSON objects with the keys that this version does not
                                        // know, kept for the next save; noId for the file itself
+    Folder folder;                     // not saved
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };

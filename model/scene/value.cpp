@@ -1,6 +1,8 @@
 // Values: what a property accepts, and what people type.
 #include "scene/property.h"
 
+#include "scene/collider_path.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -147,6 +149,9 @@ std::optional<std::string> refusal(const Property& property, const Value& value)
             return "must be one of " + joined(choices);
         if (property.key == "color" && !isColor(*text))
             return "must be a colour as #rrggbb";
+        if (property.kind == Kind::Collider && property.key == "path")
+            if (const auto path = pathFromText(*text); !path)
+                return path.message();
     }
     return std::nullopt;
 }

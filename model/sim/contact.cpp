@@ -9,27 +9,66 @@
 namespace ripstop {
 namespace {
 
-struct Touch
+constexpr int lookInsideEvery = 16; // substeps: what an edit put into a closed mesh comes out
+
+struct Passage // of a particle past an obstacle, as seen from the obstacle
 {
-    Vec3 surface; // m
-    Vec3 normal;  // unit, outwards
+    Vec3 from; // m, at the start of the substep
+    Vec3 to;
 };
 
-std::optional<Touch> touch(const Obstacle& obstacle, const Vec3& position)
+std::optional<Touch> touchPlane(const Obstacle& obstacle, const Vec3& position, const Vec3& to)
 {
-    const Vec3 offset = position - obstacle.position;
-    if (obstacle.shape == ColliderShape::Plane) {
-        const double height = offset.dot(obstacle.normal);
-        if (height >= 0.0)
-            return std::nullopt;
-        return Touch{position - height * obstacle.normal, obstacle.normal};
-    }
-    const double distance = offset.norm();
-    if (distance >= obstacle.radius)
+    const double height = (to - position).dot(obstacle.normal) - obstacle.thickness;
+    if (height >= 0.0)
         return std::nullopt;
-    // At the very centre every way out is equally short.
-    const Vec3 normal = distance > 0.0 ? Vec3(offset / distance) : Vec3(0.0, 1.0, 0.0);
-    return Touch{obstacle.position + obstacle.radius * normal, normal};
+    return Touch{to - height * obstacle.normal, obstacle.normal};
+}
+
+// In the obstacle's own frame.
+std::optional<Touch> touchTurned(const Obstacle& obstacle, const Vec3& from, const Vec3& to,
+                                 bool inside)
+{
+    switch (obstacle.shape) {
+    case ColliderShape::Box:
+        return touchBox(0.5 * obstacle.size, obstacle.thickness, from, to);
+    case ColliderShape::HeightField:
+        return obstacle.grid
+                   ? touchGround(*obstacle.grid, obstacle.size, obstacle.thickness, from, to)
+                   : std::nullopt;
+    case ColliderShape::Mesh: {
+        if (!obstacle.mesh)
+            break;
+        const double units = 1.0 / obstacle.scale;
+        auto touch =
+            touchMesh(*obstacle.mesh, units * obstacle.thickness, units * from, units * to, inside);
+        if (touch)
+            touch->surface *= obstacle.scale;
+        return touch;
+    }
+    case ColliderShape::Plane:
+    case ColliderShape::Sphere:
+        break;
+    }
+    return std::nullopt;
+}
+
+std::optional<Touch> touch(const Obstacle& obstacle, const Vec3& position, const Passage& passage,
+                           bool inside)
+{
+    if (obstacle.shape == ColliderShape::Plane)
+        return touchPlane(obstacle, position, passage.to);
+    const Vec3 from = passage.from - position, to = passage.to - position;
+    const bool turns = obstacle.shape != ColliderShape::Sphere;
+    const Eigen::Matrix3d& turn = obstacle.turn;
+    std::optional<Touch> touch =
+        turns ? touchTurned(obstacle, turn.transpose() * from, turn.transpose() * to, inside)
+              : touchSphere(obstacle.radius + obstacle.thickness, from, to);
+    if (touch && turns)
+        touch = Touch{turn * touch->surface, turn * touch->normal};
+    if (touch)
+        touch->surface += position;
+    return touch;
 }
 
 struct Rebound
@@ -62,30 +101,38 @@ struct ContactWork
     const System& system;
     State& state;
     std::span<const PaddedVec3> before; // [particles] m
-    double restSpeed;                   // m/s
+    std::span<const PlacedObstacle> placed;
+    double h;         // s
+    double restSpeed; // m/s
+    bool planesOnly;
 };
 
 // In the order of the obstacles: one may push a particle into the next. A particle is looked at
-// only if it began inside of one of them.
+// only if it may have touched one of them.
 void resolveContact(const ContactWork& work, std::size_t i)
 {
-    const auto& [system, state, before, restSpeed] = work;
+    const auto& [system, state, before, placed, h, restSpeed, planesOnly] = work;
     if (system.inverseMass[i] == 0.0)
         return;
     const bool verlet = system.integrator == Integrator::Verlet;
-    for (const Obstacle& obstacle : system.obstacles) {
-        const std::optional<Touch> found = touch(obstacle, state.position[i]);
+    const bool inside = state.substep % lookInsideEvery == 0;
+    for (std::size_t o = 0; o < placed.size(); ++o) {
+        const Obstacle& obstacle = system.obstacles[o];
+        const Vec3 start = before[i] + placed[o].way; // as if the obstacle had been there already
+        const std::optional<Touch> found =
+            touch(obstacle, placed[o].position, {start, state.position[i]}, inside);
         if (!found)
             continue;
         const Vec3& n = found->normal;
-        const Rebound now = rebound(obstacle, state.velocity[i], n, restSpeed);
-        const Rebound lag = rebound(obstacle, state.drift[i], n, restSpeed);
-        state.velocity[i] = now.velocity;
-        state.drift[i] = lag.velocity;
+        const Vec3 pace = placed[o].way / h; // m/s, of the surface
+        const Rebound now = rebound(obstacle, state.velocity[i] - pace, n, restSpeed);
+        const Rebound lag = rebound(obstacle, state.drift[i] - pace, n, restSpeed);
+        state.velocity[i] = now.velocity + pace;
+        state.drift[i] = lag.velocity + pace;
 
         // What holds a particle also takes back the way it went along the surface in this
         // substep; else whatever sticks to a slope creeps down by g h sin(slope).
-        const Vec3 way = found->surface - before[i];
+        const Vec3 way = found->surface - start;
         const double kept = verlet ? lag.kept : now.kept;
         state.position[i] = found->surface - (1.0 - kept) * (way - way.dot(n) * n);
     }
@@ -100,11 +147,15 @@ void resolveContact(const ContactWork& work, std::size_t i)
 namespace ripstop {
 
 void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
-                     double h, Crew& crew)
+                     std::span<const PlacedObstacle> placed, double h, Crew& crew)
 {
     if (system.obstacles.empty())
         return;
-    const ContactWork work = {system, state, before, 2.0 * system.gravity.norm() * h};
+    const bool planesOnly =
+        std::all_of(system.obstacles.begin(), system.obstacles.end(),
+                    [](const Obstacle& o) { return o.shape == ColliderShape::Plane; });
+    const ContactWork work = {system,    state, before, placed, h, 2.0 * system.gravity.norm() * h,
+                              planesOnly};
     crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
         (wideMachine ? wide::findContacts : anywhere::findContacts)(work, first, last);
     });

@@ -1,14 +1,17 @@
-// Contact of particles with planes and spheres.
+// Contact of particles with obstacles: planes, spheres, boxes, height fields and meshes.
 //
-// A particle that is inside is put back on the surface by the shortest way; the responses differ in
-// what is left of its velocity:
+// A particle that is inside, or that went through on its way, is put back on the surface of the
+// side that it came from; the responses differ in what is left of its velocity, which is that
+// relative to the obstacle when the obstacle moves:
 //     stop     nothing
 //     slide    all but the part that goes inwards
 //     contact  the inward part comes back times the restitution, and Coulomb friction takes from
 //              the rest up to friction x (normal impulse)
+// The way is that of the substep, so nothing tunnels at any speed.
 #pragma once
 
 #include "sim/crew.h"
+#include "sim/obstacle_motion.h"
 #include "sim/system.h"
 
 #include <span>
@@ -18,7 +21,8 @@ namespace ripstop {
 // `h` is the substep, s: an impact that is slower than what gravity adds in two substeps counts as
 // rest and does not bounce.
 //   before  [particles]  m, position at the start of the substep
+//   placed  [obstacles]
 void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
-                     double h, Crew& crew);
+                     std::span<const PlacedObstacle> placed, double h, Crew& crew);
 
 } // namespace ripstop

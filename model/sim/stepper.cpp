@@ -25,6 +25,8 @@ void Stepper::step(const System& system, State& state)
     prepare(system, state);
     const int substeps = substepsOf(system, state);
     const double h = system.timeStep / substeps;
+    if (!system.fabricLayer.empty())
+        m_fabric.find(system, state);
     const double startTime = state.time;
     advanceGusts(system, state);
     m_keep = std::exp(-system.viscosity * h);
@@ -46,6 +48,7 @@ void Stepper::step(const System& system, State& state)
 
 void Stepper::prepare(const System& system, State& state)
 {
+    m_placed.resize(system.obstacles.size());
     m_springForce.resize(system.springs.size());
     m_panelLoad.resize(system.panels.size());
     m_lineDrag.resize(system.dragLines.size());
@@ -107,10 +110,12 @@ void Stepper::substep(RodTask& task, State& state)
 {
     const System& system = task.system;
     const double h = task.h;
+    beginMoves(system, state, state.time - h, m_placed);
     if (moveInputs(system, state, h)) {
         shiftRestLengths(system, state, m_restLength);
         task.shifted = true;
     }
+    endMoves(system, state, state.time, m_placed);
     fillAccelerations(system, state);
     move(ParticlePass::Predict, system, state, h);
     noteRodLengths(system, state);
@@ -120,7 +125,9 @@ void Stepper::substep(RodTask& task, State& state)
         fillAccelerations(system, state);
     }
     move(ParticlePass::FollowRods, system, state, h);
-    resolveContacts(system, state, m_before, h, m_crew);
+    if (!system.fabricLayer.empty())
+        m_fabric.resolve(system, state);
+    resolveContacts(system, state, m_before, m_placed, h, m_crew);
     tearLinks(system, state, m_rodLength, m_springForce, m_restLength);
     state.started = true;
 }

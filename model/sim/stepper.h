@@ -1,6 +1,8 @@
 #pragma once
 
 #include "sim/crew.h"
+#include "sim/fabric_contact.h"
+#include "sim/obstacle_motion.h"
 #include "sim/particle_motion.h"
 #include "sim/rod_solver.h"
 #include "sim/solver_plan.h"
@@ -41,12 +43,14 @@ private:
     RodSolver m_rods;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
+    FabricContact m_fabric;
     std::vector<PaddedVec3> m_springForce;  // [springs] N, on end `a`
     std::vector<PaddedVec3> m_panelLoad;    // [panels] N
     std::vector<PaddedVec3> m_lineDrag;     // [dragLines] N
     std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
     std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
     std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
+    std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;        // [rods] m, before projection
     std::uint64_t m_serial = 0;             // of the system that m_restLength is of

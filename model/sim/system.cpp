@@ -123,14 +123,14 @@ auto fieldsOf(S& system)
            solver, strainGoal, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
            key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach,
            direct, materialAir, dragLines, panels, panelKey, links, linkStuff, springLink, rodLink,
-           tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, inputs,
-           shiftedRods, probes, start] = system;
+           tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, fabricLayer,
+           inputs, shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit, key, mass,
                     inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach,
                     direct, materialAir, dragLines, panels, panelKey, links, linkStuff, springLink,
                     rodLink, tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside,
-                    obstacles, inputs, shiftedRods, probes, start);
+                    obstacles, fabricLayer, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>

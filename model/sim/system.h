@@ -8,10 +8,14 @@
 
 #include "base/airflow.h"
 #include "base/laws.h"
+#include "base/path_key.h"
 #include "base/vec3.h"
+#include "shapes/height_grid.h"
+#include "shapes/triangle_tree.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -88,6 +92,32 @@ struct FabricPanel // one triangle of fabric
     friend bool operator==(const FabricPanel&, const FabricPanel&) = default;
 };
 
+// What an obstacle shares with others of the same shape; equal when what it points at is.
+template <typename T>
+struct Shared : std::shared_ptr<const T>
+{
+    using std::shared_ptr<const T>::shared_ptr;
+    Shared(std::shared_ptr<const T> other)
+        : std::shared_ptr<const T>(std::move(other))
+    {}
+
+    friend bool operator==(const Shared& a, const Shared& b)
+    {
+        return a.get() == b.get() || (a.get() && b.get() && *a.get() == *b.get());
+    }
+};
+
+// What keeps the particles of a part from its panels and those of others; see fabric_contact.h.
+struct FabricLayer
+{
+    double thickness = 0.0; // m, 0 goes through
+    double friction = 0.0;  // 1
+
+    friend bool operator==(const FabricLayer&, const FabricLayer&) = default;
+};
+
+// What stops particles. In its own frame a shape lies around the origin; a point p of that frame
+// is at position + turn p.
 struct Obstacle
 {
     ColliderShape shape;
@@ -97,6 +127,14 @@ struct Obstacle
     Response response;
     double restitution;
     double friction;
+    double thickness = 0.0;                             // m, added to the surface
+    Vec3 size = Vec3::Ones();                           // m, of boxes and height fields
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // of boxes, height fields and meshes
+    std::vector<PathKey> path = {};                     // empty: stays at `position`
+    Shared<HeightGrid> grid = {};                       // of a height field
+    Shared<TriangleTree> mesh = {};                     // of a mesh
+    double scale = 1.0;                                 // m per unit of the mesh
+    Key key = 0;
 
     friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
@@ -137,11 +175,12 @@ struct Input
 {
     Key key;
     ControlKind kind;
-    Vec3 axis;                // unit
-    double limit;             // m
-    double rate;              // m/s
-    double automaticRate;     // m/s
-    std::vector<int> targets; // particle indices
+    Vec3 axis;                       // unit
+    double limit;                    // m
+    double rate;                     // m/s
+    double automaticRate;            // m/s
+    std::vector<int> targets;        // particle indices
+    std::vector<int> obstacles = {}; // that it moves, indices
 
     friend bool operator==(const Input&, const Input&) = default;
 };
@@ -306,6 +345,7 @@ struct System
     Rows panelsBeside; // [links] panels that have both ends as corners
 
     std::vector<Obstacle> obstacles;
+    std::vector<FabricLayer> fabricLayer; // [particles], or empty when all goes through
     std::vector<Input> inputs;
     std::vector<ShiftedRod> shiftedRods;
     std::vector<ProbeSpec> probes;

@@ -107,8 +107,8 @@ void addFalls(std::vector<Case>& cases)
         for (const auto& [e, total] : {std::pair(0.5, 1.354802), {0.8, 4.064407}}) {
             const auto play =
                 shared([=, e = e, total = total] { return bounces(integrator, e, total); });
-            const std::string with = std::string(", e ") + (e == 0.5 ? "0.5" : "0.8")
-                                     + ", fall of 1 m, " + nameOf(integrator);
+            std::string with = e == 0.5 ? ", e 0.5" : ", e 0.8";
+            with += ", fall of 1 m, " + nameOf(integrator);
             cases.push_back({"T-B1", "first rebound" + with, e * e, relative(0.01), "m", "e^2 h",
                              [=] { return play().top[0]; }});
             cases.push_back({"T-B1", "second rebound" + with, e * e * e * e, relative(0.01), "m",

@@ -8,6 +8,28 @@
 
 namespace ripstop {
 
+// A box, hills and a roof of two triangles around this place, each 1 m wide; the box moves.
+inline void addCostlyObstacles(System& system, const Vec3& place)
+{
+    Obstacle box{ColliderShape::Box, place, Vec3::UnitY(), 0.0, Response::Contact, 0.3, 0.4};
+    box.thickness = 0.02;
+    box.turn << 0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0;
+    box.path = {{0.0, place}, {1.0, place + Vec3(0.5, 0.0, 0.0)}};
+    Obstacle hills = box;
+    hills.shape = ColliderShape::HeightField;
+    hills.path.clear();
+    hills.position += Vec3(1.0, -0.5, 0.0);
+    hills.grid = std::make_shared<const HeightGrid>(generatedHills(32, 5, 0.3));
+    Obstacle roof = hills;
+    roof.shape = ColliderShape::Mesh;
+    roof.position += Vec3(1.0, 0.0, 0.0);
+    roof.mesh = std::make_shared<const TriangleTree>(
+        std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0.3, 1}},
+        std::vector<std::array<int, 3>>{{0, 2, 1}, {1, 2, 3}});
+    for (const Obstacle& obstacle : {box, hills, roof})
+        system.obstacles.push_back(obstacle);
+}
+
 inline bool isNear(double got, double expected, double tolerance)
 {
     return std::abs(got - expected) <= tolerance;

@@ -49,6 +49,7 @@ System tangle(Integrator integrator, Solver solver)
     system.obstacles = {
         {ColliderShape::Plane, {0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, 0.0, Response::Contact, 0.3, 0.4},
         {ColliderShape::Sphere, Vec3::Zero(), {0.0, 1.0, 0.0}, 0.3, Response::Slide, 0.0, 0.0}};
+    addCostlyObstacles(system, {2.0, 0.0, 0.0});
     for (int i = 0; i < count; ++i) {
         const Vec3 place = Vec3(0.002 * i - 8.0, 0.0, 0.0) + dice.vector(0.5);
         const Vec3 velocity = dice.vector(1.0);

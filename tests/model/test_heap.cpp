@@ -193,6 +193,7 @@ System strip(Integrator integrator, Solver solver)
          0.3,
          0.4},
         {ColliderShape::Sphere, {5.0, -0.4, 0.0}, {0.0, 1.0, 0.0}, 0.4, Response::Slide, 0.0, 0.0}};
+    addCostlyObstacles(system, {10.0, -0.2, 0.0});
     for (int i = 0; i < along; ++i)
         for (int k = 0; k < across; ++k) {
             const Vec3 place(0.01 * i, 0.0, 0.01 * k);

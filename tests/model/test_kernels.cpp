@@ -355,10 +355,18 @@ private slots:
                 ground.normal = {0.0, 1.0, 0.0};
                 ground.response = Response::Stop;
                 system.obstacles = {ground};
+                if (count % 2 == 0) { // the same as a wide box
+                    system.obstacles[0].shape = ColliderShape::Box;
+                    system.obstacles[0].size = Vec3(100.0, 4.0, 100.0);
+                    system.obstacles[0].position = Vec3(0.0, -2.0, 0.0);
+                }
                 finish(system);
                 State state = system.start;
                 Crew crew(1);
-                resolveContacts(system, state, system.start.position, 0.01, crew);
+                std::vector<PlacedObstacle> placed(1);
+                beginMoves(system, state, 0.0, placed);
+                endMoves(system, state, 0.0, placed);
+                resolveContacts(system, state, system.start.position, placed, 0.01, crew);
                 for (int i = 0; i < count; ++i)
                     QCOMPARE(state.position[std::size_t(i)].y(), i == inside ? 0.0 : 1.0);
             }

@@ -55,7 +55,9 @@ std::vector<Value> otherValues(const Property& property)
                 if (choice != value)
                     others.emplace_back(std::string(choice));
             if (property.choices.empty())
-                others.emplace_back(property.key == "color" ? "#123456" : value + "z");
+                others.emplace_back(property.key == "color"  ? "#123456"
+                                    : property.key == "path" ? "0: 1 2 3; 2.5: 0 0 -1"
+                                                             : value + "z");
             return others;
         }
         std::vector<Value> operator()(const Vec3& value) const

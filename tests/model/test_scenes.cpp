@@ -70,8 +70,10 @@ private slots:
     void allAreThere()
     {
         const QStringList names = sampleNames();
-        for (const char* name : {"cloth", "delta_kite", "flag", "hang_glider", "heavy_load",
-                                 "parachute", "pendulum", "rope", "stiffened_rod", "torn_sheet"})
+        for (const char* name :
+             {"cloth", "delta_kite", "flag", "glider_over_hills", "hang_glider", "heavy_load",
+              "parachute", "pendulum", "rope", "self_contact", "sheet_on_boxes", "sheet_on_terrain",
+              "stiffened_rod", "torn_sheet"})
             QVERIFY2(names.contains(name), name);
     }
 
@@ -353,6 +355,38 @@ private slots:
         }
         QVERIFY2(std::abs(largest / expected - 1.0) < 0.02, qPrintable(QString::number(largest)));
         QVERIFY2(strain < 0.001, qPrintable(QString::number(strain)));
+    }
+
+    void sheetsLieOnTop_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"sheet_on_boxes", "sheet_on_terrain"})
+            QTest::newRow(name) << QString(name);
+    }
+
+    // Ten seconds after it was let go, no particle is nearer to a box or to the ground than the
+    // thickness says, and the sheet rests.
+    void sheetsLieOnTop()
+    {
+        QFETCH(QString, name);
+        Simulation simulation = started(name);
+        for (double time = 0.5; time <= 10.0; time += 0.5) {
+            QVERIFY(simulation.runUntil(time));
+            for (const Obstacle& obstacle : simulation.system().obstacles)
+                for (const Vec3& x : simulation.state().position) {
+                    const Vec3 own = obstacle.turn.transpose() * (x - obstacle.position);
+                    double room = x.y();
+                    if (obstacle.shape == ColliderShape::Box)
+                        room = nearestOnBox(0.5 * obstacle.size, own).distance;
+                    if (obstacle.shape == ColliderShape::HeightField) {
+                        const Ground ground = groundAt(*obstacle.grid, obstacle.size, own);
+                        room = (own.y() - ground.height) * ground.normal.y();
+                    }
+                    QVERIFY2(room > obstacle.thickness - 1e-6, qPrintable(QString::number(room)));
+                }
+        }
+        QVERIFY2(probe(simulation, "speed") < 0.01, "and it rests");
+        QVERIFY(simulation.state().position[0].y() < 0.9); // it came down
     }
 
     // Waves on it run slower than the wind, so that they grow: the flag must not come to rest.

@@ -57,8 +57,22 @@ bool isUsed(const Property& property, const ConstRef& ref)
     const std::string_view key = property.key;
     if (const auto* collider = std::get_if<const Collider*>(&ref)) {
         const Collider& c = **collider;
-        if (key == "normal" || key == "radius")
-            return (c.shape == ColliderShape::Plane) == (key == "normal");
+        const auto isShape = [&](auto... shapes) { return ((c.shape == shapes) || ...); };
+        using enum ColliderShape;
+        if (key == "normal")
+            return isShape(Plane);
+        if (key == "radius")
+            return isShape(Sphere);
+        if (key == "size")
+            return isShape(Box, HeightField);
+        if (key == "turn")
+            return isShape(Box, HeightField, Mesh);
+        if (key == "file")
+            return isShape(HeightField, Mesh);
+        if (key == "scale")
+            return isShape(Mesh);
+        if (key == "grid" || key == "seed" || key == "hillLength")
+            return isShape(HeightField) && c.file.empty();
         return (key != "restitution" && key != "friction") || c.response == Response::Contact;
     }
     if (const auto* wind = std::get_if<const Wind*>(&ref)) {

@@ -25,6 +25,8 @@ constexpr std::array tunings{
     Tuning{Kind::Material, "skinFriction",      Linear,      0.0,  0.2},
     Tuning{Kind::Material, "porosity",          Linear,      0.0,  0.2},
     Tuning{Kind::Collider, "restitution",       Linear,      0.0,  1.0},
+    Tuning{Kind::Collider, "thickness",         Linear,      0.0,  0.05},
+    Tuning{Kind::Collider, "hillLength",        Logarithmic, 0.02, 2.0},
     Tuning{Kind::Collider, "friction",          Linear,      0.0,  1.5},
     Tuning{Kind::Wind,     "velocity",          Linear,      0.0,  25.0},
     Tuning{Kind::Wind,     "gustiness",         Linear,      0.0,  25.0},

@@ -67,7 +67,7 @@ Item itemOf(Kind kind, const Census& all)
     }
     case Kind::Control: {
         Control control;
-        control.targets = idsOf(all, {Kind::Particle});
+        control.targets = idsOf(all, {Kind::Particle, Kind::Collider});
         return control;
     }
     case Kind::Probe:
@@ -84,6 +84,18 @@ Entry newItem(const Scene& scene, Kind kind, const std::vector<Id>& selected)
     Entry entry{scene.nextId, itemOf(kind, census(scene, selected))};
     std::visit([&](auto& item) { item.name = freeName(scene, kind); }, entry.item);
     return entry;
+}
+
+Entry newCollider(const Scene& scene, ColliderShape shape)
+{
+    Collider collider;
+    collider.name = freeName(scene, Kind::Collider);
+    collider.shape = shape;
+    if (shape == ColliderShape::HeightField)
+        collider.size = Vec3(20.0, 2.0, 20.0); // m
+    if (shape == ColliderShape::Box || shape == ColliderShape::Sphere)
+        collider.position.y() = 1.0; // m, beside a ground at 0 rather than half in it
+    return {scene.nextId, std::move(collider)};
 }
 
 } // namespace ripstop

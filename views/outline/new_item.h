@@ -14,4 +14,7 @@ inline constexpr std::array addableKinds{Kind::Material, Kind::Collider, Kind::W
 // probe on it. Its name is not used yet, its id is the next free one.
 Entry newItem(const Scene& scene, Kind kind, const std::vector<Id>& selected);
 
+// A collider of this shape, of a size that is seen.
+Entry newCollider(const Scene& scene, ColliderShape shape);
+
 } // namespace ripstop

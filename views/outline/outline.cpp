@@ -144,14 +144,24 @@ void Outline::buildTree()
 
 void Outline::buildAddMenu()
 {
-    for (const Kind kind : addableKinds)
-        m_addMenu->addAction(iconOf(kind), kindLabel(kind), this, [this, kind] { add(kind); });
+    for (const Kind kind : addableKinds) {
+        if (kind == Kind::Collider) {
+            QMenu* shapes = m_addMenu->addMenu(iconOf(kind), kindLabel(kind));
+            for (std::size_t i = 0; i < choiceNames<ColliderShape>.size(); ++i)
+                shapes->addAction(choiceLabel(choiceNames<ColliderShape>[i]), this, [this, i] {
+                    add(Kind::Collider, newCollider(m_document.scene(), ColliderShape(i)));
+                });
+            continue;
+        }
+        m_addMenu->addAction(iconOf(kind), kindLabel(kind), this, [this, kind] {
+            add(kind, newItem(m_document.scene(), kind, m_selection.ids()));
+        });
+    }
 }
 
-void Outline::add(Kind kind)
+void Outline::add(Kind kind, Entry entry)
 {
     const Scene& scene = m_document.scene();
-    Entry entry = newItem(scene, kind, m_selection.ids());
     const Id id = entry.id;
     m_document.push({tr("Add %1").arg(kindLabel(kind).toLower()).toStdString(),
                      {AddItem{scene.items.size(), std::move(entry)}}});

@@ -37,7 +37,7 @@ private:
     void showSelection(); // Selection -> tree
     void search(const QString& text);
     void takeSearch(); // Enter in the search box
-    void add(Kind kind);
+    void add(Kind kind, Entry entry);
     bool eventFilter(QObject* watched, QEvent* event) override;
 
     Document& m_document;

@@ -4,26 +4,30 @@
 #include "viewport/vtk_data.h"
 
 #include <vtkActor.h>
-#include <vtkSphereSource.h>
+#include <vtkMatrix4x4.h>
 
 namespace ripstop {
 
-// Sphere colliders. A selected one has the accent colour.
+// Colliders that have an end: spheres, boxes, height fields and meshes, where the frame has them. A
+// selected one has the accent colour. Planes are drawn by the ground layer.
 class ColliderLayer final : public Layer
 {
 public:
-    ColliderLayer();
-
     void addTo(vtkRenderer& renderer) override { m_renderer = &renderer; }
     void setShown(bool shown) override;
     void rebuild(const Picture& picture) override;
-    void update(const Picture&) override {}
+    void update(const Picture& picture) override;
 
 private:
+    struct Drawn
+    {
+        Id collider;
+        vtkNew<vtkActor> actor;
+        vtkNew<vtkMatrix4x4> matrix;
+    };
+
     vtkRenderer* m_renderer = nullptr;
-    vtkNew<vtkSphereSource> m_sphere;
-    vtkNew<vtkPolyDataMapper> m_mapper;
-    std::vector<vtkNew<vtkActor>> m_actors;
+    std::vector<Drawn> m_drawn;
     bool m_shown = true;
 };
 

@@ -1,5 +1,7 @@
 #include "viewport/ground_layer.h"
 
+#include "viewport/collider_geometry.h"
+
 #include <vtkRenderer.h>
 
 #include <cmath>
@@ -84,17 +86,17 @@ struct GroundLayer::Ground
 
     Actor disc, lines, boldLines;
 
-    void place(const Collider& collider);
+    void place(const Collider& collider, const Vec3& position);
     void drawDisc(const Theme& theme);
     void drawLines(const Theme& theme);
     void addLine(Drawing& drawing, const Vec3& along, const Vec3& across, double offset,
                  double opacity, const QColor& color) const;
 };
 
-void GroundLayer::Ground::place(const Collider& plane)
+void GroundLayer::Ground::place(const Collider& plane, const Vec3& position)
 {
     normal = plane.normal.norm() > 0.0 ? Vec3(plane.normal.normalized()) : Vec3::UnitY();
-    height = plane.position.dot(normal);
+    height = position.dot(normal);
     const Vec3 hint = std::abs(normal.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
     first = (hint - hint.dot(normal) * normal).normalized();
     second = first.cross(normal);
@@ -176,7 +178,7 @@ void GroundLayer::rebuild(const Picture& picture)
             continue;
         auto ground = std::make_shared<Ground>();
         ground->collider = entry.id;
-        ground->place(*collider);
+        ground->place(*collider, placeOf(picture.frame, entry.id, *collider));
         // the disc lies behind the shadow, the shadow behind the lines
         ground->disc.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
         ground->lines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);
@@ -196,9 +198,13 @@ void GroundLayer::update(const Picture& picture)
     const double radius = groundRadius(picture.bounds);
     const Vec3 middle = picture.bounds.isEmpty() ? Vec3(Vec3::Zero()) : picture.bounds.center();
     for (const auto& ground : m_grounds) {
+        if (const Collider* plane = findItem<Collider>(picture.scene, ground->collider))
+            ground->place(*plane, placeOf(picture.frame, ground->collider, *plane));
         const Vec3 below = middle + (ground->height - middle.dot(ground->normal)) * ground->normal;
         // a disc that follows every sway would swim
-        if (ground->radius == radius && (below - ground->centre).norm() < 0.1 * radius)
+        const Vec3 away = below - ground->centre;
+        if (ground->radius == radius && away.norm() < 0.1 * radius
+            && std::abs(away.dot(ground->normal)) < 1e-9 * radius)
             continue;
         ground->radius = radius;
         ground->centre = below;

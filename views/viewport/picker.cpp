@@ -1,5 +1,7 @@
 #include "viewport/picker.h"
 
+#include "viewport/collider_geometry.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -56,14 +58,6 @@ double distanceToPanel(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3&
     return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 ? t : never;
 }
 
-double distanceToSphere(const Ray& ray, const Vec3& centre, double radius)
-{
-    const Vec3 s = ray.origin - centre;
-    const double b = s.dot(ray.direction);
-    const double root = b * b - s.squaredNorm() + radius * radius;
-    return root >= 0.0 && -b - std::sqrt(root) > 0.0 ? -b - std::sqrt(root) : never;
-}
-
 Hit panelUnder(const Picker& picker, const Ray& ray)
 {
     Hit best;
@@ -84,9 +78,11 @@ Hit colliderUnder(const Picker& picker, const Ray& ray)
     Hit best;
     for (const Entry& entry : picker.scene.items) {
         const Collider* collider = std::get_if<Collider>(&entry.item);
-        if (!collider || !collider->shown || collider->shape != ColliderShape::Sphere)
+        if (!collider || !collider->shown || collider->shape == ColliderShape::Plane)
             continue;
-        const double t = distanceToSphere(ray, collider->position, collider->radius);
+        const double t =
+            distanceTo(picker.scene, *collider, placeOf(picker.frame, entry.id, *collider),
+                       ray.origin, ray.direction);
         if (t < best.depth)
             best = {entry.id, t};
     }

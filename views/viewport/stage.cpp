@@ -1,6 +1,7 @@
 #include "viewport/stage.h"
 
 #include "scene/wind.h"
+#include "viewport/collider_geometry.h"
 
 #include <vtkCamera.h>
 #include <vtkCullerCollection.h>
@@ -128,11 +129,16 @@ std::vector<Vec3> Stage::shownPoints(const Scene& scene) const
             points.push_back(m_frame->position[i]);
     for (const Entry& entry : scene.items) {
         const Collider* collider = std::get_if<Collider>(&entry.item);
-        if (!collider || !collider->shown || collider->shape != ColliderShape::Sphere)
+        if (!collider || !collider->shown || !m_frame)
             continue;
-        for (const int axis : {0, 1, 2})
-            for (const double side : {-1.0, 1.0})
-                points.push_back(collider->position + side * collider->radius * Vec3::Unit(axis));
+        const Vec3 place = placeOf(*m_frame, entry.id, *collider);
+        if (collider->shape == ColliderShape::Sphere)
+            for (const int axis : {0, 1, 2})
+                for (const double side : {-1.0, 1.0})
+                    points.push_back(place + side * collider->radius * Vec3::Unit(axis));
+        else if (collider->shape != ColliderShape::HeightField) // which is ground
+            for (const Vec3& corner : cornersOf(scene, *collider, place))
+                points.push_back(corner);
     }
     return points;
 }
@@ -161,6 +167,12 @@ void Stage::takeBounds(const Scene& scene)
     m_bounds.setEmpty();
     for (const Vec3& point : shownPoints(scene))
         m_bounds.extend(point);
+    m_landscape.setEmpty();
+    for (const Entry& entry : scene.items)
+        if (const Collider* field = std::get_if<Collider>(&entry.item);
+            field && field->shown && field->shape == ColliderShape::HeightField)
+            for (const Vec3& corner : cornersOf(scene, *field, placeOf(*m_frame, entry.id, *field)))
+                m_landscape.extend(corner);
 }
 
 void Stage::takeRange()
@@ -214,7 +226,10 @@ void Stage::place(const Turntable& camera)
 {
     // what is drawn lies within this far of the focus
     const Vec3 middle = m_bounds.isEmpty() ? camera.focus : Vec3(m_bounds.center());
-    const double reach = (middle - camera.focus).norm() + 1.2 * groundRadius(m_bounds);
+    double reach = (middle - camera.focus).norm() + 1.2 * groundRadius(m_bounds);
+    if (!m_landscape.isEmpty())
+        reach = std::max(reach, (m_landscape.center() - camera.focus).norm()
+                                    + 0.5 * m_landscape.diagonal().norm());
     const double step = camera.orthographic ? reach : 0.0; // an orthographic eye may step back
 
     const Vec3 eye = camera.eye() + step * camera.back();

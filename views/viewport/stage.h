@@ -90,6 +90,7 @@ private:
     std::optional<ValueRange> m_fixedRange;
     std::vector<Id> m_selected;
     Eigen::AlignedBox3d m_bounds;
+    Eigen::AlignedBox3d m_landscape; // around the height fields
     double m_pixelRatio = 1.0;
     bool m_lookIsOld = true;
     bool m_layersAreOld = true;

@@ -1,0 +1,106 @@
+#include "scene/collider_shape.h"
+
+#include "scene/collider_path.h"
+#include "scene/property.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+
+namespace ripstop {
+
+Eigen::Matrix3d turnOf(const Collider& collider)
+{
+    const Vec3 angle = collider.turn * (std::numbers::pi / 180.0);
+    return (Eigen::AngleAxisd(angle.z(), Vec3::UnitZ())
+            * Eigen::AngleAxisd(angle.y(), Vec3::UnitY())
+            * Eigen::AngleAxisd(angle.x(), Vec3::UnitX()))
+        .toRotationMatrix();
+}
+
+Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider)
+{
+    if (collider.file.empty())
+        return hills(collider.grid, std::uint32_t(collider.seed), collider.hillLength);
+    return heightsFromFile(placeOfFile(scene.folder.path, collider.file));
+}
+
+Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider)
+{
+    if (collider.file.empty())
+        return Failure{"It needs a mesh: set its file to an OBJ, STL or PLY."};
+    return meshFromFile(placeOfFile(scene.folder.path, collider.file));
+}
+
+std::optional<std::string> colliderError(const Scene& scene, const Collider& collider)
+{
+    const std::string name = "Collider " + collider.name;
+    if (const auto path = pathFromText(collider.path); !path)
+        return name + ": its path " + path.message() + ".";
+    switch (collider.shape) {
+    case ColliderShape::Plane:
+        if (!(collider.normal.norm() > 0.0))
+            return name + " needs a normal that is not zero.";
+        break;
+    case ColliderShape::Sphere:
+        break;
+    case ColliderShape::Box:
+        if (!(collider.size.minCoeff() > 0.0))
+            return name + " needs edges above 0: correct its size.";
+        break;
+    case ColliderShape::HeightField:
+        if (!(collider.size.x() > 0.0 && collider.size.y() >= 0.0 && collider.size.z() > 0.0))
+            return name
+                   + " needs a width and a depth above 0 and a height of at least 0: correct its "
+                     "size.";
+        if (const auto grid = gridOf(scene, collider); !grid)
+            return name + ": " + grid.message();
+        break;
+    case ColliderShape::Mesh:
+        if (const auto mesh = meshOf(scene, collider); !mesh)
+            return name + ": " + mesh.message();
+        break;
+    }
+    return std::nullopt;
+}
+
+double meanPanelEdge(const Scene& scene)
+{
+    double sum = 0.0;
+    std::size_t count = 0;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Panel& panel : part.panels) {
+            const Particle* a = findRow(part.particles, panel.a);
+            const Particle* b = findRow(part.particles, panel.b);
+            if (!a || !b)
+                continue;
+            sum += (b->position - a->position).norm();
+            ++count;
+        }
+    });
+    return count > 0 ? sum / double(count) : 0.0;
+}
+
+std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge)
+{
+    double width = panelEdge;
+    if (collider.shape == ColliderShape::Sphere)
+        width = 2.0 * (collider.radius + collider.thickness);
+    if (collider.shape == ColliderShape::Box) {
+        Vec3 size = collider.size + Vec3::Constant(2.0 * collider.thickness);
+        std::sort(size.begin(), size.end());
+        width = size.y(); // a wide sheet stops fabric however thin it is
+    }
+    if (width >= panelEdge)
+        return std::nullopt;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  " is %.3g m wide and the panels have edges of %.3g m: it fits between particles, "
+                  "which are what touches; make the mesh finer or the collider larger.",
+                  width, panelEdge);
+    return "Collider " + collider.name + text;
+}
+
+} // namespace ripstop

@@ -1,0 +1,30 @@
+// What a collider is made of beyond its numbers, and what is wrong with it.
+#pragma once
+
+#include "scene/scene.h"
+#include "shapes/shape_files.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+
+namespace ripstop {
+
+// Frame of a collider to that of the scene: turned about x, then y, then z, as Blender's XYZ.
+Eigen::Matrix3d turnOf(const Collider& collider);
+
+// The ground of a height field and the mesh of a mesh; the message is a whole sentence.
+Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider);
+Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider);
+
+// What keeps the collider from working, as a sentence, or nothing.
+std::optional<std::string> colliderError(const Scene& scene, const Collider& collider);
+
+// The mean edge of all panels, m, 0 without any.
+double meanPanelEdge(const Scene& scene);
+
+// Particles touch, panels do not: what is smaller than the gaps between particles goes through.
+std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge);
+
+} // namespace ripstop

@@ -1,0 +1,99 @@
+#include "shapes/shape_files.h"
+
+#include "shapes/height_picture.h"
+#include "shapes/mesh_file.h"
+
+#include <deque>
+#include <mutex>
+#include <sstream>
+
+namespace ripstop {
+namespace {
+
+// The last few shapes stay, whoever uses them; older ones are found while somebody does.
+template <typename Shape>
+class Shelf
+{
+public:
+    template <typename Make>
+    Result<std::shared_ptr<const Shape>> take(const std::string& name, Make make)
+    {
+        const std::lock_guard lock(m_mutex);
+        for (const auto& [held, shape] : m_known)
+            if (held == name)
+                if (std::shared_ptr<const Shape> found = shape.lock())
+                    return found;
+        if (m_failed.first == name) // a flawed file is not read again for every picture
+            return m_failed.second;
+        Result<Shape> made = make();
+        if (!made) {
+            m_failed = {name, made.failure()};
+            return made.failure();
+        }
+        std::shared_ptr<const Shape> shape = std::make_shared<const Shape>(std::move(*made));
+        std::erase_if(m_known, [&](const auto& entry) {
+            return entry.first == name || entry.second.expired();
+        });
+        m_known.emplace_back(name, shape);
+        m_kept.push_back(shape);
+        if (m_kept.size() > mostKept)
+            m_kept.pop_front();
+        return shape;
+    }
+
+private:
+    static constexpr std::size_t mostKept = 4;
+    std::mutex m_mutex;
+    std::vector<std::pair<std::string, std::weak_ptr<const Shape>>> m_known;
+    std::deque<std::shared_ptr<const Shape>> m_kept;
+    std::pair<std::string, Failure> m_failed; // the last one
+};
+
+template <typename Shape, typename Read>
+Result<std::shared_ptr<const Shape>> fromFile(const std::filesystem::path& file, const char* what,
+                                              Shelf<Shape>& shelf, Read read)
+{
+    std::error_code error;
+    const bool isThere = std::filesystem::is_regular_file(file, error);
+    if (!isThere)
+        return Failure{"The " + std::string(what) + " " + file.string()
+                       + (std::filesystem::exists(file, error)
+                              ? " is not a file; choose another."
+                              : " does not exist; put it there, or choose another file.")};
+    const auto date = std::filesystem::last_write_time(file, error);
+    const auto size = std::filesystem::file_size(file, error);
+    std::ostringstream name;
+    name << file.string() << ' ' << date.time_since_epoch().count() << ' ' << size;
+    return shelf.take(name.str(), [&] { return read(file); });
+}
+
+} // namespace
+
+std::filesystem::path placeOfFile(std::string_view folder, std::string_view file)
+{
+    return (std::filesystem::path(folder) / std::filesystem::path(file)).lexically_normal();
+}
+
+Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem::path& file)
+{
+    static Shelf<HeightGrid> shelf;
+    return fromFile(file, "picture", shelf, readHeightPicture);
+}
+
+Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file)
+{
+    static Shelf<TriangleTree> shelf;
+    return fromFile(file, "mesh", shelf, readMeshFile);
+}
+
+std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length)
+{
+    static Shelf<HeightGrid> shelf;
+    std::ostringstream name;
+    name.precision(17);
+    name << grid << ' ' << seed << ' ' << length;
+    return *shelf.take(name.str(),
+                       [&] { return Result<HeightGrid>(generatedHills(grid, seed, length)); });
+}
+
+} // namespace ripstop

@@ -1,0 +1,29 @@
+// Shapes that take time to make: hills, and what is read from pictures and meshes.
+//
+// The same file with the same date is read once while somebody uses it, so that an edit of a
+// collider that has a large mesh costs nothing. Any thread may call these.
+#pragma once
+
+#include "base/result.h"
+#include "shapes/height_grid.h"
+#include "shapes/triangle_tree.h"
+
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+namespace ripstop {
+
+// A path of a scene, seen from the folder of its file.
+std::filesystem::path placeOfFile(std::string_view folder, std::string_view file);
+
+// Grey PNG of 8 or 16 bits (others are turned into grey) or PGM; black is 0 and white is 1, and
+// the top of the picture is at the lowest z. The message names the file and what to do.
+Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem::path& file);
+
+// What assimp reads: OBJ, STL, PLY, glTF and more, all its meshes together.
+Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file);
+
+std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length);
+
+} // namespace ripstop

@@ -1,0 +1,274 @@
+// Colliders as authored: what becomes of them, what is wrong with them, and where their files are.
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "compile/live_system.h"
+#include "io/scene_file.h"
+#include "model/systems.h"
+#include "run/simulation.h"
+#include "scene/check.h"
+#include "scene/collider_path.h"
+#include "scene/collider_shape.h"
+#include "scene/path.h"
+
+#include <QtTest>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <Eigen/LU>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr Id colliderId{900};
+constexpr const char* squareObj = "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 4 3 2\n";
+
+// A cloth without colliders, and one collider.
+Scene sceneWith(const Collider& collider)
+{
+    Scene scene = *build(*findBuilder("cloth"), {{"columns", 4}, {"rows", 4}, {"sphere", 0}});
+    std::erase_if(scene.items,
+                  [](const Entry& entry) { return std::holds_alternative<Collider>(entry.item); });
+    scene.items.push_back({colliderId, collider});
+    scene.nextId = Id{901};
+    return scene;
+}
+
+Collider shaped(ColliderShape shape)
+{
+    Collider collider;
+    collider.name = "thing";
+    collider.shape = shape;
+    return collider;
+}
+
+Obstacle obstacleOf(const Collider& collider)
+{
+    const auto system = compile(sceneWith(collider));
+    if (!system)
+        qFatal("%s", system.message().c_str());
+    return (*system)->obstacles.back();
+}
+
+void write(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+QString problem(const Collider& collider)
+{
+    const auto problems = problemsOf(sceneWith(collider));
+    for (const Problem& found : problems)
+        if (found.culprit == colliderId)
+            return QString::fromStdString(found.message);
+    return {};
+}
+
+} // namespace
+
+class TestColliders : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // Euler angles in degrees about x, then y, then z.
+    void turn()
+    {
+        Collider box = shaped(ColliderShape::Box);
+        box.turn = Vec3(90.0, 0.0, 0.0);
+        QVERIFY(isNear(obstacleOf(box).turn * Vec3::UnitY(), Vec3::UnitZ(), 1e-15));
+        box.turn = Vec3(90.0, 90.0, 0.0); // y to z by the first, z to x by the second
+        QVERIFY(isNear(obstacleOf(box).turn * Vec3::UnitY(), Vec3::UnitX(), 1e-15));
+        box.turn = Vec3(90.0, 90.0, 90.0); // and x to y by the third
+        QVERIFY(isNear(obstacleOf(box).turn * Vec3::UnitY(), Vec3::UnitY(), 1e-15));
+        box.turn = Vec3(12.0, 34.0, 56.0);
+        QVERIFY(isNear(obstacleOf(box).turn.determinant(), 1.0, 1e-14));
+    }
+
+    void fields()
+    {
+        Collider box = shaped(ColliderShape::Box);
+        box.size = Vec3(1.0, 2.0, 3.0);
+        box.thickness = 0.02;
+        box.path = "0: 0 1 0; 2.5: 3, 1, 0";
+        const Obstacle obstacle = obstacleOf(box);
+        QCOMPARE(obstacle.size, box.size);
+        QCOMPARE(obstacle.thickness, 0.02);
+        QCOMPARE(obstacle.key, Key(colliderId));
+        QCOMPARE(obstacle.path.size(), std::size_t(2));
+        QCOMPARE(obstacle.path[1].time, 2.5);
+        QCOMPARE(obstacle.path[1].place, Vec3(3.0, 1.0, 0.0));
+        const Obstacle hills = obstacleOf(shaped(ColliderShape::HeightField));
+        QVERIFY(hills.grid);
+        QCOMPARE(hills.grid->columns, 256); // the default
+        QCOMPARE(hills.grid->rows, 256);
+    }
+
+    void paths_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("keys"); // -1 is refused
+        QTest::newRow("none") << "" << 0;
+        QTest::newRow("blank") << "  " << 0;
+        QTest::newRow("one") << "1: 2 3 4" << 1;
+        QTest::newRow("end mark, commas") << " 0:0,0,0 ; 1e-1: -2, 3.5, 4; " << 2;
+        QTest::newRow("a number short") << "0: 1 2" << -1;
+        QTest::newRow("a number over") << "0: 1 2 3 4" << -1;
+        QTest::newRow("no colon") << "0 1 2 3" << -1;
+        QTest::newRow("a word") << "0: 1 2 three" << -1;
+        QTest::newRow("back in time") << "1: 0 0 0; 1: 1 0 0" << -1;
+        QTest::newRow("infinite") << "inf: 0 0 0" << -1;
+    }
+    void paths()
+    {
+        QFETCH(QString, text);
+        QFETCH(int, keys);
+        const auto path = pathFromText(text.toStdString());
+        QCOMPARE(path ? int(path->size()) : -1, keys);
+        const Property& property = *findProperty(Kind::Collider, "path");
+        QCOMPARE(refusal(property, text.toStdString()).has_value(), keys < 0);
+    }
+
+    void flaws_data()
+    {
+        QTest::addColumn<Collider>("collider");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char* name, ColliderShape shape, auto spoil, const char* says) {
+            Collider collider = shaped(shape);
+            spoil(collider);
+            QTest::newRow(name) << collider << says;
+        };
+        using enum ColliderShape;
+        row(
+            "plane", Plane, [](Collider& c) { c.normal.setZero(); }, "needs a normal");
+        row(
+            "box", Box, [](Collider& c) { c.size.y() = 0.0; }, "needs edges above 0");
+        row(
+            "hills", HeightField, [](Collider& c) { c.size.x() = -1.0; }, "needs a width");
+        row(
+            "no file", Mesh, [](Collider&) {}, "set its file");
+        row(
+            "missing mesh", Mesh, [](Collider& c) { c.file = "no/such.obj"; }, "no/such.obj");
+        row(
+            "missing picture", HeightField, [](Collider& c) { c.file = "no/such.png"; },
+            "no/such.png");
+        row(
+            "path", Sphere, [](Collider& c) { c.path = "0: 1"; }, "its path must be");
+        row(
+            "small ball", Sphere, [](Collider& c) { c.radius = 0.01; }, "fits between particles");
+        row(
+            "thin rod", Box, [](Collider& c) { c.size = Vec3(5.0, 0.01, 0.01); }, "fits between");
+    }
+    void flaws()
+    {
+        QFETCH(Collider, collider);
+        QFETCH(QString, says);
+        const QString message = problem(collider);
+        QVERIFY2(message.contains(says) && message.contains("thing") && message.endsWith('.'),
+                 qPrintable(message));
+    }
+    void sound()
+    {
+        for (const ColliderShape shape : {ColliderShape::Plane, ColliderShape::Sphere,
+                                          ColliderShape::Box, ColliderShape::HeightField})
+            QCOMPARE(problem(shaped(shape)), QString());
+        Collider plate = shaped(ColliderShape::Box);
+        plate.size = Vec3(2.0, 0.001, 2.0); // thin, and wider than the gaps: nothing tunnels
+        QCOMPARE(problem(plate), QString());
+    }
+
+    // A path in a scene starts at the scene file, wherever the program is.
+    void filesLieBesideTheScene()
+    {
+        QTemporaryDir folder;
+        QDir(folder.path()).mkdir("meshes");
+        write(folder.filePath("meshes/square.obj"), squareObj);
+        Collider mesh = shaped(ColliderShape::Mesh);
+        mesh.file = "meshes/square.obj";
+        mesh.scale = 2.0;
+        const Scene written = sceneWith(mesh);
+        QVERIFY(hasErrors(problemsOf(written))); // not in the working directory
+        const std::string file = folder.filePath("a.ripstop.json").toStdString();
+        QVERIFY(!saveScene(written, file));
+
+        const Result<Scene> scene = readScene(file);
+        QVERIFY(scene);
+        QVERIFY(*scene == written); // where it lies is not part of it
+        QVERIFY(!hasErrors(problemsOf(*scene)));
+        const auto system = compile(*scene);
+        QVERIFY(system);
+        const Obstacle& obstacle = (*system)->obstacles.back();
+        QCOMPARE(obstacle.mesh->faces().size(), std::size_t(2));
+        QCOMPARE(obstacle.scale, 2.0);
+
+        Simulation simulation(*system);
+        QVERIFY(simulation.runUntil(3.0)); // 1.6 m down onto it
+        for (const Vec3& x : simulation.state().position)
+            QVERIFY2(std::max(std::abs(x.x()), std::abs(x.z())) > 2.0 || x.y() > 0.0,
+                     told(x, Vec3::Zero()));
+
+        QFile::remove(folder.filePath("meshes/square.obj"));
+        const auto problems = problemsOf(*scene);
+        QVERIFY(hasErrors(problems));
+        const QString message = QString::fromStdString(problems.front().message);
+        QVERIFY2(message.contains(folder.filePath("meshes/square.obj"))
+                     && message.contains("does not exist; put it there"),
+                 qPrintable(message));
+        QVERIFY(!compile(*scene));
+    }
+
+    // A live scene whose file is missing goes on as it was, and says why.
+    void liveScene()
+    {
+        Scene scene = sceneWith(shaped(ColliderShape::Box));
+        LiveSystem live(scene);
+        QVERIFY(std::holds_alternative<Update>(live.update(1, 1)));
+        const auto set = [&](const char* assigned) {
+            const auto edit = assignment(live.scene(), assigned);
+            if (!edit)
+                qFatal("%s", edit.message().c_str());
+            live.apply(*edit);
+        };
+        set("thing.shape=mesh");
+        const auto failed = live.update(2, 1);
+        QVERIFY(std::holds_alternative<Problem>(failed));
+        set("thing.shape=height_field");
+        const auto update = live.update(3, 1);
+        QVERIFY(std::holds_alternative<Update>(update));
+        const auto& patch = std::get<Update>(update).patch;
+        QVERIFY(patch && patch->obstacles && patch->obstacles->back().grid);
+        set("sheet.selfContact=0.01");
+        const auto layers = live.update(4, 1);
+        QVERIFY(std::get<Update>(layers).patch->fabricLayers);
+        QCOMPARE(std::get<Update>(layers).patch->fabricLayers->front().thickness, 0.01);
+    }
+
+    // A control moves a collider; frames say where it is.
+    void control()
+    {
+        Scene scene = sceneWith(shaped(ColliderShape::Box));
+        Control control;
+        control.name = "push";
+        control.targets = {colliderId};
+        control.axis = Vec3(0.0, 0.0, 2.0);
+        scene.items.push_back({Id{901}, control});
+        scene.nextId = Id{902};
+        QVERIFY(!hasErrors(problemsOf(scene)));
+        const auto system = compile(scene);
+        QVERIFY(system);
+        Simulation simulation(*system);
+        simulation.command({{901, 0.25}});
+        QVERIFY(simulation.runUntil(1.0));
+        const auto frame = simulation.frame();
+        QCOMPARE(frame->layout->colliderId, std::vector<std::uint32_t>{900});
+        QVERIFY2(isNear(frame->colliderPosition[0], Vec3(0.0, 0.0, 0.25), 1e-12),
+                 told(frame->colliderPosition[0], Vec3(0.0, 0.0, 0.25)));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestColliders)
+#include "test_colliders.moc"
