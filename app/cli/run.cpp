@@ -7,7 +7,9 @@
 #include "compile/compile.h"
 #include "io/csv.h"
 #include "io/scene_file.h"
+#include "io/tear_table.h"
 #include "measure/diagnostics.h"
+#include "run/tear_report.h"
 
 #include <algorithm>
 #include <chrono>
@@ -23,6 +25,7 @@ struct Options
     double seconds = 0.0;
     int threads = 1;
     std::string csv;
+    std::string tears;
     std::string finalScene;
     std::string controls;
     bool json = false;
@@ -47,6 +50,21 @@ double fly(Simulation& simulation, const Options& options, ControlPlayer& contro
         progress.show(simulation.state().time / options.seconds);
     }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Json tearSummary(std::span<const Tear> tears)
+{
+    const TearReport report = tearReport(tears);
+    Json result;
+    result["count"] = report.count;
+    result["energy"] = report.energy;
+    result["first"] = nullptr;
+    if (!tears.empty())
+        result["first"] = {{"time", tears[0].time}, {"link", tears[0].link}};
+    result["front"] = Json::array();
+    for (const TearReport::Front& front : report.front)
+        result["front"].push_back({{"time", front.time}, {"distance", front.distance}});
+    return result;
 }
 
 Json report(const Simulation& simulation, double wallSeconds)
@@ -78,7 +96,9 @@ Json report(const Simulation& simulation, double wallSeconds)
                                    {"length", tear.length},
                                    {"strain", tear.strain},
                                    {"force", tear.force},
+                                   {"energy", tear.energy},
                                    {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
+    result["tear_report"] = tearSummary(frame->tears);
     result["stopped"] = simulation.trouble().has_value();
     if (simulation.trouble())
         result["message"] = simulation.trouble()->message;
@@ -98,6 +118,14 @@ void printTable(const Json& result, const Layout& layout)
     row("wall time", shortNumber(result["wall_seconds"]) + " s, "
                          + shortNumber(result["steps_per_second"]) + " steps/s");
     row("torn links", std::to_string(result["torn"].get<long>()));
+    if (const Json& tears = result["tear_report"]; tears["count"].get<long>() > 0) {
+        const Json& end = tears["front"].back();
+        row("first tear", shortNumber(tears["first"]["time"]) + " s, link "
+                              + std::to_string(tears["first"]["link"].get<long>()));
+        row("tears reach",
+            shortNumber(end["distance"]) + " m from there at " + shortNumber(end["time"]) + " s");
+        row("energy they released", shortNumber(tears["energy"]) + " J");
+    }
     row("largest strain", shortNumber(result["max_strain"]));
     row("energy", shortNumber(result["energy"]) + " J");
     row("hash", result["hash"].get<std::string>());
@@ -129,6 +157,10 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
         if (const auto failure = saveScene(finalScene(scene, simulation), options.finalScene))
             return fail(BadInput, failure->message);
 
+    if (!options.tears.empty())
+        if (const auto failure = writeTears(scene, simulation.frame()->tears, options.tears))
+            return fail(BadInput, failure->message);
+
     const Json result = report(simulation, wallSeconds);
     if (options.json)
         print(result);
@@ -157,7 +189,7 @@ int run(const Options& options)
     const auto system = compile(*loaded.scene);
     if (!system)
         return fail(BadInput, options.scene.file + ": " + system.message());
-    if (options.finalScene.empty())
+    if (options.finalScene.empty() && options.tears.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
     return flyAndReport(*loaded.scene, simulation, options, std::move(track));
@@ -182,6 +214,10 @@ void addRun(CLI::App& app, Command& chosen)
     command->add_option("--csv", options->csv, "Write the probes after every time step")
         ->type_name("FILE");
     command
+        ->add_option("--tears", options->tears,
+                     "Write every break: time, element, part, strain, force, energy, place")
+        ->type_name("FILE");
+    command
         ->add_option("--final", options->finalScene,
                      "Write the scene as the run has left it: positions, velocities, tears")
         ->type_name("SCENE");
@@ -195,6 +231,7 @@ void addRun(CLI::App& app, Command& chosen)
         "  ripstop-cli run scenes/delta_kite.ripstop.json --seconds 20 --csv kite.csv\n"
         "  ripstop-cli run kite.ripstop.json --seconds 20 --set \"wind.velocity=8, 0, 0\" --json\n"
         "  ripstop-cli run cloth.ripstop.json --seconds 5 --final settled.ripstop.json\n"
+        "  ripstop-cli run scenes/torn_sheet.ripstop.json --seconds 3 --tears tears.csv\n"
         "\n"
         "The hash is that of the final state: equal for equal bits only.\n"
         "Ctrl-C ends the run and reports what there is. When the simulation diverges, the last\n"

@@ -138,6 +138,7 @@ void takeSettings(const Settings& settings, System& system)
     system.integrator = settings.integrator;
     system.solver = settings.solver;
     system.strainGoal = settings.strainGoal / 100.0;
+    system.tearsPerStep = settings.tearsPerStep;
     system.gravity = settings.gravity;
     system.airDensity = settings.airDensity;
     system.viscosity = settings.viscosity;

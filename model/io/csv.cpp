@@ -11,8 +11,9 @@ namespace {
 
 std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown error"; }
 
-// RFC 4180
-std::string cell(const std::string& text)
+} // namespace
+
+std::string csvCell(const std::string& text)
 {
     if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
@@ -22,8 +23,6 @@ std::string cell(const std::string& text)
     quoted += '"';
     return quoted;
 }
-
-} // namespace
 
 Result<CsvWriter> CsvWriter::open(const std::filesystem::path& file, const Layout& layout)
 {
@@ -38,7 +37,7 @@ Result<CsvWriter> CsvWriter::open(const std::filesystem::path& file, const Layou
     std::string header = "time (s)";
     for (const Layout::Probe& probe : layout.probes) {
         header += ',';
-        header += cell(probe.unit.empty() ? probe.name : probe.name + " (" + probe.unit + ")");
+        header += csvCell(probe.unit.empty() ? probe.name : probe.name + " (" + probe.unit + ")");
     }
     writer.m_out << header << '\n';
     return writer;

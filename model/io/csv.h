@@ -8,6 +8,9 @@
 
 namespace ripstop {
 
+// Quoted where RFC 4180 asks for it.
+std::string csvCell(const std::string& text);
+
 // A table of probe values, one row per frame. The header gives each column its unit:
 // "time (s),height (m)". A value that is not a number is an empty cell.
 class CsvWriter

@@ -56,6 +56,7 @@ struct Tear
     double strain = 0.0;       // 1
     double force = 0.0;        // N
     Vec3 place = Vec3::Zero(); // m
+    double energy = 0.0;       // J, released
 };
 
 struct Frame

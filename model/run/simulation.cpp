@@ -200,7 +200,7 @@ std::shared_ptr<Frame> Simulation::frame() const
 
     for (const State::Tear& tear : m_state.tears)
         frame->tears.push_back(
-            {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place});
+            {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place, tear.energy});
     if (m_trouble) {
         frame->stopped = m_trouble->message;
         frame->culprit = m_trouble->particle;

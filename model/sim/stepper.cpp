@@ -7,7 +7,6 @@
 #include "sim/panel_load.h"
 #include "sim/particle_motion.h"
 #include "sim/spring_force.h"
-#include "sim/tearing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +56,8 @@ void Stepper::prepare(const System& system, State& state)
     m_predicted.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
+    m_overloads.reserve(system.tearsPerStep > 0 ? system.tearable.size() : 0);
+    m_tears = state.tears.size();
     if (m_serial != system.serial || m_valuesSerial != system.valuesSerial)
         fillRestLengths(system, state, m_restLength);
     else
@@ -128,7 +129,7 @@ void Stepper::substep(RodTask& task, State& state)
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
     resolveContacts(system, state, m_before, m_placed, h, m_crew);
-    tearLinks(system, state, m_rodLength, m_springForce, m_restLength);
+    tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
     state.started = true;
 }
 

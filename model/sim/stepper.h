@@ -7,6 +7,7 @@
 #include "sim/rod_solver.h"
 #include "sim/solver_plan.h"
 #include "sim/system.h"
+#include "sim/tearing.h"
 
 namespace ripstop {
 
@@ -53,7 +54,9 @@ private:
     std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;        // [rods] m, before projection
-    std::uint64_t m_serial = 0;             // of the system that m_restLength is of
+    std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
+    std::size_t m_tears = 0;           // before this time step
+    std::uint64_t m_serial = 0;        // of the system that m_restLength is of
     std::uint64_t m_valuesSerial = 0;
     bool m_onlyGravity = false;  // accelerations of this step are known, as nothing else acts
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep

@@ -120,17 +120,17 @@ requires std::is_same_v<std::remove_const_t<S>, System>
 auto fieldsOf(S& system)
 {
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
-           solver, strainGoal, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
-           key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach,
-           direct, materialAir, dragLines, panels, panelKey, links, linkStuff, springLink, rodLink,
-           tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, fabricLayer,
-           inputs, shiftedRods, probes, start] = system;
+           solver, strainGoal, tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity,
+           speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
+           chunkReach, direct, materialAir, dragLines, panels, panelKey, links, linkStuff,
+           springLink, rodLink, tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside,
+           obstacles, fabricLayer, inputs, shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
-                    gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit, key, mass,
-                    inverseMass, springs, rods, colorStart, chunkStart, chunkClass, chunkReach,
-                    direct, materialAir, dragLines, panels, panelKey, links, linkStuff, springLink,
-                    rodLink, tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside,
-                    obstacles, fabricLayer, inputs, shiftedRods, probes, start);
+                    tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
+                    key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
+                    chunkReach, direct, materialAir, dragLines, panels, panelKey, links, linkStuff,
+                    springLink, rodLink, tearable, springsAt, rodsAt, panelsAt, dragLinesAt,
+                    panelsBeside, obstacles, fabricLayer, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>

@@ -270,12 +270,13 @@ struct State
 
     struct Tear
     {
-        double time;   // s
-        Key link;      // key of the link
-        double length; // m, at the break
-        double strain; // 1
-        double force;  // N
-        Vec3 place;    // m, middle of the link
+        double time;         // s
+        Key link;            // key of the link
+        double length;       // m, at the break
+        double strain;       // 1
+        double force;        // N
+        Vec3 place;          // m, middle of the link
+        double energy = 0.0; // J, that the link held and no longer does
 
         friend bool operator==(const Tear&, const Tear&) = default;
     };
@@ -309,6 +310,7 @@ struct System
     Integrator integrator = Integrator::SemiImplicitEuler;
     Solver solver = Solver::GaussSeidel;
     double strainGoal = 0.01;                // 1, for Solver::Auto
+    int tearsPerStep = 0;                    // links that a time step may break, 0 for any number
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
     double airDensity = 1.225;               // kg/m^3
     Vec3 wind = Vec3::Zero();                // m/s, what is the same everywhere and always

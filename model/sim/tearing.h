@@ -7,11 +7,32 @@
 
 namespace ripstop {
 
-// Breaks every link above its limit (above, not at) and notes the event. A rod is judged by its
+// What the substep knows of the loads on links.
+struct TearLoads
+{
+    std::span<const double> rodLength;       // [rods] m, before projection
+    std::span<const PaddedVec3> springForce; // [springs] N, on end `a`
+    std::span<const double> restLength;      // [rods] m
+    std::size_t tearsBefore = 0;             // breaks before this time step
+};
+
+// A link above its limit, and how far: its length, strain or force over the limit.
+struct Overload
+{
+    int link;     // index into System::links
+    double ratio; // 1
+};
+
+// Breaks links above their limit (above, not at) and notes the events. A rod is judged by its
 // length before projection, since none is ever long afterwards, or by its multiplier.
-//   rodLength    [rods]     m, before projection
-//   springForce  [springs]  N, on end `a`
-void tearLinks(const System& system, State& state, std::span<const double> rodLength,
-               std::span<const PaddedVec3> springForce, std::span<const double> restLength);
+//
+// Without System::tearsPerStep all of them break, in the order of the links. With it, the most
+// overloaded break first and of equals the first in the order of the links; who is left over is
+// judged again in the next substep, when the breaks have moved the load.
+//
+// A break releases what the link held: k s^2 / 2 of a spring stretched by s, T^2 alpha / 2 of a rod
+// of compliance alpha under the tension T, nothing of a stiff rod.
+void tearLinks(const System& system, State& state, const TearLoads& loads,
+               std::vector<Overload>& scratch);
 
 } // namespace ripstop

@@ -74,9 +74,14 @@ void addPulls(std::vector<Case>& cases)
         cases.push_back({"T-T1", "place of the break" + by, 0.5 * (0.5 + 0.97 * 50.0 / 240.0),
                          within(1e-9), "m", "middle of the link",
                          [=] { return tear().place.x(); }});
+        const double stretch = 0.97 * 50.0 / 240.0;
         if (kind == LinkKind::Spring)
-            cases.push_back({"T-T1", "force at the break" + by, 100.0 * 0.97 * 50.0 / 240.0,
-                             within(1e-9), "N", "k (L - L0)", [=] { return tear().force; }});
+            cases.push_back({"T-T1", "force at the break" + by, 100.0 * stretch, within(1e-9), "N",
+                             "k (L - L0)", [=] { return tear().force; }});
+        cases.push_back({"T-T1", "energy released" + by,
+                         kind == LinkKind::Spring ? 0.5 * 100.0 * stretch * stretch : 0.0,
+                         within(1e-9), "J", kind == LinkKind::Spring ? "k (L - L0)^2 / 2" : "stiff",
+                         [=] { return tear().energy; }});
         // 1/32 m per step is exact in binary; the limit itself is met at step 8 and holds
         cases.push_back({"T-T1", "first torn step when step 8 is at the limit, " + nameOf(kind), 9,
                          exactly, "", "> and not >=", [=] {
@@ -178,6 +183,15 @@ void addBookkeeping(std::vector<Case>& cases)
                          const System system = torn3x3();
                          return (momentum(system, after()) - momentum(system, system.start)).norm();
                      }});
+    cases.push_back({"T-T3", "3 x 3 sheet, energy released less elastic energy lost", 0.0,
+                     within(1e-15), "J", "k s^2 / 2", [=] {
+                         const System system = torn3x3();
+                         State whole = after();
+                         whole.springTorn[0] = 0;
+                         return after().tears.at(0).energy
+                                - (energies(system, whole).elastic
+                                   - energies(system, after()).elastic);
+                     }});
     for (const Solver solver : {Solver::AveragedJacobi, Solver::GaussSeidel, Solver::Direct})
         cases.push_back({"T-T3", "chain that breaks, largest change of momentum, " + nameOf(solver),
                          0.0, within(1e-12), "kg m/s", "action and reaction",
@@ -219,6 +233,17 @@ void addRodBreaks(std::vector<Case>& cases)
                      within(1e-6), "N", "m g", [=] {
                          const State state = hang(TearRule::Force, 19.0);
                          return state.tears.empty() ? std::nan("") : state.tears[0].force;
+                     }});
+    cases.push_back({"T-T4", "2 kg still on a rod of 0.001 m/N, energy released",
+                     0.5 * 4.0 * standardGravity * standardGravity * 1e-3, within(1e-9), "J",
+                     "(m g)^2 alpha / 2", [=] {
+                         System system = heavySystem(1.0 / 240.0);
+                         addPin(system, Vec3::Zero());
+                         addParticle(system, {0.0, -1.0 - 2e-3 * standardGravity, 0.0}, 2.0);
+                         addRod(system, 0, 1, 1.0, 1e-3).tear = tearAt(TearRule::Force, 19.0);
+                         finish(system);
+                         const State state = run(system, 1);
+                         return state.tears.empty() ? std::nan("") : state.tears[0].energy;
                      }});
     for (const Solver solver :
          {Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel, Solver::Direct})

@@ -111,6 +111,7 @@ private slots:
         row("--set without a value",      {"run", kite, "--seconds", "1", "--set", "settings.substeps"}, 2, "PATH=VALUE");
         row("table into nowhere",         {"run", kite, "--seconds", "0.1", "--json", "--csv", "/nowhere/a.csv"}, 1, "/nowhere/a.csv");
         row("final scene into nowhere",   {"run", kite, "--seconds", "0.1", "--json", "--final", "/nowhere/a.ripstop.json"}, 1, "/nowhere/a.ripstop.json");
+        row("tears into nowhere",         {"run", kite, "--seconds", "0.1", "--json", "--tears", "/nowhere/a.csv"}, 1, "/nowhere/a.csv");
         row("missing controls",           {"run", kite, "--seconds", "1", "--json", "--controls", "missing.csv"}, 1, "missing.csv does not exist");
         row("unknown builder",            {"build", "delta_kit", "-o", "x"},                        2, "delta_kite");
         row("unknown parameter",          {"build", "rope", "segmens=3", "-o", "x"},                2, "did you mean \"segments\"?");
@@ -306,20 +307,23 @@ private slots:
 
     void tearsAreListed()
     {
+        QTemporaryDir folder;
+        const QString table = folder.filePath("a.csv");
         const QJsonObject result =
-            call({"run", scene("torn_sheet"), "--seconds", "3", "--json"}).json();
+            call({"run", scene("torn_sheet"), "--seconds", "3", "--json", "--tears", table}).json();
         const QJsonArray tears = result["tears"].toArray();
-        QVERIFY(!tears.isEmpty());
-        QCOMPARE(result["torn"].toInt(), int(tears.size()));
         double before = 0.0;
+        QCOMPARE(result["torn"].toInt(), int(tears.size()));
         for (const QJsonValue& value : tears) {
             const QJsonObject tear = value.toObject();
-            QVERIFY(tear["time"].toDouble() >= before);
-            before = tear["time"].toDouble();
+            QVERIFY(tear["time"].toDouble() >= std::exchange(before, tear["time"].toDouble()));
             QVERIFY(tear["link"].toInt() > 0);
             QVERIFY(tear["strain"].toDouble() > 0.0);
             QCOMPARE(tear["place"].toArray().size(), 3);
         }
+        const QJsonArray front = result["tear_report"].toObject()["front"].toArray();
+        QCOMPARE(QString(contentOf(table)).count('\n'), tears.size() + 1);
+        QVERIFY(front.size() > 1);
     }
 
     void divergence()

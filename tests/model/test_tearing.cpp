@@ -221,6 +221,63 @@ private slots:
         QCOMPARE(state.rodTension[0] == 0.0, tears);
     }
 
+    void mostPerStep_data()
+    {
+        QTest::addColumn<int>("most");
+        QTest::addColumn<std::vector<std::vector<Key>>>("torn"); // in each step
+        using Steps = std::vector<std::vector<Key>>;
+        QTest::newRow("any number, in the order of the links") << 0 << Steps{{0, 1, 2, 3, 4}, {}};
+        QTest::newRow("one, the worst first") << 1 << Steps{{1}, {3}, {2}, {4}, {0}, {}};
+        QTest::newRow("two") << 2 << Steps{{1, 3}, {2, 4}, {0}, {}};
+        QTest::newRow("more than there are") << 9 << Steps{{1, 3, 2, 4, 0}, {}};
+    }
+
+    // Links side by side between two pins, at strains of 0.5, 0.9, 0.7, 0.9, 0.6 and a limit of
+    // 0.4, and one below it. The two that are alike break in the order of the links.
+    void mostPerStep()
+    {
+        QFETCH(int, most);
+        QFETCH(std::vector<std::vector<Key>>, torn);
+        System system = emptySystem(0.01);
+        system.substeps = 3;
+        system.tearsPerStep = most;
+        addPin(system, Vec3::Zero());
+        addPin(system, {1.0, 0.0, 0.0});
+        for (const double strain : {0.5, 0.9, 0.7, 0.9, 0.6, 0.3})
+            addSpring(system, 0, 1, 1.0 / (1.0 + strain), 10.0).tear = {TearRule::Strain, 0.4};
+        finish(system);
+        Stepper stepper;
+        State state = system.start;
+        for (const std::vector<Key>& expected : torn) {
+            const std::size_t before = state.tears.size();
+            stepper.step(system, state);
+            std::vector<Key> now;
+            for (std::size_t i = before; i < state.tears.size(); ++i)
+                now.push_back(state.tears[i].link);
+            QVERIFY(now == expected);
+        }
+    }
+
+    // Overloads of different rules are compared by how many times the limit they are; above a
+    // limit of 0 is infinitely far.
+    void rulesCompared()
+    {
+        System system = emptySystem(0.01);
+        system.tearsPerStep = 1;
+        addPin(system, Vec3::Zero());
+        addPin(system, {1.0, 0.0, 0.0});
+        addSpring(system, 0, 1, 0.5, 10.0).tear = {TearRule::Length, 0.8}; // 1.25 times
+        addSpring(system, 0, 1, 0.5, 10.0).tear = {TearRule::Force, 2.5};  // 2 times
+        addSpring(system, 0, 1, 0.5, 10.0).tear = {TearRule::Strain, 0.0}; // infinitely
+        addRod(system, 0, 1, 0.5).tear = {TearRule::Strain, 2.0 / 3.0};    // 1.5 times
+        finish(system);
+        const State state = run(system, 5);
+        std::vector<Key> order;
+        for (const State::Tear& tear : state.tears)
+            order.push_back(tear.link);
+        QVERIFY(order == (std::vector<Key>{2, 1, 3, 0}));
+    }
+
     // A strut that is pressed short is not torn, and a link without rest length has no strain.
     void notInTension()
     {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "base/result.h"
+#include "run/frame.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <span>
+
+namespace ripstop {
+
+// A table with a row for each break, in order of time:
+// "time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m)". The element is the id of
+// the link; a part that is no longer in the scene is an empty cell.
+std::optional<Failure> writeTears(const Scene& scene, std::span<const Tear> tears,
+                                  const std::filesystem::path& file);
+
+} // namespace ripstop

@@ -1,0 +1,27 @@
+// What a run tore, in short.
+#pragma once
+
+#include "run/frame.h"
+
+#include <span>
+
+namespace ripstop {
+
+struct TearReport
+{
+    struct Front
+    {
+        double time;     // s
+        double distance; // m, from the place of the first break
+    };
+
+    int count = 0;
+    double energy = 0.0;      // J, released by all breaks
+    std::vector<Front> front; // each break that was farther off than all before it, the first too
+};
+
+// `tears` in order of time. Places are where the links were when they broke, so that the front of
+// a sheet that flies away moves with it.
+TearReport tearReport(std::span<const Tear> tears);
+
+} // namespace ripstop
