@@ -206,6 +206,21 @@ private slots:
                      qPrintable(QString("%1 threads").arg(threads)));
     }
 
+    // More are above their limits than may break: who goes first must not hang on threads.
+    void fewTearsPerStep()
+    {
+        System system = tangle(Integrator::SemiImplicitEuler, Solver::GaussSeidel);
+        system.tearsPerStep = 7;
+        const int steps = 8;
+        const State alone = run(system, steps);
+        QCOMPARE(alone.tears.size(), std::size_t(7 * steps));
+        for (const int threads : {1, 2, 3, 8}) {
+            const State again = run(system, steps, threads);
+            QVERIFY2(sameBits(again, alone), qPrintable(QString("%1 threads").arg(threads)));
+            QVERIFY(again.tears == alone.tears);
+        }
+    }
+
     void networks_data()
     {
         QTest::addColumn<int>("seed");
