@@ -20,5 +20,6 @@ void addPolar(CLI::App& app, Command& chosen);
 void addBench(CLI::App& app, Command& chosen);
 void addProperties(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
+void addPresets(CLI::App& app, Command& chosen);
 
 } // namespace ripstop

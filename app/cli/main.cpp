@@ -48,6 +48,7 @@ int call(int argc, char** argv)
     addPolar(app, chosen);
     addBench(app, chosen);
     addProperties(app, chosen);
+    addPresets(app, chosen);
     addVerify(app, chosen);
 
     if (argc > 1 && argv[1][0] != '-')

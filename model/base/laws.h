@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace ripstop {
@@ -21,7 +22,13 @@ enum class Solver {
     Auto         // small steps, as many as the wanted strain needs, and direct blocks
 };
 
-enum class LinkKind { Spring, Rod };               // a force; a constraint
+enum class LinkKind { Spring, Rod }; // a force; a constraint
+enum class LinkRole : std::uint8_t {
+    Line,
+    Thread,
+    Bias
+};                                                 // one by itself; of a woven fabric, along
+                                                   // its threads or across its cells
 enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
 enum class TearRule { Never, Length, Strain, Force };
 enum class AirLaw { None, Paper, LinearNormal, LiftDrag };
@@ -64,6 +71,8 @@ inline constexpr std::array<std::string_view, 6> choiceNames<Solver>{
     "averaged_jacobi", "paper_jacobi", "gauss_seidel", "small_steps", "direct", "auto"};
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<LinkRole>{"line", "thread", "bias"};
 template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<Resists>{"both", "tension",
                                                                       "compression"};

@@ -9,6 +9,7 @@
 #include "builders/network.h"
 #include "builders/statics.h"
 #include "scene/check.h"
+#include "scene/link_stiffness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,8 @@ constexpr Parameter parameters[]{
     {"height",    "m",      1.0,  0.01, 50, false, "From the top edge to the bottom edge."},
     {"density",   "kg/m^2", 0.25, 0.005, 10, false, "Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric."},
     {"stiffness", "N/m",    100,  0, 1e6,  false, "Of structural springs: the tension of the fabric per strain; light knits have 25 to 130."},
-    {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones."},
+    {"membrane",  "N/m",    0,    0, 1e7,  false, "Membrane stiffness E t of the fabric along its threads; above 0 it replaces the stiffness, and the sheet stretches alike at every resolution."},
+    {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones; of the membrane, shear stiffness over membrane stiffness."},
     {"bend",      "",       0.02, 0, 2,    false, "Stiffness of bend springs over that of structural ones."},
     {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only."},
     {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never."},
@@ -61,6 +63,12 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     material.damping = p.at("damping");
     material.tearRule = p.at("tear") > 0.0 ? TearRule::Strain : TearRule::Never;
     material.tearLimit = p.at("tear") > 0.0 ? p.at("tear") : material.tearLimit;
+    if (p.at("membrane") > 0.0) {
+        material.membraneStiffness = p.at("membrane");
+        if (p.at("shear") > 0.0)
+            material.shearStiffness = p.at("shear") * p.at("membrane");
+    }
+    material.arealDensity = p.at("density");
     const auto add = [&](const char* name, const char* color, double share) {
         material.name = name;
         material.color = color;
@@ -82,6 +90,8 @@ public:
     Sheet(Network& network, const Parameters& p)
         : m_columns(int(p.at("columns")))
         , m_rows(int(p.at("rows")))
+        , m_cellWidth(p.at("width") / m_columns)
+        , m_cellHeight(p.at("height") / m_rows)
         , m_slitTop(m_rows - int(std::lround(p.at("slit") * m_rows)))
     {
         const bool flat = p.at("flat") > 0.0;
@@ -133,10 +143,12 @@ public:
         for (const Reach& reach : reaches)
             for (int row = 0; row <= m_rows; ++row)
                 for (int column = 0; column <= m_columns; ++column)
-                    if (joins(row, column, row + reach.rows, column + reach.columns))
+                    if (joins(row, column, row + reach.rows, column + reach.columns)) {
                         network.spring(at(row, column),
                                        at(row + reach.rows, column + reach.columns),
                                        reach.material);
+                        standFor(network, row, column, reach.rows, reach.columns);
+                    }
         for (int row = 0; row < m_rows; ++row)
             for (int column = 0; column < m_columns; ++column)
                 if (joins(row, column, row + 1, column + 1))
@@ -154,6 +166,23 @@ public:
     }
 
 private:
+    // Half a cell of fabric on either side where there is one; a diagonal has the width for which
+    // the two of a cell resist shear as fabric does (link_stiffness.h).
+    void standFor(Network& network, int row, int column, int rows, int columns) const
+    {
+        const auto cell = [&](int r, int c) {
+            return r >= 0 && c >= 0 && joins(r, c, r + 1, c + 1) ? 0.5 : 0.0;
+        };
+        if (rows == 0 && columns == 1)
+            network.asFabric(LinkRole::Thread,
+                             m_cellHeight * (cell(row - 1, column) + cell(row, column)));
+        else if (rows == 1 && columns == 0)
+            network.asFabric(LinkRole::Thread,
+                             m_cellWidth * (cell(row, column - 1) + cell(row, column)));
+        else if (rows == 1)
+            network.asFabric(LinkRole::Bias, biasWidth(m_cellWidth, m_cellHeight));
+    }
+
     // diagonals alternate, so that the sheet has no grain
     void cover(Network& network, int row, int column, Id cloth) const
     {
@@ -172,7 +201,9 @@ private:
 
     int m_columns;
     int m_rows;
-    int m_slitTop; // the last row that is whole
+    double m_cellWidth;  // m
+    double m_cellHeight; // m
+    int m_slitTop;       // the last row that is whole
     std::vector<Id> m_nodes;
 };
 

@@ -75,6 +75,12 @@ Id Network::panel(Id a, Id b, Id c, Id material)
     return id;
 }
 
+void Network::asFabric(LinkRole role, double width)
+{
+    m_part.links.back().role = role;
+    m_part.links.back().width = width;
+}
+
 void Network::texture(Id particle, double u, double v)
 {
     row(particle).textureU = u;

@@ -29,6 +29,9 @@ public:
     Id spring(Id from, Id to, Id material);
     Id panel(Id a, Id b, Id c, Id material);
 
+    // Says of the link laid last that it stands for a strip of fabric of this width, m.
+    void asFabric(LinkRole role, double width);
+
     Particle& row(Id particle) { return *findRow(m_part.particles, particle); }
     void texture(Id particle, double u, double v);
 

@@ -16,6 +16,7 @@ constexpr Parameter parameters[]{
     {"segments",  "",     20,   1, 5000, true,  "Rods from end to end."},
     {"length",    "m",    2,    0.01, 1000, false, "Of the whole rope."},
     {"density",   "kg/m", 0.05, 0, 50,   false, "Mass of the rope per length."},
+    {"axial",     "N",    0,    0, 1e9,  false, "Axial stiffness EA of the rope, its tension per strain; 0 never stretches."},
     {"end_mass",  "kg",   0,    0, 1000, false, "A bob at the free end, over and above the rope's own mass."},
     {"angle",     "deg",  60,   0, 180,  false, "Of the rope at the start, from straight down."},
     {"ends",      "",     1,    0, 2,    true,  "How many ends are pinned."},
@@ -32,6 +33,9 @@ Scene buildRope(const Parameters& p)
     Material material;
     material.name = "cord";
     material.color = "#b08968";
+    material.linearDensity = p.at("density");
+    if (p.at("axial") > 0.0)
+        material.axialStiffness = p.at("axial");
     const Id cord = addItem(scene, material);
     Network network(scene, "rope");
     const int count = int(p.at("segments"));

@@ -60,11 +60,11 @@ private:
             if (link.kind == LinkKind::Spring) {
                 Spring& spring = m_system.springs[std::size_t(link.index)];
                 m_tearRules |= spring.tear.rule != material.tearRule;
-                takeMaterial(material, stuff.own, spring);
+                takeMaterial(material, stuff, spring);
             } else {
                 Rod& rod = m_system.rods[std::size_t(link.index)];
                 m_tearRules |= rod.tear.rule != material.tearRule;
-                takeMaterial(material, stuff.own, rod);
+                takeMaterial(material, stuff, rod);
                 m_allRods = true;
             }
         }

@@ -2,6 +2,7 @@
 
 #include "scene/collider_path.h"
 #include "scene/collider_shape.h"
+#include "scene/link_stiffness.h"
 #include "scene/wind.h"
 #include "sim/gusts.h"
 
@@ -155,7 +156,7 @@ LinkStuff stuffOf(const Link& row)
 {
     const int own = (row.stiffness ? OwnStiffness : 0) | (row.damping ? OwnDamping : 0)
                     | (row.compliance ? OwnCompliance : 0) | (row.tearLimit ? OwnTearLimit : 0);
-    return {Key(row.material), std::uint8_t(own)};
+    return {Key(row.material), std::uint8_t(own), row.role, row.width};
 }
 
 Spring springOf(const Link& row, const Material& material, int a, int b)
@@ -167,7 +168,7 @@ Spring springOf(const Link& row, const Material& material, int a, int b)
                   row.damping.value_or(0.0),
                   row.resists,
                   {TearRule::Never, row.tearLimit.value_or(0.0)}};
-    takeMaterial(material, stuffOf(row).own, spring);
+    takeMaterial(material, stuffOf(row), spring);
     return spring;
 }
 
@@ -179,7 +180,7 @@ Rod rodOf(const Link& row, const Material& material, int a, int b)
             row.compliance.value_or(0.0),
             row.resists,
             {TearRule::Never, row.tearLimit.value_or(0.0)}};
-    takeMaterial(material, stuffOf(row).own, rod);
+    takeMaterial(material, stuffOf(row), rod);
     return rod;
 }
 
@@ -207,20 +208,20 @@ std::vector<MaterialAir> materialAirOf(const Scene& scene)
     return airs;
 }
 
-void takeMaterial(const Material& material, std::uint8_t own, Spring& spring)
+void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring)
 {
-    if (!(own & OwnStiffness))
-        spring.stiffness = material.stiffness;
-    if (!(own & OwnDamping))
+    if (!(stuff.own & OwnStiffness))
+        spring.stiffness = springStiffness(material, stuff.role, stuff.width, spring.restLength);
+    if (!(stuff.own & OwnDamping))
         spring.damping = material.damping;
-    takeTear(material, own, spring.tear);
+    takeTear(material, stuff.own, spring.tear);
 }
 
-void takeMaterial(const Material& material, std::uint8_t own, Rod& rod)
+void takeMaterial(const Material& material, const LinkStuff& stuff, Rod& rod)
 {
-    if (!(own & OwnCompliance))
-        rod.compliance = material.compliance;
-    takeTear(material, own, rod.tear);
+    if (!(stuff.own & OwnCompliance))
+        rod.compliance = rodCompliance(material, stuff.role, stuff.width, rod.restLength);
+    takeTear(material, stuff.own, rod.tear);
 }
 
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id)

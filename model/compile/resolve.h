@@ -25,9 +25,9 @@ Rod rodOf(const Link& row, const Material& material, int a, int b);
 MaterialAir airOf(Id id, const Material& material);
 std::vector<MaterialAir> materialAirOf(const Scene& scene);
 
-// The numbers that come from the material; `own` are those that the link has itself.
-void takeMaterial(const Material& material, std::uint8_t own, Spring& spring);
-void takeMaterial(const Material& material, std::uint8_t own, Rod& rod);
+// The numbers that come from the material, but for those that the link has itself.
+void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring);
+void takeMaterial(const Material& material, const LinkStuff& stuff, Rod& rod);
 
 // The material, or default numbers when there is none.
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id);

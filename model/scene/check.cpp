@@ -3,6 +3,7 @@
 #include "base/step_limit.h"
 #include "scene/collider_shape.h"
 #include "scene/element_index.h"
+#include "scene/link_stiffness.h"
 
 #include <algorithm>
 #include <cctype>
@@ -45,7 +46,9 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
                 if (particle < 0)
                     continue;
                 Sums& sums = at[std::size_t(particle)];
-                sums.stiffness += link.stiffness.value_or(material ? material->stiffness : 0.0);
+                sums.stiffness += link.stiffness.value_or(
+                    material ? springStiffness(*material, link.role, link.width, link.restLength)
+                             : 0.0);
                 sums.damping += link.damping.value_or(material ? material->damping : 0.0);
                 sums.springs = true;
             }

@@ -43,7 +43,9 @@ struct Link
     Id material{};
     LinkKind kind = LinkKind::Rod;
     Resists resists = Resists::Both;
-    double restLength = 1.0;          // m
+    double restLength = 1.0; // m
+    LinkRole role = LinkRole::Line;
+    double width = 0.0;               // m, of the strip of fabric that a thread or bias stands for
     std::optional<double> stiffness;  // N/m, springs
     std::optional<double> damping;    // N s/m, springs
     std::optional<double> compliance; // m/N, rods
@@ -92,9 +94,14 @@ struct Material
     std::string name = "material";
     std::string color = "#c8553d";
     bool shown = true;
-    double stiffness = 100.0; // N/m, springs
-    double damping = 0.0;     // N s/m, springs
-    double compliance = 0.0;  // m/N, rods
+    double stiffness = 100.0;                // N/m, springs
+    double damping = 0.0;                    // N s/m, springs
+    double compliance = 0.0;                 // m/N, rods
+    std::optional<double> axialStiffness;    // N, EA of lines and spars; see link_stiffness.h
+    std::optional<double> membraneStiffness; // N/m, E t of fabric along its threads
+    std::optional<double> shearStiffness;    // N/m, G t of fabric
+    std::optional<double> arealDensity;      // kg/m^2, of fabric, as weighed into the particles
+    std::optional<double> linearDensity;     // kg/m, of lines and spars, as weighed into them
     TearRule tearRule = TearRule::Never;
     double tearLimit = 0.5; // m, 1 or N, as the rule says
     AirLaw airLaw = AirLaw::LinearNormal;

@@ -151,11 +151,14 @@ struct LinkPlace
     friend bool operator==(const LinkPlace&, const LinkPlace&) = default;
 };
 
-// What a link takes its numbers from, so that an edit of a material finds the links made of it.
+// What a link takes its numbers from, so that an edit of a material finds the links made of it and
+// what it makes of them.
 struct LinkStuff
 {
     Key material = 0;
     std::uint8_t own = 0; // bits, one for each number that is the link's own
+    LinkRole role = LinkRole::Line;
+    double width = 0.0; // m, of the strip of fabric
 
     friend bool operator==(const LinkStuff&, const LinkStuff&) = default;
 };

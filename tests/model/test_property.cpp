@@ -160,9 +160,9 @@ private slots:
         QVERIFY(!property.label.empty());
         QVERIFY(QChar(property.label.front()).isUpper());
 
-        static const std::set<std::string_view> units{"",    "%",         "s",  "m",          "deg",
-                                                      "m/s", "m/s\u00b2", "kg", "kg/m\u00b3", "1/s",
-                                                      "N/m", "N s/m",     "m/N"};
+        static const std::set<std::string_view> units{
+            "",           "%",   "s",   "m",     "deg", "m/s", "m/s\u00b2", "kg",
+            "kg/m\u00b3", "1/s", "N/m", "N s/m", "m/N", "N",   "kg/m",      "kg/m\u00b2"};
         QVERIFY2(units.contains(property.unit), property.unit.data());
     }
 

@@ -90,6 +90,8 @@ bool isUsed(const Property& property, const ConstRef& ref)
     if (const auto* link = std::get_if<const Link*>(&ref)) {
         if (key == "stiffness" || key == "damping")
             return (*link)->kind == LinkKind::Spring;
+        if (key == "width")
+            return (*link)->role != LinkRole::Line;
         return key != "compliance" || (*link)->kind == LinkKind::Rod;
     }
     if (const auto* material = std::get_if<const Material*>(&ref)) {

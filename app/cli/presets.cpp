@@ -1,0 +1,155 @@
+// ripstop-cli presets: materials that one can buy, and what they make of a scene's.
+#include "scene/presets.h"
+
+#include "cli/commands.h"
+#include "cli/scene_input.h"
+#include "cli/terminal.h"
+#include "io/scene_file.h"
+#include "scene/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace ripstop {
+namespace {
+
+struct PresetOptions
+{
+    std::string preset;
+    std::vector<std::string> materials;
+    SceneInput scene;
+    std::string output;
+    bool json = false;
+};
+
+Json jsonOf(const Preset& preset)
+{
+    Json values = Json::object();
+    for (const auto& [key, value] : preset.values)
+        if (const double* number = std::get_if<double>(&value))
+            values[std::string(key)] = *number;
+        else
+            values[std::string(key)] = textFromValue(value);
+    return {{"name", preset.name},
+            {"label", preset.label},
+            {"kind", presetKindName(preset.kind)},
+            {"values", std::move(values)},
+            {"source", preset.source}};
+}
+
+int listPresets(bool json)
+{
+    Json list = Json::array();
+    for (const Preset& preset : allPresets()) {
+        list.push_back(jsonOf(preset));
+        if (json)
+            continue;
+        std::cout << preset.name << " (" << presetKindName(preset.kind) << "): " << preset.label
+                  << "\n   ";
+        for (const auto& [key, value] : preset.values) {
+            const double* number = std::get_if<double>(&value);
+            const Property& property = *findProperty(Kind::Material, key);
+            std::cout << ' ' << key << ' ' << (number ? shortNumber(*number) : textFromValue(value))
+                      << (property.unit.empty() ? "" : " ") << property.unit
+                      << (key == preset.values.back().first ? "\n" : ",");
+        }
+        std::cout << "    " << preset.source << '\n';
+    }
+    if (json)
+        print({{"presets", std::move(list)}});
+    return Done;
+}
+
+// The material's id; a message names those that there are.
+Result<Id> materialNamed(const Scene& scene, const std::string& name)
+{
+    std::string names;
+    for (const Entry& entry : scene.items)
+        if (const Material* material = std::get_if<Material>(&entry.item)) {
+            if (material->name == name || "#" + std::to_string(std::uint32_t(entry.id)) == name)
+                return entry.id;
+            names += (names.empty() ? "" : ", ") + material->name;
+        }
+    return Failure{"The scene has no material \"" + name + "\"; "
+                   + (names.empty() ? "it has none at all." : "it has " + names + ".")};
+}
+
+// What the user should know about the changed scene.
+void printNotes(const Scene& scene, const PresetEdit& made)
+{
+    for (const Id id : made.notWeighed)
+        std::cout << findItem<Material>(scene, id)->name
+                  << ": the particles keep their mass, because the old density of the material or "
+                     "the new one is not known.\n";
+    const std::optional<StepLimit> limit = stepLimit(scene);
+    const Settings& settings = scene.settings;
+    if (limit && settings.timeStep / settings.substeps > limit->timeStep)
+        std::cout << "The springs need shorter substeps now: settings.substeps="
+                  << int(std::ceil(1.2 * settings.timeStep / limit->timeStep)) << '\n';
+}
+
+int applyPreset(const PresetOptions& options)
+{
+    const Result<const Preset*> preset = findPreset(options.preset);
+    if (!preset)
+        return fail(WrongUsage, preset.message());
+    if (options.scene.file.empty() || options.output.empty() || options.materials.empty())
+        return fail(WrongUsage,
+                    "--apply needs a scene, --material NAME and -o SCENE for the result.");
+    SceneOutcome loaded = loadScene(options.scene);
+    if (!loaded.scene)
+        return loaded.exitCode;
+    Scene& scene = *loaded.scene;
+    for (const Problem& problem : problemsOf(scene))
+        if (problem.severity == Severity::Error)
+            return fail(BadInput, options.scene.file + ": " + problem.message);
+    std::vector<Id> materials;
+    for (const std::string& name : options.materials) {
+        const Result<Id> id = materialNamed(scene, name);
+        if (!id)
+            return fail(WrongUsage, id.message());
+        if (std::find(materials.begin(), materials.end(), *id) == materials.end())
+            materials.push_back(*id);
+    }
+    const Result<PresetEdit> made = presetEdit(scene, **preset, materials);
+    if (!made)
+        return fail(BadInput, options.scene.file + ": " + made.message());
+    (void)apply(scene, made->edit);
+    if (const auto failure = saveScene(scene, options.output))
+        return fail(BadInput, failure->message);
+    printNotes(scene, *made);
+    return Done;
+}
+
+} // namespace
+
+void addPresets(CLI::App& app, Command& chosen)
+{
+    CLI::App* command = app.add_subcommand(
+        "presets", "List fabrics, lines and spars with their sources, or give one to a scene.");
+    const auto options = std::make_shared<PresetOptions>();
+    command->add_option("SCENE", options->scene.file, "Scene file that --apply changes");
+    command->add_option("--apply", options->preset, "Preset to give to the materials")
+        ->type_name("PRESET");
+    command->add_option("--material", options->materials, "Name of a material; may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command->add_option("-o,--output", options->output, "Scene file to write")->type_name("SCENE");
+    addSetOption(*command, options->scene.assignments);
+    command->add_flag("--json", options->json, "Print the list as one JSON object");
+    command->footer(
+        "Examples:\n"
+        "  ripstop-cli presets\n"
+        "  ripstop-cli presets rope.ripstop.json --apply liros_ltc80 --material cord \\\n"
+        "      -o lines.ripstop.json\n"
+        "  ripstop-cli presets cloth.ripstop.json --apply skytex_38 --material cloth \\\n"
+        "      --material structural --material shear -o canopy.ripstop.json");
+    command->callback([options, &chosen] {
+        chosen = [options] {
+            return options->preset.empty() ? listPresets(options->json) : applyPreset(*options);
+        };
+    });
+}
+
+} // namespace ripstop

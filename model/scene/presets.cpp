@@ -1,0 +1,374 @@
+#include "scene/presets.h"
+
+#include "scene/element_index.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// --- fabrics ---------------------------------------------------------------------------------
+
+// Coated ripstop: E t of 2e4 to 6e4 N/m along the threads, on the bias a fifth to a twentieth of
+// it; here 4e4 and a tenth. A strip at 45 degrees has 4 / E45 = 2 / (E t) + 1 / G + ..., so that a
+// tenth makes G = E t / 38.
+constexpr double coatedMembrane = 4e4; // N/m
+constexpr double shearShare = 1.0 / 38.0;
+const std::string coated =
+    " E t 4e4 N/m is the middle of 2e4 to 6e4 for coated ripstop (order of magnitude only), G t "
+    "from a bias ten times softer; taken as airtight.";
+const std::string parachute =
+    "Parachute cloth after nakka-rocketry.net/paralst.html (MIL specifications): weight, and "
+    "strength where known. ";
+
+Preset fabric(const char* name, const char* label, std::string source, double density,
+              double membrane, std::optional<double> shear, std::optional<double> porosity)
+{
+    Preset preset{PresetKind::Fabric, name, label, std::move(source), {}};
+    preset.values = {{"arealDensity", density}, {"membraneStiffness", membrane}};
+    if (shear)
+        preset.values.emplace_back("shearStiffness", *shear);
+    if (porosity)
+        preset.values.emplace_back("porosity", *porosity);
+    return preset;
+}
+
+// Uncoated nylon: a secant, strip strength (N/m) over the elongation at break.
+Preset parachuteCloth(const char* name, const char* label, const char* permeability, double density,
+                      double strength, std::optional<double> porosity)
+{
+    // 29 to 40 % for nylon fibre, Knacke 1992 section 6.6.1
+    constexpr double elongation = 0.345;
+    const double membrane = strength / elongation;
+    return fabric(name, label,
+                  parachute + permeability
+                      + " E t is strength over 34.5 % elongation (Knacke 6.6.1: 29 to 40 %), G t "
+                        "from a bias ten times softer.",
+                  density, membrane, shearShare * membrane, porosity);
+}
+
+Preset coatedCloth(const char* name, const char* label, const std::string& source, double density)
+{
+    return fabric(name, label, source + coated, density, coatedMembrane,
+                  shearShare * coatedMembrane, 0.0);
+}
+
+// Shear stiffness and porosity were not measured.
+Preset garment(const char* name, const char* label, double density, double membrane)
+{
+    return fabric(
+        name, label,
+        "Wang, O'Brien and Ramamoorthi 2011, data of ARCSim; E t is twice its C11 as read "
+        "by others, shear is left to the material's own stiffness.",
+        density, membrane, std::nullopt, std::nullopt);
+}
+
+void addFabrics(std::vector<Preset>& presets)
+{
+    // effective porosity c = v / sqrt(2 dp / rho) at 124.5 Pa and 1.225 kg/m^3, mean of the range
+    presets.push_back(parachuteCloth("mil_7020_1", "MIL-C-7020 type I, 1.1 oz ripstop nylon",
+                                     "80 to 120 cfm/ft2.", 0.0373, 7355.0, 0.0356));
+    presets.push_back(parachuteCloth("mil_7020_2", "MIL-C-7020 type II, 1.6 oz twill nylon",
+                                     "100 to 160 cfm/ft2.", 0.0543, 8756.0, 0.0463));
+    presets.push_back(parachuteCloth("mil_7020_3", "MIL-C-7020 type III, 1.6 oz ripstop nylon",
+                                     "Strength is that of type II, which weighs the same; "
+                                     "permeability is not given and stays as it is.",
+                                     0.0543, 8756.0, std::nullopt));
+    presets.push_back(parachuteCloth("mil_44378_1", "MIL-C-44378 type I, low permeability nylon",
+                                     "0 to 5 cfm/ft2.", 0.0397, 7881.0, 0.0009));
+    presets.push_back(coatedCloth("ripstop_050", "Ripstop 0.5 oz",
+                                  "0.5 ounces per sailmaker's yard, 42.83 g/m2 each, unfinished.",
+                                  0.0214));
+    presets.push_back(coatedCloth(
+        "ripstop_075", "Ripstop 0.75 oz, kite cloth",
+        "B. Doyle, North Cloth (kitebuilder.com/techsheets/Fabrictech.htm): nominal 32.1 g/m2, "
+        "weighs 47 finished.",
+        0.047));
+    presets.push_back(coatedCloth("ripstop_150", "Ripstop 1.5 oz",
+                                  "1.5 ounces per sailmaker's yard, 42.83 g/m2 each, unfinished.",
+                                  0.0642));
+    const std::string porcher = "Porcher, weight as in OpenGlider materials/_cloth/porcher.py.";
+    presets.push_back(coatedCloth("skytex_27", "Porcher Skytex 27", porcher, 0.027));
+    presets.push_back(coatedCloth("skytex_29", "Porcher Skytex 29", porcher, 0.029));
+    presets.push_back(coatedCloth("skytex_32", "Porcher Skytex 32", porcher, 0.032));
+    presets.push_back(coatedCloth("skytex_38", "Porcher Skytex 38", porcher, 0.038));
+    presets.push_back(coatedCloth("teijin_d2", "Teijin D2, canopy of surf kites",
+                                  "About 52 g/m2, from memory of the trade.", 0.052));
+    presets.push_back(garment("gray_interlock", "Grey interlock knit", 0.187, 69.0));
+    presets.push_back(garment("camel_ponte_roma", "Ponte Roma knit", 0.284, 88.1));
+    presets.push_back(garment("white_swim_solid", "Swimwear", 0.204, 209.0));
+    presets.push_back(garment("denim_11oz", "Black denim, 11 oz", 0.324, 2028.0));
+    presets.push_back(garment("royal_target", "Royal Target cotton", 0.220, 4070.0));
+}
+
+// --- lines -----------------------------------------------------------------------------------
+
+struct Cord
+{
+    const char* name;
+    const char* label;
+    double diameter; // mm
+    double load;     // N, for the stretch
+    double stretch;  // %
+    double strength; // N
+};
+
+constexpr Cord liros[]{
+    {"liros_ltc45", "Liros LTC45", 0.55, 100, 0.85, 450},
+    {"liros_ltc65", "Liros LTC65", 0.65, 100, 0.80, 650},
+    {"liros_ltc80", "Liros LTC80", 0.70, 300, 1.65, 800},
+    {"liros_ltc120", "Liros LTC120", 1.1, 300, 1.20, 1200},
+    {"liros_ltc160", "Liros LTC160", 1.2, 300, 1.05, 1600},
+    {"liros_ltc200", "Liros LTC200", 1.3, 300, 1.1, 2000},
+    {"liros_tsl90", "Liros TSL090", 1.2, 300, 1.38, 900},
+    {"liros_tsl140", "Liros TSL140", 1.3, 300, 0.88, 1400},
+    {"liros_tsl190", "Liros TSL190", 1.55, 300, 0.71, 1900},
+    {"liros_tsl280", "Liros TSL280", 1.8, 300, 0.46, 2800},
+    {"liros_tsl380", "Liros TSL380", 2.2, 300, 0.46, 3800},
+    {"liros_tsl500", "Liros TSL500", 2.37, 300, 0.42, 5000},
+};
+
+Preset line(const Cord& cord)
+{
+    const double d = cord.diameter;
+    const std::string load = std::to_string(int(cord.load));
+    Preset preset{PresetKind::Line,
+                  cord.name,
+                  cord.label,
+                  "OpenGlider lines/line_types/liros.py: diameter, strength and stretch at " + load
+                      + " N, from which EA is the secant; mass by the fit 0.134 d + 0.6859 d^2 g/m "
+                        "(d in mm), drag coefficient 1.1 of the same program.",
+                  {}};
+    preset.values = {{"linearDensity", 1e-3 * (0.134 * d + 0.6859 * d * d)},
+                     {"axialStiffness", cord.load / (cord.stretch / 100.0)},
+                     {"diameter", 1e-3 * d},
+                     {"dragCoefficient", 1.1},
+                     {"tearRule", std::string("force")},
+                     {"tearLimit", cord.strength}};
+    return preset;
+}
+
+Preset dyneema(const char* name, const char* label, double millimetres)
+{
+    const double d = 1e-3 * millimetres;
+    const double area = 0.25 * pi * d * d;
+    Preset preset{PresetKind::Line,
+                  name,
+                  label,
+                  "Braided Dyneema: E 55 GPa and 724 kg/m3 over the full circle, drag coefficient "
+                  "0.958, as in KiteModels; strength is left alone, knots cost half of it or more.",
+                  {}};
+    preset.values = {{"linearDensity", 724.0 * area},
+                     {"axialStiffness", 55e9 * area},
+                     {"diameter", d},
+                     {"dragCoefficient", 0.958}};
+    return preset;
+}
+
+// --- spars -----------------------------------------------------------------------------------
+
+Preset spar(const char* name, const char* label, const std::string& source, double diameter,
+            double axial, std::optional<double> density)
+{
+    Preset preset{PresetKind::Spar, name, label, source, {}};
+    preset.values = {{"axialStiffness", axial}, {"diameter", diameter}, {"dragCoefficient", 1.1}};
+    if (density)
+        preset.values.emplace_back("linearDensity", *density);
+    return preset;
+}
+
+double tubeArea(double outer, double inner) { return 0.25 * pi * (outer * outer - inner * inner); }
+
+void addSpars(std::vector<Preset>& presets)
+{
+    const std::string table = "jesseo.com/kites/spar-calculator.php: ";
+    const std::string rod = table + "E 122 GPa, EA over the full circle; its mass is not given.";
+    presets.push_back(spar("carbon_rod_2", "Carbon rod 2 mm", rod, 2e-3, 122e9 * tubeArea(2e-3, 0),
+                           std::nullopt));
+    presets.push_back(spar("carbon_rod_3", "Carbon rod 3 mm", rod, 3e-3, 122e9 * tubeArea(3e-3, 0),
+                           std::nullopt));
+    presets.push_back(spar("carbon_rod_4", "Carbon rod 4 mm", rod, 4e-3, 122e9 * tubeArea(4e-3, 0),
+                           std::nullopt));
+    // the bore follows from EI = E pi (outer^4 - inner^4) / 64
+    const std::string tube =
+        table + "E 50 GPa and mass; the bore, and EA with it, follow from the measured EI of ";
+    presets.push_back(spar("fibreglass_tube_6", "Fibreglass tube 6 mm", tube + "1.95 N m2.", 6e-3,
+                           50e9 * tubeArea(6e-3, 4.73e-3), 0.0247));
+    presets.push_back(spar("fibreglass_tube_8", "Fibreglass tube 8 mm", tube + "7.73 N m2.", 8e-3,
+                           50e9 * tubeArea(8e-3, 5.55e-3), 0.0382));
+    presets.push_back(spar("aluminium_42", "Aluminium 7075-T6 tube 42 x 0.9 mm",
+                           "Handbook values of 7075-T6: E 71.7 GPa, 2810 kg/m3.", 42e-3,
+                           71.7e9 * tubeArea(42e-3, 40.2e-3), 2810.0 * tubeArea(42e-3, 40.2e-3)));
+}
+
+std::vector<Preset> made()
+{
+    std::vector<Preset> presets;
+    addFabrics(presets);
+    for (const Cord& cord : liros)
+        presets.push_back(line(cord));
+    presets.push_back(dyneema("dyneema_1", "Dyneema braid 1 mm", 1.0));
+    presets.push_back(dyneema("dyneema_2", "Dyneema braid 2 mm", 2.0));
+    addSpars(presets);
+    return presets;
+}
+
+// --- applying --------------------------------------------------------------------------------
+
+// What a preset empties where it has nothing to say.
+constexpr std::array stiffnesses{"axialStiffness", "membraneStiffness", "shearStiffness"};
+
+const Value* valueOf(const Preset& preset, std::string_view key)
+{
+    const auto found = std::find_if(preset.values.begin(), preset.values.end(),
+                                    [&](const auto& value) { return value.first == key; });
+    return found == preset.values.end() ? nullptr : &found->second;
+}
+
+std::optional<double> numberOf(const Preset& preset, std::string_view key)
+{
+    const Value* value = valueOf(preset, key);
+    return value ? std::optional(std::get<double>(*value)) : std::nullopt;
+}
+
+// Takes the old mass of what is made of some materials off the particles and puts the new one on.
+class Scales
+{
+public:
+    explicit Scales(const Scene& scene)
+        : m_index(scene)
+    {
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Particle& particle : part.particles)
+                m_particles.push_back(&particle);
+        });
+        m_change.resize(m_particles.size());
+    }
+
+    // More mass per area of panels, kg/m^2, and per length of links, kg/m.
+    void add(const Scene& scene, Id material, double areal, double linear)
+    {
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Panel& panel : part.panels)
+                if (panel.material == material && areal != 0.0)
+                    addPanel(panel, areal);
+            for (const Link& link : part.links)
+                if (link.material == material && linear != 0.0)
+                    for (const Id end : {link.from, link.to})
+                        m_change[place(end)] += 0.5 * linear * link.restLength;
+        });
+    }
+
+    Result<SetValues> masses() const
+    {
+        SetValues change{findProperty(Kind::Particle, "mass"), {}, {}};
+        for (std::size_t i = 0; i < m_change.size(); ++i) {
+            const Particle& particle = *m_particles[i];
+            if (m_change[i] == 0.0)
+                continue;
+            const double mass = particle.mass + m_change[i];
+            if (!(mass > 0.0))
+                return Failure{"Particle " + std::to_string(std::uint32_t(particle.id))
+                               + " weighs less than the density of its material says: empty the "
+                                 "material's areal and linear density first."};
+            change.targets.push_back(particle.id);
+            change.values.emplace_back(mass);
+        }
+        return change;
+    }
+
+private:
+    std::size_t place(Id particle) const { return std::size_t(m_index.particle(particle)); }
+
+    void addPanel(const Panel& panel, double density)
+    {
+        const Vec3& a = m_particles[place(panel.a)]->position;
+        const Vec3& b = m_particles[place(panel.b)]->position;
+        const Vec3& c = m_particles[place(panel.c)]->position;
+        const double share = density * 0.5 * (b - a).cross(c - a).norm() / 3.0;
+        for (const Id corner : {panel.a, panel.b, panel.c})
+            m_change[place(corner)] += share;
+    }
+
+    ElementIndex m_index;
+    std::vector<const Particle*> m_particles; // as the index counts them
+    std::vector<double> m_change;             // [particles] kg
+};
+
+bool isDensity(std::string_view key) { return key == "arealDensity" || key == "linearDensity"; }
+
+SetValues setting(std::string_view key, const std::vector<Id>& materials, const Value& value)
+{
+    return {findProperty(Kind::Material, key), materials, {value}};
+}
+
+} // namespace
+
+std::string_view presetKindName(PresetKind kind)
+{
+    constexpr std::array<std::string_view, 3> names{"fabric", "line", "spar"};
+    return names[std::size_t(kind)];
+}
+
+std::span<const Preset> allPresets()
+{
+    static const std::vector<Preset> presets = made();
+    return presets;
+}
+
+Result<const Preset*> findPreset(std::string_view name)
+{
+    std::vector<std::string_view> names;
+    for (const Preset& preset : allPresets()) {
+        if (preset.name == name)
+            return &preset;
+        names.push_back(preset.name);
+    }
+    const std::string_view near = nearest(name, names);
+    return Failure{"There is no preset \"" + std::string(name) + "\"; "
+                   + (near.empty() ? "ripstop-cli presets lists them."
+                                   : "did you mean \"" + std::string(near) + "\"?")};
+}
+
+Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
+                              const std::vector<Id>& materials)
+{
+    PresetEdit result;
+    std::vector<Change>& changes = result.edit.changes;
+    result.edit.label = "Preset " + preset.label;
+    for (const std::string_view key : stiffnesses)
+        if (!valueOf(preset, key))
+            changes.push_back({setting(key, materials, std::monostate())});
+    for (const auto& [key, value] : preset.values)
+        if (!isDensity(key))
+            changes.push_back({setting(key, materials, value)});
+
+    Scales scales(scene);
+    const bool ofArea = preset.kind == PresetKind::Fabric;
+    const std::string_view key = ofArea ? "arealDensity" : "linearDensity";
+    const std::optional<double> density = numberOf(preset, key);
+    for (const Id id : materials) {
+        const Material& material = *findItem<Material>(scene, id);
+        const auto old = ofArea ? material.arealDensity : material.linearDensity;
+        if (!density || !old) {
+            result.notWeighed.push_back(id);
+            continue;
+        }
+        scales.add(scene, id, ofArea ? *density - *old : 0.0, ofArea ? 0.0 : *density - *old);
+        changes.push_back({setting(key, {id}, *density)});
+    }
+    Result<SetValues> masses = scales.masses();
+    if (!masses)
+        return masses.failure();
+    if (!masses->targets.empty())
+        changes.push_back({std::move(*masses)});
+    return result;
+}
+
+} // namespace ripstop
