@@ -21,6 +21,7 @@ const Section sections[] = {
     {"Hanging rods", hangCases},
     {"Ropes", ropeCases},
     {"Cloth", clothCases},
+    {"Materials", materialCases},
     {"Conservation and invariance", invarianceCases},
     {"Repeats", repeatCases},
     {"Contact", contactCases},

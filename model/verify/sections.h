@@ -20,6 +20,7 @@ std::vector<Case> softnessCases();
 std::vector<Case> hangCases();
 std::vector<Case> ropeCases();
 std::vector<Case> clothCases();
+std::vector<Case> materialCases();
 std::vector<Case> invarianceCases();
 std::vector<Case> repeatCases();
 std::vector<Case> contactCases();

@@ -1,0 +1,117 @@
+// Sheets and ropes whose links follow from numbers of their material: the same at every
+// resolution.
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "measure/diagnostics.h"
+#include "run/simulation.h"
+#include "verify/sections.h"
+#include "verify/small_systems.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+constexpr double density = 0.25;    // kg/m^2
+constexpr double membrane = 1000.0; // N/m
+
+constexpr double loose = 2; // what holds the sheet
+constexpr double byTwoEdges = 3;
+
+// 1 m x 1 m; `shear` is G / (E t).
+Scene sheet(int cells, double hang, double shear)
+{
+    return *build(*findBuilder("cloth"), {{"columns", cells},
+                                          {"rows", cells},
+                                          {"hang", hang},
+                                          {"density", density},
+                                          {"membrane", membrane},
+                                          {"shear", shear},
+                                          {"bend", 0},
+                                          {"sphere", 0},
+                                          {"level", 2}});
+}
+
+// N/m: what strains a loose sheet evenly by e along and -nu e across, over e, at its left edge.
+double modulus(int cells)
+{
+    constexpr double shear = 0.3;
+    const auto system = *compile(sheet(cells, loose, shear));
+    State state = system->start;
+    const double e = 1e-6;
+    // C12 / C11 for G = C12 and C11 - C12^2 / C11 = E t
+    const double nu = shear / (0.5 * (1.0 + std::sqrt(1.0 + 4.0 * shear * shear)));
+    for (auto& x : state.position)
+        x = Vec3(x.x() * (1.0 + e), x.y(), x.z() * (1.0 - nu * e));
+    const std::vector<double> tension = tensions(*system, state);
+    double pull = 0.0;
+    for (std::size_t i = 0; i < tension.size(); ++i) {
+        const LinkPlace& link = system->links[i];
+        const Vec3 along =
+            state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)];
+        if (link.a % (cells + 1) == 0 || link.b % (cells + 1) == 0)
+            pull += tension[i] * std::abs(along.x()) / along.norm();
+    }
+    return pull / e;
+}
+
+double mass(int cells) // kg
+{
+    const auto system = *compile(sheet(cells, loose, 0.3));
+    return std::accumulate(system->mass.begin(), system->mass.end(), 0.0);
+}
+
+// m, in the middle, held level by two edges.
+double sag(int cells)
+{
+    Scene scene = sheet(cells, byTwoEdges, 0.05);
+    scene.settings.viscosity = 20.0;
+    scene.settings.airDensity = 0.0;
+    Simulation simulation(*compile(scene));
+    (void)simulation.runUntil(2.0);
+    return 2.0 - simulation.state().position[std::size_t((cells + 2) * (cells / 2))].y();
+}
+
+// m, by its own weight: 1 kg on 10 m, EA 10 kN, half a share of mass at the lower end.
+double growth(int segments)
+{
+    Scene scene = *build(
+        *findBuilder("rope"),
+        {{"segments", segments}, {"length", 10}, {"density", 0.1}, {"axial", 1e4}, {"angle", 0}});
+    scene.settings.viscosity = 50.0;
+    scene.settings.airDensity = 0.0;
+    scene.settings.substeps = 20;
+    scene.settings.solver = Solver::Direct;
+    Simulation simulation(*compile(scene));
+    (void)simulation.runUntil(1.0);
+    const auto& position = simulation.state().position; // the rope's ends come first
+    return Vec3(position[0] - position[1]).norm() - 10.0;
+}
+
+} // namespace
+
+std::vector<Case> materialCases()
+{
+    std::vector<Case> cases;
+    for (const int cells : {10, 20, 40}) {
+        const std::string by = ", " + std::to_string(cells) + " x " + std::to_string(cells);
+        const std::string woven = "woven sheet, E t 1000 N/m, ";
+        cases.push_back({"M-E", woven + "pulled along a thread" + by, membrane, relative(1e-3),
+                         "N/m", "F = E t W strain", [=] { return modulus(cells); }});
+        cases.push_back({"M-W", "sheet of 0.25 kg/m^2" + by, density, relative(1e-12), "kg",
+                         "density x area", [=] { return mass(cells); }});
+        cases.push_back({"M-S", woven + "sag between two edges" + by,
+                         std::cbrt(3.0 * density * standardGravity / (64.0 * membrane)),
+                         relative(0.03), "m", "s^3 = 3 w W^4 / (64 E t), parabola",
+                         [=] { return sag(cells); }});
+    }
+    for (const int segments : {5, 20, 80})
+        cases.push_back(
+            {"T-R2",
+             "rope of EA 10 kN as a material, longer by, " + std::to_string(segments) + " rods",
+             4.903325e-3, relative(1e-3), "m", "M g L / (2 EA)", [=] { return growth(segments); }});
+    return cases;
+}
+
+} // namespace ripstop
