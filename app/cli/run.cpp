@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 
 namespace ripstop {
@@ -28,6 +29,7 @@ struct Options
     std::string tears;
     std::string finalScene;
     std::string controls;
+    bool profile = false;
     bool json = false;
 };
 
@@ -107,6 +109,32 @@ Json report(const Simulation& simulation, double wallSeconds)
     return result;
 }
 
+// Seconds by stage; what is left of the wall time is the watchdog and what is written.
+Json profileOf(const StageTimes& times, double wallSeconds)
+{
+    Json profile;
+    double left = wallSeconds;
+    for (std::size_t i = 0; i < stageNames.size(); ++i) {
+        profile.push_back({{"stage", stageNames[i]}, {"seconds", times.seconds[i]}});
+        left -= times.seconds[i];
+    }
+    profile.push_back({{"stage", "watchdog and output"}, {"seconds", std::max(left, 0.0)}});
+    return profile;
+}
+
+void printProfile(const Json& result)
+{
+    std::cout << "\nwhere the time went\n";
+    for (const Json& row : result["profile"]) {
+        char line[80];
+        std::snprintf(line, sizeof line, "  %-22s%8.3f s %5.1f %%\n",
+                      row["stage"].get<std::string>().c_str(), row["seconds"].get<double>(),
+                      100.0 * row["seconds"].get<double>()
+                          / std::max(result["wall_seconds"].get<double>(), 1e-9));
+        std::cout << line;
+    }
+}
+
 void printTable(const Json& result, const Layout& layout)
 {
     const auto row = [](const std::string& label, const std::string& text) {
@@ -148,7 +176,10 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
     }
     catchInterrupt();
     ControlPlayer controls(std::move(track));
+    StageTimes times;
+    simulation.keepTimes(options.profile ? &times : nullptr);
     const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr);
+    simulation.keepTimes(nullptr);
 
     if (table)
         if (const auto failure = table->close())
@@ -161,11 +192,15 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
         if (const auto failure = writeTears(scene, simulation.frame()->tears, options.tears))
             return fail(BadInput, failure->message);
 
-    const Json result = report(simulation, wallSeconds);
+    Json result = report(simulation, wallSeconds);
+    if (options.profile)
+        result["profile"] = profileOf(times, wallSeconds);
     if (options.json)
         print(result);
     else
         printTable(result, *simulation.frame()->layout);
+    if (options.profile && !options.json)
+        printProfile(result);
     if (simulation.trouble())
         return fail(Diverged, simulation.trouble()->message);
     if (interrupted())
@@ -225,6 +260,7 @@ void addRun(CLI::App& app, Command& chosen)
         ->add_option("--controls", options->controls,
                      "What the pilot does: a CSV file of time (s), control, value (m)")
         ->type_name("FILE");
+    command->add_flag("--profile", options->profile, "Say where the time went, stage by stage");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->footer(
         "Examples:\n"

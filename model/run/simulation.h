@@ -42,6 +42,9 @@ public:
     // Steps until `time`, s, is reached, as hasReached() has it.
     bool runUntil(double time);
 
+    // Adds what each stage of the steps from now on takes; null stops that.
+    void keepTimes(StageTimes* times) { m_stepper.keepTimes(times); }
+
     const System& system() const { return *m_system; }
     const State& state() const { return m_state; }
     const std::optional<Trouble>& trouble() const { return m_trouble; }

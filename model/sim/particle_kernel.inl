@@ -107,6 +107,7 @@ void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* ac
     const int* const springs = system.springsAt.items.data();
     const int* const panels = system.panelsAt.items.data();
     const int* const lines = system.dragLinesAt.items.data();
+    constexpr double signs[2] = {1.0, -1.0};
     const bool drags = !system.dragLines.empty();
     for (std::size_t i = first; i < last; ++i) {
         if (system.inverseMass[i] == 0.0) {
@@ -115,9 +116,8 @@ void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* ac
         }
         Four force{};
         for (int k = system.springsAt.start[i]; k < system.springsAt.start[i + 1]; ++k) {
-            const auto spring = std::size_t(springs[k]);
-            const Four f = four(forces.spring[spring]);
-            force += std::size_t(system.springs[spring].a) == i ? f : -f;
+            const double sign = signs[forces.springIsAtB[k]]; // which a branch would guess wrong
+            force += all(sign) * four(forces.spring[std::size_t(springs[k])]);
         }
         Four air{};
         for (int k = system.panelsAt.start[i]; k < system.panelsAt.start[i + 1]; ++k)

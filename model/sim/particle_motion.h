@@ -10,9 +10,10 @@ namespace ripstop {
 
 struct ForcesOnElements
 {
-    const PaddedVec3* spring; // [springs] N, on end `a`
-    const PaddedVec3* panel;  // [panels] N, a third for each corner
-    const PaddedVec3* line;   // [dragLines] N, half for each end
+    const PaddedVec3* spring;        // [springs] N, on end `a`
+    const std::uint8_t* springIsAtB; // [springsAt.items] 1 where the particle is end `b`
+    const PaddedVec3* panel;         // [panels] N, a third for each corner
+    const PaddedVec3* line;          // [dragLines] N, half for each end
 };
 
 struct ParticleMotion // arrays of [particles]

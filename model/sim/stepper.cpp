@@ -21,6 +21,7 @@ constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses t
 
 void Stepper::step(const System& system, State& state)
 {
+    m_clock.start();
     prepare(system, state);
     const int substeps = substepsOf(system, state);
     const double h = system.timeStep / substeps;
@@ -40,6 +41,7 @@ void Stepper::step(const System& system, State& state)
         ++state.substep;
     }
     m_rods.takeTensions(rodTask(system, state, h), m_crew, state.rodTension);
+    m_clock.lap(Stage::Tensions);
     ++state.step;
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
         adapt(system, state, substeps);
@@ -62,6 +64,8 @@ void Stepper::prepare(const System& system, State& state)
         fillRestLengths(system, state, m_restLength);
     else
         shiftRestLengths(system, state, m_restLength); // those of another state, maybe
+    if (m_serial != system.serial)
+        noteSpringEnds(system);
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
     m_onlyGravity = false;
@@ -74,6 +78,16 @@ void Stepper::prepare(const System& system, State& state)
         return place.kind == LinkKind::Rod
                && system.rods[std::size_t(place.index)].tear.rule == TearRule::Force;
     });
+}
+
+void Stepper::noteSpringEnds(const System& system)
+{
+    const Rows& at = system.springsAt;
+    m_springIsAtB.resize(at.items.size());
+    for (std::size_t p = 0; p + 1 < at.start.size(); ++p)
+        for (int k = at.start[p]; k < at.start[p + 1]; ++k)
+            m_springIsAtB[std::size_t(k)] =
+                system.springs[std::size_t(at.items[std::size_t(k)])].a != int(p);
 }
 
 int Stepper::substepsOf(const System& system, const State& state) const
@@ -117,19 +131,27 @@ void Stepper::substep(RodTask& task, State& state)
         task.shifted = true;
     }
     endMoves(system, state, state.time, m_placed);
+    m_clock.lap(Stage::Controls);
     fillAccelerations(system, state);
     move(ParticlePass::Predict, system, state, h);
+    m_clock.lap(Stage::Motion);
     noteRodLengths(system, state);
+    m_clock.lap(Stage::Tearing);
     project(task, state);
+    m_clock.lap(Stage::Rods);
     if (system.integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
+        m_clock.lap(Stage::Motion);
         fillAccelerations(system, state);
     }
     move(ParticlePass::FollowRods, system, state, h);
+    m_clock.lap(Stage::Motion);
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
     resolveContacts(system, state, m_before, m_placed, h, m_crew);
+    m_clock.lap(Stage::Contact);
     tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
+    m_clock.lap(Stage::Tearing);
     state.started = true;
 }
 
@@ -140,12 +162,17 @@ void Stepper::fillAccelerations(const System& system, const State& state)
         return;
     m_onlyGravity = true;
     fillSpringForces(system, state, m_crew, m_springForce);
+    m_clock.lap(Stage::Springs);
     fillPanelLoads(system, state, m_crew, m_panelLoad);
     fillLineDrags(system, state, m_crew, m_lineDrag);
+    m_clock.lap(Stage::Air);
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
-        gatherAccelerations(system, {m_springForce.data(), m_panelLoad.data(), m_lineDrag.data()},
-                            m_acceleration.data(), first, last);
+        gatherAccelerations(
+            system,
+            {m_springForce.data(), m_springIsAtB.data(), m_panelLoad.data(), m_lineDrag.data()},
+            m_acceleration.data(), first, last);
     });
+    m_clock.lap(Stage::Sum);
 }
 
 void Stepper::move(ParticlePass pass, const System& system, State& state, double h)
@@ -167,12 +194,12 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
 
 void Stepper::noteRodLengths(const System& system, const State& state)
 {
-    if (system.tearable.empty())
-        return;
-    for (std::size_t i = 0; i < system.rods.size(); ++i)
-        m_rodLength[i] = (state.position[std::size_t(system.rods[i].b)]
-                          - state.position[std::size_t(system.rods[i].a)])
-                             .norm();
+    for (const int tearable : system.tearable) {
+        const LinkPlace& link = system.links[std::size_t(tearable)];
+        if (link.kind == LinkKind::Rod)
+            m_rodLength[std::size_t(link.index)] =
+                (state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)]).norm();
+    }
 }
 
 void Stepper::project(const RodTask& task, State& state)

@@ -6,6 +6,7 @@
 #include "sim/particle_motion.h"
 #include "sim/rod_solver.h"
 #include "sim/solver_plan.h"
+#include "sim/stage_times.h"
 #include "sim/system.h"
 #include "sim/tearing.h"
 
@@ -22,6 +23,9 @@ public:
 
     void step(const System& system, State& state);
 
+    // Adds what each stage of the steps from now on takes; null stops that.
+    void keepTimes(StageTimes* times) { m_clock.giveTo(times); }
+
     // What Solver::Auto began with and why, once there was a step; empty for other solvers.
     std::string choice(const System& system) const
     {
@@ -32,6 +36,7 @@ public:
 private:
     void prepare(const System& system, State& state);
     void substep(RodTask& task, State& state);
+    void noteSpringEnds(const System& system);
     int substepsOf(const System& system, const State& state) const;
     RodTask rodTask(const System& system, State& state, double h) const;
     void adapt(const System& system, State& state, int substeps);
@@ -41,19 +46,21 @@ private:
     void project(const RodTask& task, State& state);
 
     Crew m_crew;
+    StageClock m_clock;
     RodSolver m_rods;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
     FabricContact m_fabric;
-    std::vector<PaddedVec3> m_springForce;  // [springs] N, on end `a`
-    std::vector<PaddedVec3> m_panelLoad;    // [panels] N
-    std::vector<PaddedVec3> m_lineDrag;     // [dragLines] N
-    std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
-    std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
-    std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
-    std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
-    std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
-    std::vector<double> m_rodLength;        // [rods] m, before projection
+    std::vector<PaddedVec3> m_springForce;   // [springs] N, on end `a`
+    std::vector<std::uint8_t> m_springIsAtB; // [springsAt.items]
+    std::vector<PaddedVec3> m_panelLoad;     // [panels] N
+    std::vector<PaddedVec3> m_lineDrag;      // [dragLines] N
+    std::vector<PaddedVec3> m_acceleration;  // [particles] m/s^2, of forces, not of rods or contact
+    std::vector<PaddedVec3> m_before;        // [particles] m, at the start of the substep
+    std::vector<PaddedVec3> m_predicted;     // [particles] m, before projection
+    std::vector<PlacedObstacle> m_placed;    // [obstacles] in this substep
+    std::vector<double> m_restLength;        // [rods] m, with the weight shifts of now
+    std::vector<double> m_rodLength;         // [rods] m, before projection
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
     std::size_t m_tears = 0;           // before this time step
     std::uint64_t m_serial = 0;        // of the system that m_restLength is of

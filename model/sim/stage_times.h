@@ -1,0 +1,48 @@
+// Where the time of a step goes, for people who ask why a scene is slow.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string_view>
+
+namespace ripstop {
+
+enum class Stage { Controls, Springs, Air, Sum, Motion, Rods, Contact, Tearing, Tensions };
+
+inline constexpr std::array<std::string_view, 9> stageNames{
+    "controls", "springs", "air", "sum of forces", "motion", "rods", "contact", "tearing",
+    "tensions"};
+
+struct StageTimes
+{
+    std::array<double, stageNames.size()> seconds{}; // s of wall time, by Stage
+};
+
+// Gives the time since its last lap to a stage. Without anybody to give it to it does nothing.
+class StageClock
+{
+public:
+    void giveTo(StageTimes* times) { m_times = times; }
+
+    void start()
+    {
+        if (m_times)
+            m_lap = Clock::now();
+    }
+
+    void lap(Stage stage)
+    {
+        if (!m_times)
+            return;
+        const Clock::time_point now = Clock::now();
+        m_times->seconds[std::size_t(stage)] += std::chrono::duration<double>(now - m_lap).count();
+        m_lap = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    StageTimes* m_times = nullptr;
+    Clock::time_point m_lap;
+};
+
+} // namespace ripstop
