@@ -110,12 +110,12 @@ Json report(const Simulation& simulation, double wallSeconds)
 }
 
 // Seconds by stage; what is left of the wall time is the watchdog and what is written.
-Json profileOf(const StageTimes& times, double wallSeconds)
+Json profileOf(const StepTimes& times, double wallSeconds)
 {
     Json profile;
     double left = wallSeconds;
-    for (std::size_t i = 0; i < stageNames.size(); ++i) {
-        profile.push_back({{"stage", stageNames[i]}, {"seconds", times.seconds[i]}});
+    for (std::size_t i = 0; i < stepStageNames.size(); ++i) {
+        profile.push_back({{"stage", stepStageNames[i]}, {"seconds", times.seconds[i]}});
         left -= times.seconds[i];
     }
     profile.push_back({{"stage", "watchdog and output"}, {"seconds", std::max(left, 0.0)}});
@@ -176,7 +176,7 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
     }
     catchInterrupt();
     ControlPlayer controls(std::move(track));
-    StageTimes times;
+    StepTimes times;
     simulation.keepTimes(options.profile ? &times : nullptr);
     const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr);
     simulation.keepTimes(nullptr);

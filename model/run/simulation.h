@@ -43,7 +43,7 @@ public:
     bool runUntil(double time);
 
     // Adds what each stage of the steps from now on takes; null stops that.
-    void keepTimes(StageTimes* times) { m_stepper.keepTimes(times); }
+    void keepTimes(StepTimes* times) { m_stepper.keepTimes(times); }
 
     const System& system() const { return *m_system; }
     const State& state() const { return m_state; }

@@ -41,7 +41,7 @@ void Stepper::step(const System& system, State& state)
         ++state.substep;
     }
     m_rods.takeTensions(rodTask(system, state, h), m_crew, state.rodTension);
-    m_clock.lap(Stage::Tensions);
+    m_clock.lap(StepStage::Tensions);
     ++state.step;
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
         adapt(system, state, substeps);
@@ -131,27 +131,27 @@ void Stepper::substep(RodTask& task, State& state)
         task.shifted = true;
     }
     endMoves(system, state, state.time, m_placed);
-    m_clock.lap(Stage::Controls);
+    m_clock.lap(StepStage::Controls);
     fillAccelerations(system, state);
     move(ParticlePass::Predict, system, state, h);
-    m_clock.lap(Stage::Motion);
+    m_clock.lap(StepStage::Motion);
     noteRodLengths(system, state);
-    m_clock.lap(Stage::Tearing);
+    m_clock.lap(StepStage::Tearing);
     project(task, state);
-    m_clock.lap(Stage::Rods);
+    m_clock.lap(StepStage::Rods);
     if (system.integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
-        m_clock.lap(Stage::Motion);
+        m_clock.lap(StepStage::Motion);
         fillAccelerations(system, state);
     }
     move(ParticlePass::FollowRods, system, state, h);
-    m_clock.lap(Stage::Motion);
+    m_clock.lap(StepStage::Motion);
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
     resolveContacts(system, state, m_before, m_placed, h, m_crew);
-    m_clock.lap(Stage::Contact);
+    m_clock.lap(StepStage::Contact);
     tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
-    m_clock.lap(Stage::Tearing);
+    m_clock.lap(StepStage::Tearing);
     state.started = true;
 }
 
@@ -162,17 +162,17 @@ void Stepper::fillAccelerations(const System& system, const State& state)
         return;
     m_onlyGravity = true;
     fillSpringForces(system, state, m_crew, m_springForce);
-    m_clock.lap(Stage::Springs);
+    m_clock.lap(StepStage::Springs);
     fillPanelLoads(system, state, m_crew, m_panelLoad);
     fillLineDrags(system, state, m_crew, m_lineDrag);
-    m_clock.lap(Stage::Air);
+    m_clock.lap(StepStage::Air);
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
         gatherAccelerations(
             system,
             {m_springForce.data(), m_springIsAtB.data(), m_panelLoad.data(), m_lineDrag.data()},
             m_acceleration.data(), first, last);
     });
-    m_clock.lap(Stage::Sum);
+    m_clock.lap(StepStage::Sum);
 }
 
 void Stepper::move(ParticlePass pass, const System& system, State& state, double h)

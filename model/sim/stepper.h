@@ -6,7 +6,7 @@
 #include "sim/particle_motion.h"
 #include "sim/rod_solver.h"
 #include "sim/solver_plan.h"
-#include "sim/stage_times.h"
+#include "sim/step_times.h"
 #include "sim/system.h"
 #include "sim/tearing.h"
 
@@ -24,7 +24,7 @@ public:
     void step(const System& system, State& state);
 
     // Adds what each stage of the steps from now on takes; null stops that.
-    void keepTimes(StageTimes* times) { m_clock.giveTo(times); }
+    void keepTimes(StepTimes* times) { m_clock.giveTo(times); }
 
     // What Solver::Auto began with and why, once there was a step; empty for other solvers.
     std::string choice(const System& system) const
@@ -46,7 +46,7 @@ private:
     void project(const RodTask& task, State& state);
 
     Crew m_crew;
-    StageClock m_clock;
+    StepClock m_clock;
     RodSolver m_rods;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;

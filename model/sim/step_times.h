@@ -7,22 +7,22 @@
 
 namespace ripstop {
 
-enum class Stage { Controls, Springs, Air, Sum, Motion, Rods, Contact, Tearing, Tensions };
+enum class StepStage { Controls, Springs, Air, Sum, Motion, Rods, Contact, Tearing, Tensions };
 
-inline constexpr std::array<std::string_view, 9> stageNames{
-    "controls", "springs", "air", "sum of forces", "motion", "rods", "contact", "tearing",
-    "tensions"};
+inline constexpr std::array<std::string_view, 9> stepStageNames{
+    "controls", "springs", "air",     "sum of forces", "motion",
+    "rods",     "contact", "tearing", "tensions"};
 
-struct StageTimes
+struct StepTimes
 {
-    std::array<double, stageNames.size()> seconds{}; // s of wall time, by Stage
+    std::array<double, stepStageNames.size()> seconds{}; // s of wall time, by StepStage
 };
 
 // Gives the time since its last lap to a stage. Without anybody to give it to it does nothing.
-class StageClock
+class StepClock
 {
 public:
-    void giveTo(StageTimes* times) { m_times = times; }
+    void giveTo(StepTimes* times) { m_times = times; }
 
     void start()
     {
@@ -30,7 +30,7 @@ public:
             m_lap = Clock::now();
     }
 
-    void lap(Stage stage)
+    void lap(StepStage stage)
     {
         if (!m_times)
             return;
@@ -41,7 +41,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    StageTimes* m_times = nullptr;
+    StepTimes* m_times = nullptr;
     Clock::time_point m_lap;
 };
 
