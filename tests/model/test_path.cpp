@@ -81,7 +81,7 @@ private slots:
         QTest::newRow("misspelt key")     << "settings.timestep"    << "did you mean \"timeStep\"?";
         QTest::newRow("misspelt name")    << "wnd.velocity"         << "did you mean \"wind\"?";
         QTest::newRow("misspelt setting") << "setings.timeStep"     << "did you mean \"settings\"?";
-        QTest::newRow("far from any key") << "wind.temperature"     << "there is name, velocity";
+        QTest::newRow("far from any key") << "wind.temperature"     << "there is name, kind, velocity";
         QTest::newRow("far from a name")  << "parachute.shown"      << "there is settings, kite, tail.left, wind, fabric, upper wind";
         QTest::newRow("key of elements")  << "kite.mass"            << "a part has no property \"mass\"";
         QTest::newRow("misspelt table")   << "kite.particle.mass"   << "has particles, links and panels, not \"particle\"";
