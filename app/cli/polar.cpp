@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 namespace ripstop {
@@ -23,6 +24,14 @@ struct PolarOptions
     bool json = false;
     bool csv = false;
 };
+
+std::string lawNames()
+{
+    std::string list;
+    for (const std::string_view name : choiceNames<AirLaw>)
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    return list;
+}
 
 // A scene with one material of this law, called "plate".
 Scene plateOf(std::string_view law)
@@ -122,6 +131,9 @@ int printPolar(const PolarOptions& options)
         if (const auto failure = assign(scene, options.assignments))
             return fail(WrongUsage, failure->message);
     } else {
+        if (!std::filesystem::exists(options.subject))
+            return fail(BadInput, "\"" + options.subject + "\" is neither a law (" + lawNames()
+                                      + ") nor a scene file");
         SceneOutcome outcome = loadScene({options.subject, options.assignments});
         if (!outcome.scene)
             return outcome.exitCode;
@@ -145,9 +157,7 @@ void addPolar(CLI::App& app, Command& chosen)
     CLI::App* command = app.add_subcommand(
         "polar", "Print C_N, C_L and C_D of an air law on a flat plate, beside published curves.");
     const auto options = std::make_shared<PolarOptions>();
-    command
-        ->add_option("subject", options->subject,
-                     "A law (none, paper, linear_normal, lift_drag), or a scene file")
+    command->add_option("subject", options->subject, "A law (" + lawNames() + "), or a scene file")
         ->required()
         ->option_text("LAW|SCENE");
     command->add_option("--material", options->material, "Name of a material of the scene")

@@ -181,16 +181,14 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
     const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr);
     simulation.keepTimes(nullptr);
 
+    // What was flown is reported even when a file cannot be written.
+    std::vector<std::optional<Failure>> written;
     if (table)
-        if (const auto failure = table->close())
-            return fail(BadInput, failure->message);
+        written.push_back(table->close());
     if (!options.finalScene.empty())
-        if (const auto failure = saveScene(finalScene(scene, simulation), options.finalScene))
-            return fail(BadInput, failure->message);
-
+        written.push_back(saveScene(finalScene(scene, simulation), options.finalScene));
     if (!options.tears.empty())
-        if (const auto failure = writeTears(scene, simulation.frame()->tears, options.tears))
-            return fail(BadInput, failure->message);
+        written.push_back(writeTears(scene, simulation.frame()->tears, options.tears));
 
     Json result = report(simulation, wallSeconds);
     if (options.profile)
@@ -201,6 +199,9 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
         printTable(result, *simulation.frame()->layout);
     if (options.profile && !options.json)
         printProfile(result);
+    for (const auto& failure : written)
+        if (failure)
+            return fail(BadInput, failure->message);
     if (simulation.trouble())
         return fail(Diverged, simulation.trouble()->message);
     if (interrupted())

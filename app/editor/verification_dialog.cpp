@@ -6,6 +6,7 @@
 
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QScreen>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -101,7 +102,7 @@ VerificationDialog::VerificationDialog(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(pages);
     layout->addWidget(buttons);
-    resize(1320, 760);
+    resize(QSize(1320, 760).boundedTo(screen()->availableSize() * 0.94));
 }
 
 } // namespace ripstop

@@ -197,6 +197,8 @@ private slots:
     void theStartPageOffersEverySampleAndBuilder()
     {
         QVERIFY(!sampleFiles().empty());
+        for (const QString& file : sampleFiles())
+            QVERIFY2(!pictureOf(readSample(file)).isNull(), qPrintable(file));
         StartPage page;
         page.resize(1000, 700);
         page.show();
