@@ -29,16 +29,18 @@ Result<std::vector<PathKey>> pathFromText(std::string_view text)
     while (text.find_first_not_of(" \t") != std::string_view::npos) {
         std::string_view key = text.substr(0, text.find(';'));
         text.remove_prefix(std::min(key.size() + 1, text.size()));
-        const std::string told(key);
+        const std::string told =
+            "row " + std::to_string(path.size() + 1) + ", \"" + std::string(key) + "\",";
         const auto time = takeNumber(key);
         const bool colon = time && key.starts_with(':');
         key.remove_prefix(colon ? 1 : 0);
         const auto x = takeNumber(key), y = takeNumber(key), z = takeNumber(key);
         if (!colon || !x || !y || !z || key.find_first_not_of(" \t") != std::string_view::npos)
-            return Failure{"must be times and places as 0: 0 1 0; 2.5: 3 1 0 (\"" + told
-                           + "\" is not)"};
+            return Failure{"must be times and places as 0: 0 1 0; 2.5: 3 1 0 (" + told
+                           + " is not)"};
         if (!path.empty() && *time <= path.back().time)
-            return Failure{"must have times that ascend"};
+            return Failure{"must have times that ascend (" + told + " is not later than the row "
+                           + "before)"};
         path.push_back({*time, Vec3(*x, *y, *z)});
     }
     return path;

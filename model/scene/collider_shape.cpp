@@ -23,6 +23,10 @@ Eigen::Matrix3d turnOf(const Collider& collider)
 Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider)
 {
     if (collider.file.empty())
+    const Vec3& size = collider.size;
+    if (!(size.x() > 0.0 && size.y() >= 0.0 && size.z() > 0.0 && size.allFinite()))
+        return Failure{"It needs a width and a depth above 0 and a height of at least 0: correct "
+                       "its size."};
         return hills(collider.grid, std::uint32_t(collider.seed), collider.hillLength);
     return heightsFromFile(placeOfFile(scene.folder.path, collider.file));
 }
@@ -51,10 +55,6 @@ std::optional<std::string> colliderError(const Scene& scene, const Collider& col
             return name + " needs edges above 0: correct its size.";
         break;
     case ColliderShape::HeightField:
-        if (!(collider.size.x() > 0.0 && collider.size.y() >= 0.0 && collider.size.z() > 0.0))
-            return name
-                   + " needs a width and a depth above 0 and a height of at least 0: correct its "
-                     "size.";
         if (const auto grid = gridOf(scene, collider); !grid)
             return name + ": " + grid.message();
         break;

@@ -14,7 +14,8 @@ namespace ripstop {
 // Frame of a collider to that of the scene: turned about x, then y, then z, as Blender's XYZ.
 Eigen::Matrix3d turnOf(const Collider& collider);
 
-// The ground of a height field and the mesh of a mesh; the message is a whole sentence.
+// The ground of a height field, whose size is sound, and the mesh of a mesh; the message is a whole
+// sentence.
 Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider);
 Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider);
 

@@ -86,21 +86,20 @@ std::optional<std::string> refusalOfRows(const Property& property, const NumberR
 {
     if (table.empty())
         return "needs a row";
-    for (const std::vector<double>& row : table) {
-        if (row.size() != std::size_t(property.columns))
-            return "must have " + std::to_string(property.columns) + " numbers in each row";
-        for (const double value : row)
-            if (!std::isfinite(value))
-                return "must be finite numbers";
-    }
-    if (property.key != "polar")
-        return std::nullopt;
     double last = -1.0;
-    for (const std::vector<double>& row : table) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const std::vector<double>& row = table[i];
+        const std::string here = " (row " + std::to_string(i + 1) + ")";
+        if (row.size() != std::size_t(property.columns))
+            return "must have " + std::to_string(property.columns) + " numbers in each row" + here;
+        if (!std::ranges::all_of(row, [](double value) { return std::isfinite(value); }))
+            return "must be finite numbers" + here;
+        if (property.key != "polar")
+            continue;
         if (row[0] < 0.0 || row[0] > 90.0 || row[0] <= last)
-            return "must have angles that rise from row to row, between 0 and 90";
+            return "must have angles that rise from row to row, between 0 and 90" + here;
         if (row[2] < 0.0) // the wind would gain energy
-            return "must have drag of at least 0";
+            return "must have drag of at least 0" + here;
         last = row[0];
     }
     return std::nullopt;
@@ -197,6 +196,8 @@ Result<Value> valueFromText(const Property& property, std::string_view text)
     } else if (std::holds_alternative<NumberRows>(shape)) {
         NumberRows table;
         bool whole = true;
+        if (text.ends_with(';')) // after the last row, too
+            text.remove_suffix(1);
         for (const std::string_view part : splitAt(';', text))
             whole = whole && readNumbers(part, table.emplace_back());
         if (whole)

@@ -122,6 +122,7 @@ private slots:
         QTest::newRow("a word") << "0: 1 2 three" << -1;
         QTest::newRow("back in time") << "1: 0 0 0; 1: 1 0 0" << -1;
         QTest::newRow("infinite") << "inf: 0 0 0" << -1;
+        QTest::newRow("an empty row") << "0: 0 0 0;; 1: 0 0 0" << -1;
     }
     void paths()
     {
@@ -134,6 +135,38 @@ private slots:
     }
 
     void flaws_data()
+    void pathRefusalsNameTheRow()
+    {
+        const auto message = [](const char* text) {
+            return QString::fromStdString(pathFromText(text).message());
+        };
+        QVERIFY(message("0: 1 2 3; 1: 2 3").contains("row 2, \" 1: 2 3\", is not"));
+        QVERIFY(message("0: 1 2 3; 2: 2 3 4; 1: 0 0 0").contains("row 3"));
+    }
+
+    // Neither the engine nor the view is given a field without width: they would never end.
+    void hillsNeedASize_data()
+    {
+        QTest::addColumn<double>("width");
+        QTest::newRow("none") << 0.0;
+        QTest::newRow("negative") << -2.0;
+        QTest::newRow("not a number") << std::nan("");
+    }
+    void hillsNeedASize()
+    {
+        QFETCH(double, width);
+        Collider hills = shaped(ColliderShape::HeightField);
+        for (const int axis : {0, 2}) {
+            hills.size = Vec3(4.0, 1.0, 4.0);
+            hills.size[axis] = width;
+            const Scene scene = sceneWith(hills);
+            QVERIFY(!gridOf(scene, hills));
+            QVERIFY(!compile(scene));
+        }
+        hills.size = Vec3(4.0, 0.0, 4.0); // flat ground is ground
+        QVERIFY(gridOf(sceneWith(hills), hills));
+    }
+
     {
         QTest::addColumn<Collider>("collider");
         QTest::addColumn<QString>("says");
