@@ -263,13 +263,16 @@ private:
 
     void gaps()
     {
-        double edge = -1.0; // is found when it is asked for
-        for (const Entry& entry : m_scene.items)
-            if (const Collider* collider = std::get_if<Collider>(&entry.item)) {
-                edge = edge < 0.0 ? meanPanelEdge(m_scene) : edge;
-                if (auto warning = colliderWarning(*collider, edge))
-                    add("gap", Severity::Warning, std::move(*warning), entry.id);
-            }
+        std::optional<double> edge; // all panels are walked for it
+        for (const Entry& entry : m_scene.items) {
+            const Collider* collider = std::get_if<Collider>(&entry.item);
+            if (!collider || !std::isfinite(widthOf(*collider)))
+                continue;
+            if (!edge)
+                edge = meanPanelEdge(m_scene);
+            if (auto warning = colliderWarning(*collider, *edge))
+                add("gap", Severity::Warning, std::move(*warning), entry.id);
+        }
     }
 
     void duplicates()

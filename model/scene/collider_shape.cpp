@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 namespace ripstop {
@@ -83,16 +84,21 @@ double meanPanelEdge(const Scene& scene)
     return count > 0 ? sum / double(count) : 0.0;
 }
 
-std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge)
+double widthOf(const Collider& collider)
 {
     double width = panelEdge;
     if (collider.shape == ColliderShape::Sphere)
-        width = 2.0 * (collider.radius + collider.thickness);
-    if (collider.shape == ColliderShape::Box) {
-        Vec3 size = collider.size + Vec3::Constant(2.0 * collider.thickness);
-        std::sort(size.begin(), size.end());
-        width = size.y(); // a wide sheet stops fabric however thin it is
-    }
+        return 2.0 * (collider.radius + collider.thickness);
+    if (collider.shape != ColliderShape::Box)
+        return std::numeric_limits<double>::infinity();
+    Vec3 size = collider.size + Vec3::Constant(2.0 * collider.thickness);
+    std::sort(size.begin(), size.end());
+    return size.y(); // a wide sheet stops fabric however thin it is
+}
+
+std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge)
+{
+    const double width = widthOf(collider);
     if (width >= panelEdge)
         return std::nullopt;
     char text[200];

@@ -29,3 +29,6 @@ double meanPanelEdge(const Scene& scene);
 std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge);
 
 } // namespace ripstop
+// How wide it is where fabric must not slip by, m; infinite for what is wide by nature.
+double widthOf(const Collider& collider);
+
