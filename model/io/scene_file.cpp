@@ -139,7 +139,7 @@ std::optional<Failure> saveScene(const Scene& scene, const std::filesystem::path
     try {
         if (auto failure = unwritable(scene, file))
             return failure;
-        return replaceFile(file, sceneText(scene));
+        return replaceFile(file, sceneText(scene, file.parent_path()));
     } catch (const std::bad_alloc&) {
         return Failure{file.string() + " was not saved: not enough memory to write the scene."};
     }

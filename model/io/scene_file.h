@@ -21,6 +21,10 @@ Result<Scene> parseScene(std::string_view text, std::string_view fileName);
 
 std::string sceneText(const Scene& scene);
 
+// For a file in `folder`: what the scene names beside itself (pictures, meshes) is named from
+// there.
+std::string sceneText(const Scene& scene, const std::filesystem::path& folder);
+
 // Through a temporary file and rename: a crash while saving leaves the old file whole.
 // Returns the failure, or nothing.
 std::optional<Failure> saveScene(const Scene& scene, const std::filesystem::path& file);

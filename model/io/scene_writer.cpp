@@ -4,9 +4,11 @@
 
 #include "io/json_text.h"
 #include "io/json_value.h"
+#include "scene/collider_shape.h"
 #include "scene/property.h"
 
 #include <array>
+#include <optional>
 
 namespace ripstop {
 namespace {
@@ -16,8 +18,9 @@ constexpr std::string_view itemIndent = "\n      ";
 class Writer
 {
 public:
-    explicit Writer(const Scene& scene)
+    explicit Writer(const Scene& scene, std::optional<std::filesystem::path> folder = {})
         : m_scene(scene)
+        , m_folder(std::move(folder))
     {
         for (int i = 0; i < kindCount; ++i)
             m_properties[std::size_t(i)] = propertiesOf(Kind(i));
@@ -95,7 +98,13 @@ private:
         appendQuoted(m_text, kindName(kindOf(ref)));
         addKey("id");
         appendValue(m_text, entry.id);
-        addProperties(ref);
+        if (const Collider* collider = std::get_if<Collider>(&entry.item); collider && m_folder) {
+            Collider moved = *collider;
+            moved.file = fileSeenFrom(*m_folder, m_scene, *collider);
+            addProperties(&moved);
+        } else {
+            addProperties(ref);
+        }
         if (const Part* part = std::get_if<Part>(&entry.item)) {
             addParameters(*part);
             addTable(Kind::Particle, part->particles);
@@ -145,6 +154,7 @@ private:
     }
 
     const Scene& m_scene;
+    std::optional<std::filesystem::path> m_folder; // of the file that this is the text of
     std::array<std::span<const Property>, kindCount> m_properties;
     std::string m_text;
     std::string_view m_indent; // before the members of the object at hand
@@ -154,5 +164,10 @@ private:
 } // namespace
 
 std::string sceneText(const Scene& scene) { return Writer(scene).text(); }
+
+std::string sceneText(const Scene& scene, const std::filesystem::path& folder)
+{
+    return Writer(scene, folder).text();
+}
 
 } // namespace ripstop

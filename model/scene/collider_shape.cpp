@@ -23,11 +23,11 @@ Eigen::Matrix3d turnOf(const Collider& collider)
 
 Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider)
 {
-    if (collider.file.empty())
     const Vec3& size = collider.size;
     if (!(size.x() > 0.0 && size.y() >= 0.0 && size.z() > 0.0 && size.allFinite()))
         return Failure{"It needs a width and a depth above 0 and a height of at least 0: correct "
                        "its size."};
+    if (collider.file.empty())
         return hills(collider.grid, std::uint32_t(collider.seed), collider.hillLength);
     return heightsFromFile(placeOfFile(scene.folder.path, collider.file));
 }
@@ -37,6 +37,22 @@ Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Col
     if (collider.file.empty())
         return Failure{"It needs a mesh: set its file to an OBJ, STL or PLY."};
     return meshFromFile(placeOfFile(scene.folder.path, collider.file));
+}
+
+std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,
+                         const Collider& collider)
+{
+    namespace fs = std::filesystem;
+    if (collider.file.empty() || fs::path(collider.file).is_absolute())
+        return collider.file;
+    const auto orHere = [](const fs::path& folder) { return folder.empty() ? "." : folder; };
+    const fs::path from = orHere(scene.folder.path), to = orHere(newFolder);
+    const fs::path place = placeOfFile(scene.folder.path, collider.file);
+    std::error_code error;
+    if (!fs::exists(place, error) || fs::equivalent(from, to, error))
+        return collider.file;
+    const fs::path seen = fs::proximate(place, to, error);
+    return error ? collider.file : seen.generic_string();
 }
 
 std::optional<std::string> colliderError(const Scene& scene, const Collider& collider)
@@ -86,7 +102,6 @@ double meanPanelEdge(const Scene& scene)
 
 double widthOf(const Collider& collider)
 {
-    double width = panelEdge;
     if (collider.shape == ColliderShape::Sphere)
         return 2.0 * (collider.radius + collider.thickness);
     if (collider.shape != ColliderShape::Box)

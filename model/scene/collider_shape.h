@@ -19,16 +19,21 @@ Eigen::Matrix3d turnOf(const Collider& collider);
 Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider);
 Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider);
 
+// How the file of the collider is named in a scene that lies in another folder. An absolute path
+// stays as it is, and so does that of a file that is not there: it may be meant to come.
+std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,
+                         const Collider& collider);
+
 // What keeps the collider from working, as a sentence, or nothing.
 std::optional<std::string> colliderError(const Scene& scene, const Collider& collider);
 
 // The mean edge of all panels, m, 0 without any.
 double meanPanelEdge(const Scene& scene);
 
+// How wide it is where fabric must not slip by, m; infinite for what is wide by nature.
+double widthOf(const Collider& collider);
+
 // Particles touch, panels do not: what is smaller than the gaps between particles goes through.
 std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge);
 
 } // namespace ripstop
-// How wide it is where fabric must not slip by, m; infinite for what is wide by nature.
-double widthOf(const Collider& collider);
-

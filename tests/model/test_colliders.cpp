@@ -134,7 +134,6 @@ private slots:
         QCOMPARE(refusal(property, text.toStdString()).has_value(), keys < 0);
     }
 
-    void flaws_data()
     void pathRefusalsNameTheRow()
     {
         const auto message = [](const char* text) {
@@ -167,6 +166,7 @@ private slots:
         QVERIFY(gridOf(sceneWith(hills), hills));
     }
 
+    void flaws_data()
     {
         QTest::addColumn<Collider>("collider");
         QTest::addColumn<QString>("says");
@@ -252,6 +252,34 @@ private slots:
                      && message.contains("does not exist; put it there"),
                  qPrintable(message));
         QVERIFY(!compile(*scene));
+    }
+
+    // A scene that is saved in another folder still finds what lay beside the first one.
+    void filesAreFoundFromAnotherFolder()
+    {
+        QTemporaryDir folder;
+        QDir(folder.path()).mkpath("first/meshes");
+        QDir(folder.path()).mkdir("second");
+        write(folder.filePath("first/meshes/square.obj"), squareObj);
+        Collider mesh = shaped(ColliderShape::Mesh);
+        mesh.file = "meshes/square.obj";
+        Scene scene = sceneWith(mesh);
+        scene.folder.path = folder.filePath("first").toStdString();
+        const auto fileIn = [&](const char* place) {
+            const std::string file = folder.filePath(place).toStdString();
+            if (saveScene(scene, file))
+                return std::string("not saved");
+            const Result<Scene> read = readScene(file);
+            return hasErrors(problemsOf(*read)) ? std::string("not found")
+                                                : findItem<Collider>(*read, colliderId)->file;
+        };
+        QCOMPARE(fileIn("first/a.ripstop.json"), std::string("meshes/square.obj"));
+        QCOMPARE(fileIn("second/a.ripstop.json"), std::string("../first/meshes/square.obj"));
+        QCOMPARE(fileIn("a.ripstop.json"), std::string("first/meshes/square.obj"));
+        std::get<Collider>(*findItem(scene, colliderId)).file =
+            folder.filePath("first/meshes/square.obj").toStdString();
+        QCOMPARE(QString::fromStdString(fileIn("second/b.ripstop.json")),
+                 folder.filePath("first/meshes/square.obj"));
     }
 
     // A live scene whose file is missing goes on as it was, and says why.
