@@ -23,11 +23,14 @@ public:
             if (held == name)
                 if (std::shared_ptr<const Shape> found = shape.lock())
                     return found;
-        if (m_failed.first == name) // a flawed file is not read again for every picture
-            return m_failed.second;
+        for (const auto& [held, failure] : m_failed) // a flawed file is not read at every edit
+            if (held == name)
+                return failure;
         Result<Shape> made = make();
         if (!made) {
-            m_failed = {name, made.failure()};
+            m_failed.emplace_back(name, made.failure());
+            if (m_failed.size() > mostKept)
+                m_failed.pop_front();
             return made.failure();
         }
         std::shared_ptr<const Shape> shape = std::make_shared<const Shape>(std::move(*made));
@@ -43,10 +46,11 @@ public:
 
 private:
     static constexpr std::size_t mostKept = 4;
+
     std::mutex m_mutex;
     std::vector<std::pair<std::string, std::weak_ptr<const Shape>>> m_known;
     std::deque<std::shared_ptr<const Shape>> m_kept;
-    std::pair<std::string, Failure> m_failed; // the last one
+    std::deque<std::pair<std::string, Failure>> m_failed; // the last few
 };
 
 template <typename Shape, typename Read>

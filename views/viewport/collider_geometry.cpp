@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace ripstop {
@@ -23,14 +24,27 @@ constexpr double never = std::numeric_limits<double>::infinity();
 // smaller, the sphere does not show through.
 constexpr double drawnSize = 0.965;
 
-void fillGround(const HeightGrid& grid, const Vec3& size, vtkPolyData& data)
+constexpr int mostDrawn = 512; // points along each side of a height field
+
+// The rows or columns of a grid that are drawn: all, or as many as the eye can tell apart.
+std::vector<int> drawnOf(int count)
+{
+    const int pieces = std::min(count, mostDrawn) - 1;
+    std::vector<int> drawn;
+    for (int i = 0; i <= pieces; ++i)
+        drawn.push_back(int(std::int64_t(i) * (count - 1) / pieces));
+    return drawn;
+}
+
+vtkSmartPointer<vtkPolyData> surfaceOf(const HeightGrid& grid, const Vec3& size)
 {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
     vtkNew<vtkDoubleArray> normals;
     normals->SetNumberOfComponents(3);
-    for (int row = 0; row < grid.rows; ++row)
-        for (int column = 0; column < grid.columns; ++column) {
+    const std::vector<int> rows = drawnOf(grid.rows), columns = drawnOf(grid.columns);
+    for (const int row : rows)
+        for (const int column : columns) {
             Vec3 place(size.x() * (double(column) / (grid.columns - 1) - 0.5), 0.0,
                        size.z() * (double(row) / (grid.rows - 1) - 0.5));
             const Ground ground = groundAt(grid, size, place);
@@ -38,17 +52,20 @@ void fillGround(const HeightGrid& grid, const Vec3& size, vtkPolyData& data)
             points->InsertNextPoint(place.data());
             normals->InsertNextTuple(ground.normal.data());
         }
-    const auto at = [&](int row, int column) { return vtkIdType(row) * grid.columns + column; };
-    for (int row = 0; row + 1 < grid.rows; ++row)
-        for (int column = 0; column + 1 < grid.columns; ++column)
-            cells->InsertNextCell({at(row, column), at(row + 1, column), at(row + 1, column + 1),
-                                   at(row, column + 1)});
-    data.SetPoints(points);
-    data.SetPolys(cells);
-    data.GetPointData()->SetNormals(normals);
+    const auto across = vtkIdType(columns.size());
+    for (vtkIdType row = 0; row + 1 < vtkIdType(rows.size()); ++row)
+        for (vtkIdType column = 0; column + 1 < across; ++column) {
+            const vtkIdType at = row * across + column;
+            cells->InsertNextCell({at, at + across, at + across + 1, at + 1});
+        }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    data->GetPointData()->SetNormals(normals);
+    return data;
 }
 
-void fillMesh(const TriangleTree& mesh, vtkPolyData& data)
+vtkSmartPointer<vtkPolyData> surfaceOf(const TriangleTree& mesh)
 {
     vtkNew<vtkPolyData> plain;
     vtkNew<vtkPoints> points;
@@ -63,11 +80,75 @@ void fillMesh(const TriangleTree& mesh, vtkPolyData& data)
     normals->SetInputData(plain);
     normals->SetFeatureAngle(40.0);
     normals->Update();
-    data.ShallowCopy(normals->GetOutput());
+    return normals->GetOutput();
 }
 
-// Where a ray enters a box, m along it.
-double distanceToBox(const Eigen::AlignedBox3d& box, const Vec3& origin, const Vec3& direction)
+vtkSmartPointer<vtkPolyData> surfaceOf(const ColliderBody& body)
+{
+    const Collider& collider = body.collider;
+    if (collider.shape == ColliderShape::Sphere) {
+        vtkNew<vtkSphereSource> sphere;
+        sphere->SetRadius(drawnSize * collider.radius);
+        sphere->SetThetaResolution(72);
+        sphere->SetPhiResolution(48);
+        sphere->Update();
+        return sphere->GetOutput();
+    }
+    if (collider.shape == ColliderShape::Box && !body.bounds.isEmpty()) {
+        vtkNew<vtkCubeSource> cube;
+        cube->SetXLength(collider.size.x());
+        cube->SetYLength(collider.size.y());
+        cube->SetZLength(collider.size.z());
+        cube->Update();
+        return cube->GetOutput();
+    }
+    if (body.grid)
+        return surfaceOf(*body.grid, collider.size);
+    return body.mesh ? surfaceOf(*body.mesh) : nullptr;
+}
+
+Eigen::AlignedBox3d boundsOf(const ColliderBody& body)
+{
+    const Collider& collider = body.collider;
+    if (collider.shape == ColliderShape::Sphere)
+        return {Vec3::Constant(-collider.radius), Vec3::Constant(collider.radius)};
+    if (collider.shape == ColliderShape::Box)
+        return {-0.5 * collider.size, 0.5 * collider.size};
+    if (body.grid) {
+        const Vec3 half(0.5 * collider.size.x(), 0.0, 0.5 * collider.size.z());
+        return {-half, half + Vec3(0.0, collider.size.y(), 0.0)};
+    }
+    if (body.mesh)
+        return {body.mesh->low(), body.mesh->high()};
+    return {};
+}
+
+ColliderBody bodyOf(const Scene& scene, Id id, const Collider& collider)
+{
+    ColliderBody body{id, collider, nullptr, nullptr, {}, nullptr};
+    if (collider.shape == ColliderShape::HeightField)
+        if (const auto grid = gridOf(scene, collider))
+            body.grid = *grid;
+    if (collider.shape == ColliderShape::Mesh)
+        if (const auto mesh = meshOf(scene, collider))
+            body.mesh = *mesh;
+    body.bounds = boundsOf(body);
+    return body;
+}
+
+bool looksAlike(const ColliderBody& a, const ColliderBody& b)
+{
+    return a.collider.shape == b.collider.shape && a.collider.radius == b.collider.radius
+           && a.collider.size == b.collider.size && a.grid == b.grid && a.mesh == b.mesh;
+}
+
+struct Stretch
+{
+    double in, out; // m along a ray; infinite when it misses
+};
+
+// Where a ray enters a box and leaves it.
+Stretch within(const Eigen::AlignedBox3d& box, const Vec3& origin, const Vec3& direction)
 {
     double in = 0.0, out = never;
     for (int i = 0; i < 3; ++i) {
@@ -76,7 +157,7 @@ double distanceToBox(const Eigen::AlignedBox3d& box, const Vec3& origin, const V
         in = std::max(in, std::min(a, b));
         out = std::min(out, std::max(a, b));
     }
-    return in <= out ? in : never;
+    return in <= out ? Stretch{in, out} : Stretch{never, never};
 }
 
 double distanceToSphere(double radius, const Vec3& origin, const Vec3& direction)
@@ -89,11 +170,15 @@ double distanceToSphere(double radius, const Vec3& origin, const Vec3& direction
 double distanceToGround(const HeightGrid& grid, const Vec3& size, const Eigen::AlignedBox3d& bounds,
                         const Vec3& origin, const Vec3& direction)
 {
-    const double start = distanceToBox(bounds, origin, direction);
-    if (start == never)
+    const auto [in, out] = within(bounds, origin, direction);
+    if (in == never)
         return never;
-    const double step = 0.5 * std::min(size.x() / grid.columns, size.z() / grid.rows);
-    for (double t = start; t < start + bounds.diagonal().norm(); t += step) {
+    const Vec3 way = (out - in) * direction; // at most once across the field
+    const double cells = std::max(std::abs(way.x()) / size.x() * grid.columns,
+                                  std::abs(way.z()) / size.z() * grid.rows);
+    const int steps = 1 + int(std::ceil(2.0 * cells));
+    for (int i = 0; i <= steps; ++i) {
+        const double t = in + (out - in) * i / steps;
         const Vec3 point = origin + t * direction;
         if (isOver(size, point) && point.y() <= groundAt(grid, size, point).height)
             return t;
@@ -114,31 +199,20 @@ Vec3 placeOf(const Frame& frame, Id id, const Collider& collider)
                                                  : collider.position;
 }
 
-vtkNew<vtkPolyData> surfaceOf(const Scene& scene, const Collider& collider)
+std::vector<ColliderBody> bodiesOf(const Scene& scene, std::vector<ColliderBody> before)
 {
-    vtkNew<vtkPolyData> data;
-    if (collider.shape == ColliderShape::Sphere) {
-        vtkNew<vtkSphereSource> sphere;
-        sphere->SetRadius(drawnSize * collider.radius);
-        sphere->SetThetaResolution(72);
-        sphere->SetPhiResolution(48);
-        sphere->Update();
-        data->ShallowCopy(sphere->GetOutput());
-    } else if (collider.shape == ColliderShape::Box) {
-        vtkNew<vtkCubeSource> cube;
-        cube->SetXLength(collider.size.x());
-        cube->SetYLength(collider.size.y());
-        cube->SetZLength(collider.size.z());
-        cube->Update();
-        data->ShallowCopy(cube->GetOutput());
-    } else if (collider.shape == ColliderShape::HeightField) {
-        if (const auto grid = gridOf(scene, collider))
-            fillGround(**grid, collider.size, *data);
-    } else if (collider.shape == ColliderShape::Mesh) {
-        if (const auto mesh = meshOf(scene, collider))
-            fillMesh(**mesh, *data);
+    std::vector<ColliderBody> bodies;
+    for (const Entry& entry : scene.items) {
+        const Collider* collider = std::get_if<Collider>(&entry.item);
+        if (!collider)
+            continue;
+        ColliderBody body = bodyOf(scene, entry.id, *collider);
+        const auto known = std::ranges::find(before, entry.id, &ColliderBody::id);
+        const bool isKnown = known != before.end() && looksAlike(*known, body);
+        body.surface = isKnown ? known->surface : surfaceOf(body);
+        bodies.push_back(std::move(body));
     }
-    return data;
+    return bodies;
 }
 
 Eigen::Matrix3d turnAndScale(const Collider& collider)
@@ -156,66 +230,35 @@ Eigen::Matrix3d turnAndScale(const Collider& collider)
     return Eigen::Matrix3d::Identity();
 }
 
-Eigen::AlignedBox3d boundsOf(const Scene& scene, const Collider& collider)
-{
-    switch (collider.shape) {
-    case ColliderShape::Sphere:
-        return {Vec3::Constant(-collider.radius), Vec3::Constant(collider.radius)};
-    case ColliderShape::Box:
-        return {-0.5 * collider.size, 0.5 * collider.size};
-    case ColliderShape::HeightField: {
-        const Vec3 half(0.5 * collider.size.x(), 0.0, 0.5 * collider.size.z());
-        return {-half, half + Vec3(0.0, collider.size.y(), 0.0)};
-    }
-    case ColliderShape::Mesh:
-        if (const auto mesh = meshOf(scene, collider))
-            return {(*mesh)->low(), (*mesh)->high()};
-        break;
-    case ColliderShape::Plane:
-        break;
-    }
-    return {};
-}
-
-std::vector<Vec3> cornersOf(const Scene& scene, const Collider& collider, const Vec3& place)
+std::vector<Vec3> cornersOf(const ColliderBody& body, const Vec3& place)
 {
     std::vector<Vec3> corners;
-    const Eigen::AlignedBox3d bounds = boundsOf(scene, collider);
-    if (!bounds.isEmpty())
+    const Eigen::Matrix3d turn = turnAndScale(body.collider);
+    if (!body.bounds.isEmpty())
         for (int i = 0; i < 8; ++i)
-            corners.push_back(
-                place + turnAndScale(collider) * bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
+            corners.push_back(place
+                              + turn * body.bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
     return corners;
 }
 
-double distanceTo(const Scene& scene, const Collider& collider, const Vec3& place,
-                  const Vec3& origin, const Vec3& direction)
+double distanceTo(const ColliderBody& body, const Vec3& place, const Vec3& origin,
+                  const Vec3& direction)
 {
-    const Eigen::Matrix3d toOwn = turnAndScale(collider).inverse();
+    const Eigen::Matrix3d toOwn = turnAndScale(body.collider).inverse();
     const Vec3 from = toOwn * (origin - place);
     const Vec3 way = toOwn * direction;
-    const Eigen::AlignedBox3d bounds = boundsOf(scene, collider);
-    switch (collider.shape) {
-    case ColliderShape::Sphere:
-        return distanceToSphere(collider.radius, from, way);
-    case ColliderShape::Box:
-        return distanceToBox(bounds, from, way);
-    case ColliderShape::HeightField:
-        if (const auto grid = gridOf(scene, collider))
-            return distanceToGround(**grid, collider.size, bounds, from, way);
-        break;
-    case ColliderShape::Mesh:
-        if (const auto mesh = meshOf(scene, collider)) {
-            const double far = (bounds.center() - from).norm() + bounds.diagonal().norm();
-            const double length = far / way.norm(); // m in the scene
-            if (const auto hit = (*mesh)->firstHit(from, from + length * way))
-                return hit->share * length;
-        }
-        break;
-    case ColliderShape::Plane:
-        break;
-    }
-    return never;
+    if (body.bounds.isEmpty())
+        return never;
+    if (body.collider.shape == ColliderShape::Sphere)
+        return distanceToSphere(body.collider.radius, from, way);
+    if (body.collider.shape == ColliderShape::Box)
+        return within(body.bounds, from, way).in;
+    if (body.grid)
+        return distanceToGround(*body.grid, body.collider.size, body.bounds, from, way);
+    const double far = (body.bounds.center() - from).norm() + body.bounds.diagonal().norm();
+    const double length = far / way.norm(); // m in the scene
+    const auto hit = body.mesh->firstHit(from, from + length * way);
+    return hit ? hit->share * length : never;
 }
 
 } // namespace ripstop

@@ -3,31 +3,46 @@
 
 #include "run/frame.h"
 #include "scene/scene.h"
+#include "shapes/height_grid.h"
+#include "shapes/triangle_tree.h"
 
 #include <Eigen/Geometry>
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
 
 namespace ripstop {
+
+// What the numbers and the file of a collider make, in its own frame. It is kept from picture to
+// picture: a mesh is neither read nor made into a surface again because something was selected.
+struct ColliderBody
+{
+    Id id{};
+    Collider collider;                        // that it was made of
+    std::shared_ptr<const HeightGrid> grid;   // of a height field; null when its file fails
+    std::shared_ptr<const TriangleTree> mesh; // of a mesh; null when its file fails
+    Eigen::AlignedBox3d bounds;               // m; empty for a plane
+    vtkSmartPointer<vtkPolyData> surface;     // with normals; null for a plane or a failed file
+};
+
+// The bodies of all colliders of the scene, in its order. Those of `before` that are still right
+// keep their surface.
+std::vector<ColliderBody> bodiesOf(const Scene& scene, std::vector<ColliderBody> before);
 
 // Where a collider is in a frame, m; where it starts when the frame does not know it.
 Vec3 placeOf(const Frame& frame, Id id, const Collider& collider);
 
-// Its surface in its own frame, with normals; nothing for a plane, or when its file fails.
-vtkNew<vtkPolyData> surfaceOf(const Scene& scene, const Collider& collider);
-
 // From its own frame to the scene, without its place.
 Eigen::Matrix3d turnAndScale(const Collider& collider);
 
-// Around it in its own frame, m; empty for a plane.
-Eigen::AlignedBox3d boundsOf(const Scene& scene, const Collider& collider);
-
-// The eight corners of that, in the scene.
-std::vector<Vec3> cornersOf(const Scene& scene, const Collider& collider, const Vec3& place);
+// The eight corners of its bounds, in the scene; none for a plane.
+std::vector<Vec3> cornersOf(const ColliderBody& body, const Vec3& place);
 
 // How far along a ray (unit direction) the collider is met, m; infinite when it is not.
-double distanceTo(const Scene& scene, const Collider& collider, const Vec3& place,
-                  const Vec3& origin, const Vec3& direction);
+double distanceTo(const ColliderBody& body, const Vec3& place, const Vec3& origin,
+                  const Vec3& direction);
 
 } // namespace ripstop

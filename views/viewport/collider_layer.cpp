@@ -1,8 +1,8 @@
 #include "viewport/collider_layer.h"
 
-#include "viewport/collider_geometry.h"
-
 #include <vtkRenderer.h>
+
+#include <algorithm>
 
 namespace ripstop {
 
@@ -13,25 +13,37 @@ void ColliderLayer::setShown(bool shown)
         drawn.actor->SetVisibility(shown);
 }
 
+ColliderLayer::Drawn ColliderLayer::taken(const ColliderBody& body)
+{
+    const auto isIt = [&](const Drawn& drawn) {
+        return drawn.collider == body.id && drawn.surface == body.surface;
+    };
+    if (const auto found = std::ranges::find_if(m_drawn, isIt); found != m_drawn.end()) {
+        Drawn drawn = std::move(*found);
+        m_drawn.erase(found);
+        return drawn;
+    }
+    Drawn drawn{.collider = body.id, .surface = body.surface};
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(body.surface);
+    // fabric that lies on a flat face is seen before it
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
+    drawn.actor->SetMapper(mapper);
+    drawn.actor->SetUserMatrix(drawn.matrix);
+    m_renderer->AddActor(drawn.actor);
+    return drawn;
+}
+
 void ColliderLayer::rebuild(const Picture& picture)
 {
-    for (const Drawn& drawn : m_drawn)
-        m_renderer->RemoveActor(drawn.actor);
-    m_drawn.clear();
-    for (const Entry& entry : picture.scene.items) {
-        const Collider* collider = std::get_if<Collider>(&entry.item);
-        if (!collider || !collider->shown || collider->shape == ColliderShape::Plane)
+    std::vector<Drawn> wanted;
+    for (const ColliderBody& body : picture.colliders) {
+        if (!body.collider.shown || !body.surface)
             continue;
-        Drawn drawn{entry.id, {}, {}};
-        vtkNew<vtkPolyDataMapper> mapper;
-        mapper->SetInputData(surfaceOf(picture.scene, *collider));
-        // fabric that lies on a flat face is seen before it
-        mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
-        drawn.actor->SetMapper(mapper);
-        drawn.actor->SetUserMatrix(drawn.matrix);
-        const bool isSelected = std::ranges::binary_search(picture.selected, entry.id);
-        const bool isGround = collider->shape == ColliderShape::HeightField;
-        vtkProperty& property = *drawn.actor->GetProperty();
+        wanted.push_back(taken(body));
+        const bool isSelected = std::ranges::binary_search(picture.selected, body.id);
+        const bool isGround = body.collider.shape == ColliderShape::HeightField;
+        vtkProperty& property = *wanted.back().actor->GetProperty();
         setColor(property, isSelected ? picture.theme.accent
                            : isGround ? picture.theme.ground
                                       : picture.theme.neutral);
@@ -40,9 +52,10 @@ void ColliderLayer::rebuild(const Picture& picture)
         property.SetDiffuse(0.75);
         property.SetSpecular(isGround ? 0.0 : 0.15);
         property.SetSpecularPower(30.0);
-        m_renderer->AddActor(drawn.actor);
-        m_drawn.push_back(std::move(drawn));
     }
+    for (const Drawn& gone : m_drawn)
+        m_renderer->RemoveActor(gone.actor);
+    m_drawn = std::move(wanted);
     setShown(m_shown);
 }
 

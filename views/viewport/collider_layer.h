@@ -1,10 +1,12 @@
 #pragma once
 
+#include "viewport/collider_geometry.h"
 #include "viewport/layer.h"
 #include "viewport/vtk_data.h"
 
 #include <vtkActor.h>
 #include <vtkMatrix4x4.h>
+#include <vtkSmartPointer.h>
 
 namespace ripstop {
 
@@ -22,9 +24,12 @@ private:
     struct Drawn
     {
         Id collider;
-        vtkNew<vtkActor> actor;
-        vtkNew<vtkMatrix4x4> matrix;
+        vtkSmartPointer<vtkPolyData> surface;
+        vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();
+        vtkSmartPointer<vtkMatrix4x4> matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     };
+
+    Drawn taken(const ColliderBody& body); // as it is drawn already, or new
 
     vtkRenderer* m_renderer = nullptr;
     std::vector<Drawn> m_drawn;

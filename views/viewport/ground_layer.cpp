@@ -178,7 +178,6 @@ void GroundLayer::rebuild(const Picture& picture)
             continue;
         auto ground = std::make_shared<Ground>();
         ground->collider = entry.id;
-        ground->place(*collider, placeOf(picture.frame, entry.id, *collider));
         // the disc lies behind the shadow, the shadow behind the lines
         ground->disc.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 16.0);
         ground->lines.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, 2.0);

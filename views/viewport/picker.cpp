@@ -1,7 +1,5 @@
 #include "viewport/picker.h"
 
-#include "viewport/collider_geometry.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -76,15 +74,12 @@ Hit panelUnder(const Picker& picker, const Ray& ray)
 Hit colliderUnder(const Picker& picker, const Ray& ray)
 {
     Hit best;
-    for (const Entry& entry : picker.scene.items) {
-        const Collider* collider = std::get_if<Collider>(&entry.item);
-        if (!collider || !collider->shown || collider->shape == ColliderShape::Plane)
+    for (const ColliderBody& body : picker.colliders) {
+        if (!body.collider.shown)
             continue;
-        const double t =
-            distanceTo(picker.scene, *collider, placeOf(picker.frame, entry.id, *collider),
-                       ray.origin, ray.direction);
-        if (t < best.depth)
-            best = {entry.id, t};
+        const Vec3 place = placeOf(picker.frame, body.id, body.collider);
+        if (const double t = distanceTo(body, place, ray.origin, ray.direction); t < best.depth)
+            best = {body.id, t};
     }
     return best;
 }

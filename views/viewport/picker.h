@@ -2,7 +2,7 @@
 #pragma once
 
 #include "run/frame.h"
-#include "scene/scene.h"
+#include "viewport/collider_geometry.h"
 #include "viewport/look.h"
 #include "viewport/turntable.h"
 
@@ -20,7 +20,7 @@ struct Picker
 {
     const Frame& frame;
     const Look& look;
-    const Scene& scene; // for its colliders
+    const std::vector<ColliderBody>& colliders;
     const Turntable& camera;
     double width;  // of the picture, pixels
     double height; // pixels

@@ -12,6 +12,8 @@ class vtkPoints;
 
 namespace ripstop {
 
+struct ColliderBody;
+
 struct Picture
 {
     const Scene& scene;
@@ -20,6 +22,7 @@ struct Picture
     const Theme& theme;
     vtkPoints* points; // the positions of the frame, in place
     const std::vector<Id>& selected;
+    const std::vector<ColliderBody>& colliders;
 
     ColorBy colorBy = ColorBy::Material;
     const QuantityValues& values; // empty when coloured by material

@@ -1,7 +1,6 @@
 #include "viewport/stage.h"
 
 #include "scene/wind.h"
-#include "viewport/collider_geometry.h"
 
 #include <vtkCamera.h>
 #include <vtkCullerCollection.h>
@@ -121,29 +120,29 @@ void Stage::takePoints()
     m_points->Modified();
 }
 
-std::vector<Vec3> Stage::shownPoints(const Scene& scene) const
+std::vector<Vec3> Stage::shownPoints() const
 {
     std::vector<Vec3> points;
     for (std::size_t i = 0; m_frame && i < m_look.particleShown.size(); ++i)
         if (m_look.particleShown[i] && m_frame->position[i].allFinite())
             points.push_back(m_frame->position[i]);
-    for (const Entry& entry : scene.items) {
-        const Collider* collider = std::get_if<Collider>(&entry.item);
-        if (!collider || !collider->shown || !m_frame)
+    for (const ColliderBody& body : m_bodies) {
+        const Collider& collider = body.collider;
+        if (!collider.shown || !m_frame)
             continue;
-        const Vec3 place = placeOf(*m_frame, entry.id, *collider);
-        if (collider->shape == ColliderShape::Sphere)
+        const Vec3 place = placeOf(*m_frame, body.id, collider);
+        if (collider.shape == ColliderShape::Sphere)
             for (const int axis : {0, 1, 2})
                 for (const double side : {-1.0, 1.0})
-                    points.push_back(place + side * collider->radius * Vec3::Unit(axis));
-        else if (collider->shape != ColliderShape::HeightField) // which is ground
-            for (const Vec3& corner : cornersOf(scene, *collider, place))
+                    points.push_back(place + side * collider.radius * Vec3::Unit(axis));
+        else if (collider.shape != ColliderShape::HeightField) // which is ground
+            for (const Vec3& corner : cornersOf(body, place))
                 points.push_back(corner);
     }
     return points;
 }
 
-std::vector<Vec3> Stage::subjectPoints(const Scene& scene) const
+std::vector<Vec3> Stage::subjectPoints() const
 {
     std::vector<Vec3> points;
     const auto add = [&](int particle) {
@@ -155,23 +154,22 @@ std::vector<Vec3> Stage::subjectPoints(const Scene& scene) const
             for (const int corner : m_layout->panelCorners[i])
                 add(corner);
     if (points.empty())
-        return shownPoints(scene);
+        return shownPoints();
     for (std::size_t i = 0; i < m_look.isWeight.size(); ++i)
         if (m_look.isWeight[i] && m_look.particleShown[i])
             add(int(i));
     return points;
 }
 
-void Stage::takeBounds(const Scene& scene)
+void Stage::takeBounds()
 {
     m_bounds.setEmpty();
-    for (const Vec3& point : shownPoints(scene))
+    for (const Vec3& point : shownPoints())
         m_bounds.extend(point);
     m_landscape.setEmpty();
-    for (const Entry& entry : scene.items)
-        if (const Collider* field = std::get_if<Collider>(&entry.item);
-            field && field->shown && field->shape == ColliderShape::HeightField)
-            for (const Vec3& corner : cornersOf(scene, *field, placeOf(*m_frame, entry.id, *field)))
+    for (const ColliderBody& body : m_bodies)
+        if (body.collider.shown && body.collider.shape == ColliderShape::HeightField)
+            for (const Vec3& corner : cornersOf(body, placeOf(*m_frame, body.id, body.collider)))
                 m_landscape.extend(corner);
 }
 
@@ -198,6 +196,7 @@ void Stage::prepare(const Scene& scene)
     if (otherLayout || m_lookIsOld) {
         m_layout = m_frame->layout;
         m_look = lookOf(scene, *m_layout);
+        m_bodies = bodiesOf(scene, std::move(m_bodies));
     }
     const bool rebuild = otherLayout || m_lookIsOld || m_layersAreOld || somethingBroke();
     if (!rebuild && !otherFrame)
@@ -206,11 +205,11 @@ void Stage::prepare(const Scene& scene)
     if (m_drawn && m_drawn->run != m_frame->run)
         m_range.reset();
     takePoints();
-    takeBounds(scene);
+    takeBounds();
     m_values = valuesOf(*m_frame, m_colorBy);
     takeRange();
 
-    const Picture picture{scene,     *m_frame, m_look,   m_theme, m_points, m_selected,
+    const Picture picture{scene,     *m_frame, m_look,   m_theme, m_points, m_selected,  m_bodies,
                           m_colorBy, m_values, colors(), range(), m_bounds, m_pixelRatio};
     for (Layer* layer : layers()) {
         if (rebuild)

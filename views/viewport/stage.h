@@ -51,9 +51,10 @@ public:
     const std::shared_ptr<const Frame>& frame() const { return m_frame; }
     // What a designer looks at first: the fabric and what it carries. Everything when there is
     // none.
-    std::vector<Vec3> subjectPoints(const Scene& scene) const;
+    std::vector<Vec3> subjectPoints() const;
     Vec3 windAtDesign(const Scene& scene) const; // m/s, in the middle of what is shown
     const Look& look() const { return m_look; }
+    const std::vector<ColliderBody>& colliders() const { return m_bodies; }
     const Eigen::AlignedBox3d& bounds() const { return m_bounds; }
     const Theme& theme() const { return m_theme; }
     ColorBy colorBy() const { return m_colorBy; }
@@ -61,12 +62,12 @@ public:
     const ColorMap& colors() const;
 
     // Of all that is shown but the ground.
-    std::vector<Vec3> shownPoints(const Scene& scene) const;
+    std::vector<Vec3> shownPoints() const;
 
 private:
     void light();
     void takePoints();
-    void takeBounds(const Scene& scene);
+    void takeBounds();
     void takeRange();
     bool somethingBroke() const;
     std::array<Layer*, 10> layers();
@@ -83,6 +84,7 @@ private:
     std::shared_ptr<const Frame> m_drawn; // what the layers show
     std::shared_ptr<const Layout> m_layout;
     Look m_look;
+    std::vector<ColliderBody> m_bodies;
     Theme m_theme = Theme::light();
     ColorBy m_colorBy = ColorBy::Material;
     QuantityValues m_values;

@@ -144,9 +144,7 @@ void Viewport::Private::moveWith(const Frame& frame)
 void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
-    camera.fit(wholeScene ? stage.shownPoints(document.scene())
-                          : stage.subjectPoints(document.scene()),
-               aspect());
+    camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect());
     if (following && stage.frame())
         followed = middleOf(*stage.frame());
     screen.update();
@@ -327,7 +325,7 @@ Id Viewport::pick(QPointF place)
     d->stage.prepare(d->document.scene());
     if (!d->stage.frame())
         return noId;
-    const Picker picker{*d->stage.frame(), d->stage.look(),           d->document.scene(),
+    const Picker picker{*d->stage.frame(), d->stage.look(),           d->stage.colliders(),
                         d->camera,         double(d->screen.width()), double(d->screen.height()),
                         d->pickable};
     return picker.at(place.x(), place.y());
