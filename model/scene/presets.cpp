@@ -20,9 +20,8 @@ constexpr double pi = std::numbers::pi;
 // tenth makes G = E t / 38.
 constexpr double coatedMembrane = 4e4; // N/m
 constexpr double shearShare = 1.0 / 38.0;
-const std::string coated =
-    " E t 4e4 N/m is the middle of 2e4 to 6e4 for coated ripstop (order of magnitude only), G t "
-    "from a bias ten times softer; taken as airtight.";
+const std::string coated = " E t 4e4 N/m and a bias ten times softer, which gives G t, are typical "
+                           "values, unsourced; taken as airtight.";
 const std::string parachute =
     "Parachute cloth after nakka-rocketry.net/paralst.html (MIL specifications): weight, and "
     "strength where known. ";
@@ -65,7 +64,7 @@ Preset garment(const char* name, const char* label, double density, double membr
     return fabric(
         name, label,
         "Wang, O'Brien and Ramamoorthi 2011, data of ARCSim; E t is twice its C11 as read "
-        "by others, shear is left to the material's own stiffness.",
+        "by others; shear is left to the material's own stiffness, air is held back.",
         density, membrane, std::nullopt, std::nullopt);
 }
 
@@ -78,7 +77,7 @@ void addFabrics(std::vector<Preset>& presets)
                                      "100 to 160 cfm/ft2.", 0.0543, 8756.0, 0.0463));
     presets.push_back(parachuteCloth("mil_7020_3", "MIL-C-7020 type III, 1.6 oz ripstop nylon",
                                      "Strength is that of type II, which weighs the same; "
-                                     "permeability is not given and stays as it is.",
+                                     "permeability is not given: taken as airtight.",
                                      0.0543, 8756.0, std::nullopt));
     presets.push_back(parachuteCloth("mil_44378_1", "MIL-C-44378 type I, low permeability nylon",
                                      "0 to 5 cfm/ft2.", 0.0397, 7881.0, 0.0009));
@@ -99,7 +98,7 @@ void addFabrics(std::vector<Preset>& presets)
     presets.push_back(coatedCloth("skytex_32", "Porcher Skytex 32", porcher, 0.032));
     presets.push_back(coatedCloth("skytex_38", "Porcher Skytex 38", porcher, 0.038));
     presets.push_back(coatedCloth("teijin_d2", "Teijin D2, canopy of surf kites",
-                                  "About 52 g/m2, from memory of the trade.", 0.052));
+                                  "About 52 g/m2, a typical value, unsourced.", 0.052));
     presets.push_back(garment("gray_interlock", "Grey interlock knit", 0.187, 69.0));
     presets.push_back(garment("camel_ponte_roma", "Ponte Roma knit", 0.284, 88.1));
     presets.push_back(garment("white_swim_solid", "Swimwear", 0.204, 209.0));
@@ -162,7 +161,8 @@ Preset dyneema(const char* name, const char* label, double millimetres)
                   name,
                   label,
                   "Braided Dyneema: E 55 GPa and 724 kg/m3 over the full circle, drag coefficient "
-                  "0.958, as in KiteModels; strength is left alone, knots cost half of it or more.",
+                  "0.958, as in KiteModels; strength is not given, so that it does not tear: knots "
+                  "cost half of it or more.",
                   {}};
     preset.values = {{"linearDensity", 724.0 * area},
                      {"axialStiffness", 55e9 * area},
@@ -221,8 +221,10 @@ std::vector<Preset> made()
 
 // --- applying --------------------------------------------------------------------------------
 
-// What a preset empties where it has nothing to say.
-constexpr std::array stiffnesses{"axialStiffness", "membraneStiffness", "shearStiffness"};
+// What some preset sets. Another one that has nothing to say about it brings the default back.
+constexpr std::array<std::string_view, 8> settable{
+    "axialStiffness", "membraneStiffness", "shearStiffness", "porosity",
+    "diameter",       "dragCoefficient",   "tearRule",       "tearLimit"};
 
 const Value* valueOf(const Preset& preset, std::string_view key)
 {
@@ -301,8 +303,6 @@ private:
     std::vector<double> m_change;             // [particles] kg
 };
 
-bool isDensity(std::string_view key) { return key == "arealDensity" || key == "linearDensity"; }
-
 SetValues setting(std::string_view key, const std::vector<Id>& materials, const Value& value)
 {
     return {findProperty(Kind::Material, key), materials, {value}};
@@ -336,18 +336,35 @@ Result<const Preset*> findPreset(std::string_view name)
                                    : "did you mean \"" + std::string(near) + "\"?")};
 }
 
+const Preset* presetOf(const Material& material)
+{
+    const auto has = [&material](std::string_view key, const Value* value) {
+        const Property& property = *findProperty(Kind::Material, key);
+        return property.get(&material) == (value ? *value : property.initial);
+    };
+    for (const Preset& preset : allPresets()) {
+        const bool alike =
+            std::ranges::all_of(
+                settable, [&](std::string_view key) { return has(key, valueOf(preset, key)); })
+            && std::ranges::all_of(
+                preset.values, [&](const auto& value) { return has(value.first, &value.second); });
+        if (alike)
+            return &preset;
+    }
+    return nullptr;
+}
+
 Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
                               const std::vector<Id>& materials)
 {
     PresetEdit result;
     std::vector<Change>& changes = result.edit.changes;
     result.edit.label = "Preset " + preset.label;
-    for (const std::string_view key : stiffnesses)
-        if (!valueOf(preset, key))
-            changes.push_back({setting(key, materials, std::monostate())});
-    for (const auto& [key, value] : preset.values)
-        if (!isDensity(key))
-            changes.push_back({setting(key, materials, value)});
+    for (const std::string_view key : settable) {
+        const Value* value = valueOf(preset, key);
+        const Value& initial = findProperty(Kind::Material, key)->initial;
+        changes.push_back({setting(key, materials, value ? *value : initial)});
+    }
 
     Scales scales(scene);
     const bool ofArea = preset.kind == PresetKind::Fabric;

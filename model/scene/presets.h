@@ -1,7 +1,7 @@
 // Materials that one can buy, with where their numbers come from.
 //
 // A preset sets the physical numbers of a material and leaves its name, colour, air law and damping
-// alone. Where the material says what density its particles were given, they are weighed anew.
+// alone; what another preset would have set and this one does not know gets its default. Where the material says what density its particles were given, they are weighed anew.
 #pragma once
 
 #include "base/result.h"
@@ -23,13 +23,15 @@ struct Preset
     std::string name;   // "skytex_27", what the command line takes
     std::string label;  // on screen
     std::string source; // who says so, and what of it is derived or assumed
-    // Keys of material properties and their values, SI; stiffnesses that are not here are emptied,
-    // so that nothing is left of the preset before.
+    // Keys of material properties and their values, SI.
     std::vector<std::pair<std::string_view, Value>> values;
 };
 
 std::span<const Preset> allPresets();
 Result<const Preset*> findPreset(std::string_view name); // the message names the nearest
+
+// The preset that has given a material all its numbers, or null.
+const Preset* presetOf(const Material& material);
 
 struct PresetEdit
 {

@@ -40,7 +40,7 @@ std::vector<Reference> kiteReferences()
         const auto kite = shared([wind = day.wind] { return flown(wind); });
         const std::string at = " at " + std::to_string(int(day.wind)) + " m/s";
         references.push_back({section, "single-line delta, angle of the line" + at, 50.0, 70.0,
-                              "deg", "usual in the field (from memory of the literature)", note,
+                              "deg", "typical value in the field, unsourced", note,
                               [=] { return kite()[0]; }});
         references.push_back({section, "single-line delta, angle beside theory" + at, day.angleLow,
                               day.angleHigh, "deg", theory, note, [=] { return kite()[0]; }});

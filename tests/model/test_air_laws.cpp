@@ -310,10 +310,9 @@ private slots:
             QVERIFY2(isNear(-v.y(), 4.95, 0.005), told(-v.y(), 4.95));
     }
 
-    // F4: Ca 3.1, CD0 0.06, 18 m^2, 90 kg: best L/D 3.54. With CL = Ca s c - CD0 s c^2 and CD = Ca
-    // s^2
-    // + CD0 c^3, s and c sine and cosine of the angle, the least sink is 3.241 m/s; the dossier
-    // rounds it to 3.3.
+    // F4: Ca 3.1, CD0 0.06, 18 m^2, 90 kg: best L/D 3.54. With CL = Ca s c - CD0 s c^2 and
+    // CD = Ca s^2 + CD0 c^3, s and c sine and cosine of the angle, the least sink is 3.241 m/s,
+    // rounded to 3.3 where it was published.
     void rogalloPolar()
     {
         Material material = lawOf(AirLaw::LinearNormal, 3.1);

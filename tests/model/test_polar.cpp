@@ -61,7 +61,7 @@ private slots:
         row(90.0, {4.000, 1.280, 0.880, 1.980, 1.168, 4.935, 2.000});
     }
 
-    // The table of the dossier, to half a digit and its own rounding.
+    // Worked out by hand from the published formulas, to half a digit and that rounding.
     void references()
     {
         QFETCH(double, degrees);
