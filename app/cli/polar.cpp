@@ -5,6 +5,7 @@
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/resolve.h"
+#include "scene/path.h"
 #include "scene/property.h"
 
 #include <algorithm>
@@ -49,26 +50,24 @@ Scene plateOf(std::string_view law)
     return scene;
 }
 
-// The first material of that name; any name will do where there is a single material.
+// The material of that name; any name will do where there is a single material.
 Result<MaterialAir> airIn(const Scene& scene, const std::string& name)
 {
     std::string list;
-    const Entry* found = nullptr;
     int count = 0;
     for (const Entry& entry : scene.items)
         if (const Material* material = std::get_if<Material>(&entry.item)) {
             list += (list.empty() ? "" : ", ") + material->name;
             ++count;
-            if (!found && (name.empty() || material->name == name))
-                found = &entry;
         }
     if (count == 0)
         return Failure{"the scene has no material; give a law instead"};
-    if (!found)
-        return Failure{"no material is called \"" + name + "\"; there is " + list};
     if (name.empty() && count > 1)
         return Failure{"name a material with --material; there is " + list};
-    return airOf(found->id, std::get<Material>(found->item));
+    const Result<Id> id = findNamed(scene, Kind::Material, name.empty() ? list : name);
+    if (!id)
+        return id.failure();
+    return airOf(*id, *findItem<Material>(scene, *id));
 }
 
 void printJson(const std::vector<PolarRow>& rows)

@@ -6,6 +6,8 @@
 #include "cli/terminal.h"
 #include "io/scene_file.h"
 #include "scene/check.h"
+#include "scene/element_index.h"
+#include "scene/path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +28,10 @@ struct PresetOptions
 Json jsonOf(const Preset& preset)
 {
     Json values = Json::object();
-    for (const auto& [key, value] : preset.values)
-        if (const double* number = std::get_if<double>(&value))
-            values[std::string(key)] = *number;
-        else
-            values[std::string(key)] = textFromValue(value);
+    for (const auto& [key, value] : preset.values) {
+        const double* number = std::get_if<double>(&value);
+        values[std::string(key)] = number ? Json(*number) : Json(textFromValue(value));
+    }
     return {{"name", preset.name},
             {"label", preset.label},
             {"kind", presetKindName(preset.kind)},
@@ -61,20 +62,6 @@ int listPresets(bool json)
     return Done;
 }
 
-// The material's id; a message names those that there are.
-Result<Id> materialNamed(const Scene& scene, const std::string& name)
-{
-    std::string names;
-    for (const Entry& entry : scene.items)
-        if (const Material* material = std::get_if<Material>(&entry.item)) {
-            if (material->name == name || "#" + std::to_string(std::uint32_t(entry.id)) == name)
-                return entry.id;
-            names += (names.empty() ? "" : ", ") + material->name;
-        }
-    return Failure{"The scene has no material \"" + name + "\"; "
-                   + (names.empty() ? "it has none at all." : "it has " + names + ".")};
-}
-
 // What the user should know about the changed scene.
 void printNotes(const Scene& scene, const PresetEdit& made)
 {
@@ -91,6 +78,9 @@ void printNotes(const Scene& scene, const PresetEdit& made)
 
 int applyPreset(const PresetOptions& options)
 {
+    if (options.preset.empty())
+        return fail(WrongUsage, "A scene needs --apply PRESET: without it, presets are listed and "
+                                "nothing is changed.");
     const Result<const Preset*> preset = findPreset(options.preset);
     if (!preset)
         return fail(WrongUsage, preset.message());
@@ -101,14 +91,13 @@ int applyPreset(const PresetOptions& options)
     if (!loaded.scene)
         return loaded.exitCode;
     Scene& scene = *loaded.scene;
-    for (const Problem& problem : problemsOf(scene))
-        if (problem.severity == Severity::Error)
-            return fail(BadInput, options.scene.file + ": " + problem.message);
+    if (const auto problem = firstError(scene, ElementIndex(scene)))
+        return fail(BadInput, options.scene.file + ": " + problem->message);
     std::vector<Id> materials;
     for (const std::string& name : options.materials) {
-        const Result<Id> id = materialNamed(scene, name);
+        const Result<Id> id = findNamed(scene, Kind::Material, name);
         if (!id)
-            return fail(WrongUsage, id.message());
+            return fail(WrongUsage, "--material " + name + ": " + id.message() + ".");
         if (std::find(materials.begin(), materials.end(), *id) == materials.end())
             materials.push_back(*id);
     }
@@ -147,7 +136,10 @@ void addPresets(CLI::App& app, Command& chosen)
         "      --material structural --material shear -o canopy.ripstop.json");
     command->callback([options, &chosen] {
         chosen = [options] {
-            return options->preset.empty() ? listPresets(options->json) : applyPreset(*options);
+            const bool lists = options->preset.empty() && options->scene.file.empty()
+                               && options->scene.assignments.empty() && options->materials.empty()
+                               && options->output.empty();
+            return lists ? listPresets(options->json) : applyPreset(*options);
         };
     });
 }

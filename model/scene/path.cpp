@@ -33,28 +33,34 @@ Target rowsOf(Kind kind, const std::vector<Row>& rows)
     return target;
 }
 
+Kind kindOf(const Item& item)
+{
+    return std::visit([](const auto& one) { return kindOf(ConstRef(&one)); }, item);
+}
+
+// "#17"
+Result<Target> findNumbered(const Scene& scene, std::string_view name)
+{
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+    const bool whole = error == std::errc() && end == name.data() + name.size();
+    if (const auto ref = whole ? find(scene, Id{number}) : std::nullopt)
+        return Target{kindOf(*ref), {Id{number}}};
+    return Failure{"nothing in the scene has the id " + quoted(name)};
+}
+
 // `name` is all of the path before the property's key.
 Result<Target> findTarget(const Scene& scene, std::string_view name)
 {
     if (name == "settings")
         return Target{Kind::Settings, {settingsId}};
-
-    if (name.starts_with('#')) {
-        std::uint32_t number = 0;
-        const auto [end, error] =
-            std::from_chars(name.data() + 1, name.data() + name.size(), number);
-        const bool whole = error == std::errc() && end == name.data() + name.size();
-        if (const auto ref = whole ? find(scene, Id{number}) : std::nullopt)
-            return Target{kindOf(*ref), {Id{number}}};
-        return Failure{"nothing in the scene has the id " + quoted(name)};
-    }
+    if (name.starts_with('#'))
+        return findNumbered(scene, name);
 
     std::vector<std::string_view> names{"settings"};
     for (const Entry& entry : scene.items) {
         if (nameOf(entry.item) == name)
-            return Target{
-                std::visit([](const auto& item) { return kindOf(ConstRef(&item)); }, entry.item),
-                {entry.id}};
+            return Target{kindOf(entry.item), {entry.id}};
         names.push_back(nameOf(entry.item));
     }
 
@@ -97,6 +103,31 @@ Result<Place> findPlace(const Scene& scene, std::string_view path)
         keys.push_back(property.key);
     return Failure{"a " + std::string(kindName(target->kind)) + " has no property " + quoted(key)
                    + suggestion(key, keys)};
+}
+
+Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name)
+{
+    if (name.starts_with('#')) {
+        const Result<Target> target = findNumbered(scene, name);
+        if (!target)
+            return target.failure();
+        if (target->kind != kind)
+            return Failure{quoted(name) + " is a " + std::string(kindName(target->kind))
+                           + ", not a " + std::string(kindName(kind))};
+        return target->ids.front();
+    }
+    std::vector<std::string_view> names;
+    for (const Entry& entry : scene.items) {
+        if (kindOf(entry.item) != kind)
+            continue;
+        if (nameOf(entry.item) == name)
+            return entry.id;
+        names.push_back(nameOf(entry.item));
+    }
+    if (names.empty())
+        return Failure{"the scene has no " + std::string(kindName(kind))};
+    return Failure{"no " + std::string(kindName(kind)) + " is called " + quoted(name)
+                   + suggestion(name, names)};
 }
 
 Result<Edit> assignment(const Scene& scene, std::string_view text)

@@ -19,6 +19,10 @@ struct Place
 // A message names the nearest thing that exists.
 Result<Place> findPlace(const Scene& scene, std::string_view path);
 
+// The first item of this kind with this name, or that with the id "#17". A message names the
+// nearest one.
+Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name);
+
 // "PATH=VALUE" as an edit.
 Result<Edit> assignment(const Scene& scene, std::string_view text);
 

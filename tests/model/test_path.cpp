@@ -103,6 +103,19 @@ private slots:
         QVERIFY2(message.contains(says), qPrintable(message));
     }
 
+    void findsItemsOfAKind()
+    {
+        const Scene scene = sample();
+        QCOMPARE(*findNamed(scene, Kind::Wind, "wind"), Id{3});
+        QCOMPARE(*findNamed(scene, Kind::Wind, "#3"), Id{3});
+        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Wind, "wnd").message()),
+                 QString("no wind is called \"wnd\"; did you mean \"wind\"?"));
+        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Part, "#3").message()),
+                 QString("\"#3\" is a wind, not a part"));
+        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Probe, "height").message()),
+                 QString("the scene has no probe"));
+    }
+
     void assigns()
     {
         Scene scene = sample();
