@@ -111,8 +111,9 @@ Json describe(const Scene& scene)
     info["substeps"] = scene.settings.substeps;
     info["solver"] = choiceNames<Solver>[std::size_t(scene.settings.solver)];
     info["solver_choice"] = Json();
-    if (const auto system = compile(scene); system && scene.settings.solver == Solver::Auto)
-        info["solver_choice"] = planFor(**system).reason;
+    if (scene.settings.solver == Solver::Auto)
+        if (const auto system = compile(scene))
+            info["solver_choice"] = planFor(**system).reason;
     const std::optional<StepLimit> limit = stepLimit(scene);
     info["stable_substep"] = limit ? Json(limit->timeStep) : Json();
     info["stable_time_step"] = limit ? Json(limit->timeStep * scene.settings.substeps) : Json();
