@@ -4,9 +4,9 @@
 #include "cli/terminal.h"
 #include "verify/case.h"
 #include "verify/reference.h"
+#include "verify/text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 namespace ripstop {
@@ -21,13 +21,6 @@ struct VerifyOptions
 };
 
 using Row = std::vector<std::string>;
-
-std::string digits(double number)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", number);
-    return text;
-}
 
 // The last column is left as it is.
 void printTable(const std::vector<Row>& rows)
@@ -133,19 +126,6 @@ int nothingHas(const std::string& filter)
 
 // --- comparisons with measured data --------------------------------------------------------------
 
-std::string published(const ReferenceResult& result)
-{
-    return result.low == result.high ? shortNumber(result.low)
-                                     : shortNumber(result.low) + " to " + shortNumber(result.high);
-}
-
-std::string rounded(double number, int decimals)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", decimals, number);
-    return number == number ? text : "not reached";
-}
-
 void printReferences(const std::vector<ReferenceResult>& results)
 {
     std::vector<Row> rows{
@@ -154,8 +134,8 @@ void printReferences(const std::vector<ReferenceResult>& results)
     for (const ReferenceResult& result : results) {
         if (result.section != section)
             rows.push_back({section = result.section});
-        rows.push_back({result.title, published(result), rounded(result.got, 3), result.unit,
-                        rounded(result.ratio, 2), result.source, result.note});
+        rows.push_back({result.title, publishedText(result.low, result.high), gotText(result),
+                        result.unit, ratioText(result), result.source, result.note});
     }
     printTable(rows);
     std::cout << "\nA ratio of 1 is the middle of what was published. No row is tuned.\n";
@@ -169,11 +149,24 @@ Json jsonOf(const ReferenceResult& result)
             {"note", result.note},       {"seconds", result.seconds}};
 }
 
+void listReferences(const std::vector<Reference>& references)
+{
+    std::vector<Row> rows{{"comparison", "published", "unit", "published by", "simulated as"}};
+    for (const Reference& one : references)
+        rows.push_back(
+            {one.title, publishedText(one.low, one.high), one.unit, one.source, one.note});
+    printTable(rows);
+}
+
 int compare(const VerifyOptions& options)
 {
     const std::vector<Reference> references = referencesWith(options.filter);
     if (references.empty())
         return nothingHas(options.filter);
+    if (options.list) {
+        listReferences(references);
+        return Done;
+    }
     const auto results = runAll<ReferenceResult>(references);
     if (options.json) {
         Json list = Json::array();
@@ -186,8 +179,7 @@ int compare(const VerifyOptions& options)
     return results.size() < references.size() ? stopped(results.size(), references.size()) : Done;
 }
 
-// --- cases
-// -----------------------------------------------------------------------------------------
+// --- cases ---------------------------------------------------------------------------------------
 
 int verify(const VerifyOptions& options)
 {
@@ -232,8 +224,9 @@ void addVerify(CLI::App& app, Command& chosen)
                         "Only cases with this text in id, title, section or source");
     command->add_flag("--references", options->references,
                       "Instead, compare designs with measured data: descent, glide, kites");
-    command->add_flag("--list", options->list, "List the cases without running them");
-    command->add_flag("--json", options->json, "Print one JSON object");
+    CLI::Option* list =
+        command->add_flag("--list", options->list, "List the cases without running them");
+    command->add_flag("--json", options->json, "Print one JSON object")->excludes(list);
     command->footer("Exit code 0 when all cases hold, 1 when some do not.\n"
                     "Examples:\n"
                     "  ripstop-cli verify\n"

@@ -10,15 +10,12 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include <cmath>
 #include <memory>
 
 namespace ripstop {
 namespace {
 
 QString words(const std::string& text) { return QString::fromStdString(text); }
-
-QString digits(double number, int count = 9) { return QString::number(number, 'g', count); }
 
 ResultTable tableOfCases()
 {
@@ -31,11 +28,11 @@ ResultTable tableOfCases()
     for (const Case& one : *cases)
         table.rows.push_back(
             {words(one.section),
-             {QString(), words(one.id), words(one.title), digits(one.expected), QString(),
+             {QString(), words(one.id), words(one.title), words(digits(one.expected)), QString(),
               words(one.unit), words(textOf(one.tolerance, one.unit)), words(one.source)}});
     table.compute = [cases](int row) -> ResultTable::Outcome {
         const CaseResult result = run((*cases)[std::size_t(row)]);
-        return {{{}, {}, {}, {}, digits(result.got)}, result.holds};
+        return {{{}, {}, {}, {}, words(digits(result.got))}, result.holds};
     };
     return table;
 }
@@ -51,18 +48,13 @@ ResultTable tableOfReferences()
         {tr("Simulated as"), 230}};
     const auto references = std::make_shared<const std::vector<Reference>>(allReferences());
     for (const Reference& one : *references) {
-        const QString published = one.low == one.high
-                                      ? digits(one.low, 4)
-                                      : tr("%1 to %2").arg(digits(one.low, 4), digits(one.high, 4));
         table.rows.push_back({words(one.section),
-                              {words(one.title), published, QString(), words(one.unit), QString(),
-                               words(one.source), words(one.note)}});
+                              {words(one.title), words(publishedText(one.low, one.high)), QString(),
+                               words(one.unit), QString(), words(one.source), words(one.note)}});
     }
     table.compute = [references, tr](int row) -> ResultTable::Outcome {
         const ReferenceResult result = run((*references)[std::size_t(row)]);
-        if (!std::isfinite(result.got))
-            return {{{}, {}, tr("not reached")}, {}};
-        return {{{}, {}, digits(result.got, 4), {}, QString::number(result.ratio, 'f', 2)}, {}};
+        return {{{}, {}, words(gotText(result)), {}, words(ratioText(result))}, {}};
     };
     return table;
 }

@@ -1,8 +1,22 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace ripstop {
+
+struct ReferenceResult;
+
+// "0.0123", "4.2e-05": nine significant digits, or as many as asked for.
+std::string digits(double number, int count = 9);
+
+// "3.5", "0.65 to 0.85": what was published, four significant digits.
+std::string publishedText(double low, double high);
+
+// What came out, four significant digits, and its ratio to what was published, two decimals; "not
+// reached" and nothing when the design does not get there.
+std::string gotText(const ReferenceResult& result);
+std::string ratioText(const ReferenceResult& result);
 
 // Small and capital letters are alike.
 bool containsText(std::string_view text, std::string_view part);

@@ -1,6 +1,7 @@
 // The cases of ripstop-cli verify: each holds, and the list is what its readers expect.
 #include "verify/case.h"
 #include "verify/reference.h"
+#include "verify/text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -105,6 +106,20 @@ private slots:
         QTEST(ripstop::holds(got, expected, {Rule(rule), value}), "held");
     }
 
+    void resultsInWords()
+    {
+        ReferenceResult result;
+        result.got = 5.0 / 3.0;
+        result.ratio = 2.0 / 3.0;
+        QCOMPARE(publishedText(0.65, 0.85), std::string("0.65 to 0.85"));
+        QCOMPARE(publishedText(3.5, 3.5), std::string("3.5"));
+        QCOMPARE(gotText(result), std::string("1.667"));
+        QCOMPARE(ratioText(result), std::string("0.67"));
+        result.got = result.ratio = std::numeric_limits<double>::quiet_NaN();
+        QCOMPARE(gotText(result), std::string("not reached"));
+        QCOMPARE(ratioText(result), std::string());
+    }
+
     void toleranceInWords()
     {
         QCOMPARE(textOf(within(0.001), "m"), std::string("0.001 m"));
@@ -167,6 +182,17 @@ private slots:
                                         .toArray();
         QCOMPARE(compared.size(), int(referencesWith("head on").size()));
         QVERIFY(compared[0].toObject()["ratio"].toDouble() > 0.0);
+
+        QElapsedTimer clock;
+        clock.start();
+        process.start(CLI_PROGRAM, {"verify", "--references", "--list"});
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitCode(), 0);
+        QVERIFY2(clock.elapsed() < 5000,
+                 "the list must not run what it lists"); // that takes minutes
+        const QByteArray list = process.readAllStandardOutput();
+        for (const Reference& reference : allReferences())
+            QVERIFY2(list.contains(reference.title.c_str()), reference.title.c_str());
 
         process.start(CLI_PROGRAM, {"verify", "--filter", "no such case"});
         QVERIFY(process.waitForFinished(60000));
