@@ -43,6 +43,7 @@ static const QList<Room> namedRooms = {
 static const QStringList viewsMayInclude{"base", "scene", "run", "document", "icons"};
 static const QHash<QString, QStringList> viewsMayAlsoInclude{
     {"start", {"builders"}}, // the gallery offers builders
+    {"plots", {"io"}},       // curves are saved as tables
 };
 
 static QString relative(const QString& file) { return file.mid(int(strlen(SOURCE_DIR)) + 1); }

@@ -251,10 +251,8 @@ void MainWindow::showKeys()
 // The window goes on while cases run.
 void MainWindow::showVerification()
 {
-    if (!m_verification) {
-        m_verification = new VerificationDialog(this);
-        m_verification->setAttribute(Qt::WA_DeleteOnClose);
-    }
+    if (!m_verification)
+        m_verification = new VerificationDialog(this); // deletes itself
     m_verification->show();
     m_verification->raise();
     m_verification->activateWindow();

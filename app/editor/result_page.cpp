@@ -1,6 +1,7 @@
 #include "editor/result_page.h"
 
 #include "editor/ask_file.h"
+#include "io/csv.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -24,11 +25,9 @@ constexpr int failedRole = Qt::UserRole; // bool; absent before the row was judg
 // Readable on light and on dark.
 QColor colorOf(bool holds) { return holds ? QColor(0x2e, 0x9e, 0x5b) : QColor(0xd6, 0x3b, 0x3b); }
 
-QString quoted(QString text, QChar separator)
+QString quoted(const QString& text, char separator)
 {
-    if (!text.contains(separator) && !text.contains('"'))
-        return text;
-    return '"' + text.replace('"', "\"\"") + '"';
+    return QString::fromStdString(csvCell(text.toStdString(), separator));
 }
 
 } // namespace
@@ -122,7 +121,9 @@ void ResultPage::start()
     cancel();
     if (m_thread.joinable())
         m_thread.join();
-    fill();
+    if (m_isUsed) // by the start before
+        fill();
+    m_isUsed = true;
     m_onlyFailed->setChecked(false);
     showWhatIsWanted();
     m_done = m_failed = 0;
@@ -171,6 +172,8 @@ void ResultPage::take(int start, int row, const ResultTable::Outcome& outcome)
         item->setForeground(0, colorOf(*outcome.holds));
         item->setData(0, failedRole, !*outcome.holds);
         m_failed += *outcome.holds ? 0 : 1;
+        if (m_onlyFailed->isChecked())
+            showWhatIsWanted();
     }
     ++m_done;
     m_progress->setValue(m_done);
@@ -183,6 +186,7 @@ void ResultPage::finish()
     m_run->setText(tr("&Run"));
     m_filter->setEnabled(true);
     showSummary();
+    emit finished();
 }
 
 void ResultPage::showSummary()
@@ -225,12 +229,12 @@ void ResultPage::showWhatIsWanted()
     }
 }
 
-QString ResultPage::text(QChar separator) const
+QString ResultPage::text(char separator) const
 {
     QStringList cells{tr("Section")};
     for (const ResultTable::Column& column : m_table.columns)
         cells << column.title;
-    QStringList lines{cells.join(separator)};
+    QStringList lines{cells.join(QChar(separator))};
     for (std::size_t row = 0; row < m_items.size(); ++row) {
         cells = {quoted(m_table.rows[row].section, separator)};
         for (int i = 0; i < m_items[row]->columnCount(); ++i)
@@ -238,7 +242,7 @@ QString ResultPage::text(QChar separator) const
         const QVariant failed = m_items[row]->data(0, failedRole);
         if (!failed.isNull()) // without the sign
             cells[1] = failed.toBool() ? tr("fails") : tr("holds");
-        lines << cells.join(separator);
+        lines << cells.join(QChar(separator));
     }
     return lines.join('\n') + '\n';
 }

@@ -63,7 +63,10 @@ public:
     void cancel(); // after the row that is under way
 
     // One line per row, with a header. What was not computed is empty there.
-    QString text(QChar separator) const;
+    QString text(char separator) const;
+
+signals:
+    void finished(); // all that was wanted, or what there was time for
 
 private:
     void fill();
@@ -86,6 +89,7 @@ private:
     int m_done = 0;
     int m_failed = 0;
     bool m_running = false;
+    bool m_isUsed = false; // the table has results
     int m_start = 0;       // counts starts
     std::jthread m_thread; // last: stops and joins before the rest is destroyed
 };

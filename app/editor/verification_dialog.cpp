@@ -3,6 +3,7 @@
 #include "editor/result_page.h"
 #include "verify/case.h"
 #include "verify/reference.h"
+#include "verify/text.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -52,7 +53,7 @@ ResultTable tableOfReferences()
                               {words(one.title), words(publishedText(one.low, one.high)), QString(),
                                words(one.unit), QString(), words(one.source), words(one.note)}});
     }
-    table.compute = [references, tr](int row) -> ResultTable::Outcome {
+    table.compute = [references](int row) -> ResultTable::Outcome {
         const ReferenceResult result = run((*references)[std::size_t(row)]);
         return {{{}, {}, words(gotText(result)), {}, words(ratioText(result))}, {}};
     };
@@ -94,7 +95,28 @@ VerificationDialog::VerificationDialog(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(pages);
     layout->addWidget(buttons);
+    connect(this, &QDialog::finished, this, [this] {
+        m_isClosed = true;
+        m_cases->cancel();
+        m_references->cancel();
+        goWhenIdle();
+    });
+    for (ResultPage* results : {m_cases, m_references})
+        connect(results, &ResultPage::finished, this, &VerificationDialog::goWhenIdle);
     resize(QSize(1320, 760).boundedTo(screen()->availableSize() * 0.94));
+}
+
+void VerificationDialog::showEvent(QShowEvent* event)
+{
+    m_isClosed = false;
+    QDialog::showEvent(event);
+}
+
+// A case that is under way cannot be interrupted, and the window must not wait for it.
+void VerificationDialog::goWhenIdle()
+{
+    if (m_isClosed && !m_cases->isRunning() && !m_references->isRunning())
+        deleteLater();
 }
 
 } // namespace ripstop

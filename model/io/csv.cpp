@@ -13,9 +13,10 @@ std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown error
 
 } // namespace
 
-std::string csvCell(const std::string& text)
+std::string csvCell(const std::string& text, char separator)
 {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
+    const char special[]{separator, '"', '\r', '\n', '\0'};
+    if (text.find_first_of(special) == std::string::npos)
         return text;
     std::string quoted(1, '"');
     for (const char c : text)

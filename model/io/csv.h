@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-// Quoted where RFC 4180 asks for it.
-std::string csvCell(const std::string& text);
+// Quoted where RFC 4180 asks for it; tables for the clipboard have tabs between their cells.
+std::string csvCell(const std::string& text, char separator = ',');
 
 // A table of probe values, one row per frame. The header gives each column its unit:
 // "time (s),height (m)". A value that is not a number is an empty cell.

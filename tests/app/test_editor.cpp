@@ -14,12 +14,14 @@
 #include "verify/reference.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QProcess>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <QtTest>
 
 using namespace ripstop;
@@ -259,6 +261,48 @@ private slots:
         references.start();
         QTRY_VERIFY(!references.isRunning());
         QCOMPARE(references.done(), int(referencesWith("head on").size()));
+    }
+
+    // A failure that comes while only failures are shown is shown; the table is made once for the
+    // first start.
+    void failuresThatComeLaterAreSeen()
+    {
+        int made = 0;
+        ResultPage page([&made] {
+            ++made;
+            ResultTable table;
+            table.columns = {{"Result", 80}, {"Case", 80}};
+            table.rows = {{"Section", {"", "good"}}, {"Section", {"", "bad"}}};
+            table.compute = [](int row) -> ResultTable::Outcome {
+                QThread::msleep(50);
+                return {{}, row == 0};
+            };
+            return table;
+        });
+        page.start();
+        QCOMPARE(made, 1);
+        page.findChild<QCheckBox*>()->setChecked(true);
+        QTRY_VERIFY(!page.isRunning());
+        const QTreeWidgetItem* section = page.findChild<QTreeWidget*>()->topLevelItem(0);
+        QVERIFY(!section->isHidden());
+        QVERIFY(section->child(0)->isHidden());
+        QVERIFY(!section->child(1)->isHidden());
+        page.start();
+        QCOMPARE(made, 2);
+    }
+
+    // The window does not wait for the case that is under way.
+    void closesWhileCasesRun()
+    {
+        QPointer<VerificationDialog> dialog = new VerificationDialog(nullptr);
+        dialog->show();
+        dialog->references().start(); // seconds each
+        QElapsedTimer clock;
+        clock.start();
+        dialog->close();
+        QVERIFY(clock.elapsed() < 200);
+        QVERIFY(!dialog || !dialog->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog, 60000);
     }
 
     void verificationIsInTheMenu()

@@ -6,6 +6,7 @@
 #include "document/words.h"
 #include "icons/icon.h"
 #include "icons/swatch.h"
+#include "io/csv.h"
 #include "plots/curve_color.h"
 
 #include <QDir>
@@ -47,13 +48,6 @@ QString shown(double value, const QString& unit)
         return QString(QChar(0x2013)); // dash: nothing to read
     const QString number = QLocale().toString(value, 'g', 4);
     return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
-}
-
-QString csvField(QString text)
-{
-    if (text.contains(',') || text.contains('"') || text.contains('\n'))
-        text = QChar('"') + text.replace(QStringLiteral("\""), QStringLiteral("\"\"")) + QChar('"');
-    return text;
 }
 
 } // namespace
@@ -325,9 +319,11 @@ void PlotPanel::writeCsv(QIODevice& device) const
 {
     QTextStream out(&device);
     out << "time (s)";
-    for (const Curve& curve : m_chart->curves())
-        out << ','
-            << csvField(curve.unit.isEmpty() ? curve.name : curve.name + " (" + curve.unit + ')');
+    for (const Curve& curve : m_chart->curves()) {
+        const QString name =
+            curve.unit.isEmpty() ? curve.name : curve.name + " (" + curve.unit + ')';
+        out << ',' << QString::fromStdString(csvCell(name.toStdString()));
+    }
     out << '\n';
     const auto time = m_history.time();
     for (std::size_t i = 0; i < time.size(); ++i) {
