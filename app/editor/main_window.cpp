@@ -265,7 +265,14 @@ void MainWindow::showPolar()
 {
     const auto& ids = m_selection.ids();
     const bool one = ids.size() == 1 && findItem<Material>(m_document.scene(), ids.front());
-    (new PolarDialog(m_document, one ? ids.front() : noId, this))->show();
+    const Id material = one ? ids.front() : noId;
+    if (m_polar)
+        m_polar->show(material);
+    else
+        m_polar = new PolarDialog(m_document, material, this); // deletes itself when closed
+    m_polar->show();
+    m_polar->raise();
+    m_polar->activateWindow();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -24,6 +24,7 @@ class ProblemList;
 class Selection;
 class StartPage;
 class Transport;
+class PolarDialog;
 class VerificationDialog;
 class Viewport;
 
@@ -86,6 +87,7 @@ private:
     QLabel* m_counts;
     QLabel* m_selected;
     QPointer<VerificationDialog> m_verification; // while it is open
+    QPointer<PolarDialog> m_polar;               // while it is open
 };
 
 } // namespace ripstop

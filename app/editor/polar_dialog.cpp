@@ -12,6 +12,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 namespace ripstop {
@@ -42,6 +43,16 @@ PolarChart::Curve curveOf(const QString& name, const std::vector<PolarRow>& rows
     return curve;
 }
 
+bool changesMaterials(const Edit& edit)
+{
+    return std::ranges::any_of(edit.changes, [](const Change& change) {
+        if (const auto* set = std::get_if<SetValues>(&change))
+            return set->property->kind == Kind::Material;
+        return std::holds_alternative<AddItem>(change)
+               || std::holds_alternative<RemoveItem>(change);
+    });
+}
+
 } // namespace
 
 PolarDialog::PolarDialog(const Document& document, Id material, QWidget* parent)
@@ -55,7 +66,6 @@ PolarDialog::PolarDialog(const Document& document, Id material, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     for (const Coefficient& quantity : quantities)
         m_quantity->addItem(tr(quantity.name));
-    fillMaterials(material);
 
     auto* choices = new QHBoxLayout;
     for (const auto& [text, box] :
@@ -74,14 +84,17 @@ PolarDialog::PolarDialog(const Document& document, Id material, QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_material, &QComboBox::activated, this, &PolarDialog::draw);
     connect(m_quantity, &QComboBox::activated, this, &PolarDialog::draw);
-    connect(&document, &Document::changed, this, [this] {
-        fillMaterials(chosen());
-        draw();
+    connect(&document, &Document::changed, this, [this](const Edit& edit) {
+        if (changesMaterials(edit))
+            show(chosen());
     });
-    connect(&document, &Document::replaced, this, [this] {
-        fillMaterials(noId);
-        draw();
-    });
+    connect(&document, &Document::replaced, this, [this] { show(noId); });
+    show(material);
+}
+
+void PolarDialog::show(Id material)
+{
+    fillMaterials(material);
     draw();
 }
 

@@ -23,6 +23,9 @@ public:
     // `material` is shown first; the first one of the scene when it is none.
     PolarDialog(const Document& document, Id material, QWidget* parent);
 
+    void show(Id material);
+    using QDialog::show;
+
 private:
     void fillMaterials(Id chosen);
     void draw();

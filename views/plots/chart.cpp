@@ -1,5 +1,6 @@
 #include "plots/chart.h"
 
+#include "plots/chart_style.h"
 #include "plots/curve_color.h"
 
 #include <QEvent>
@@ -315,27 +316,8 @@ void Chart::style()
 
 void Chart::style(Strip& strip)
 {
-    const QColor ink = palette().color(QPalette::Text);
-    QColor faint = ink;
-    faint.setAlphaF(0.35f);
-    QColor grid = ink;
-    grid.setAlphaF(isDark(palette()) ? 0.16f : 0.12f);
-    QFont small = font();
-    small.setPointSizeF(0.88 * small.pointSizeF());
-
-    for (QCPAxis* axis : strip.rect->axes()) {
-        axis->setBasePen(QPen(faint, 1));
-        axis->setTickPen(QPen(faint, 1));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLength(0, 3);
-        axis->setTickLabelColor(ink);
-        axis->setLabelColor(ink);
-        axis->setTickLabelFont(small);
-        axis->setLabelFont(small);
-        axis->setLabelPadding(2);
-        axis->grid()->setPen(QPen(grid, 1));
-        axis->grid()->setZeroLinePen(QPen(faint, 1));
-    }
+    for (QCPAxis* axis : strip.rect->axes())
+        styleAxis(*axis, *this);
     for (const QCPAxis::AxisType side : {QCPAxis::atTop, QCPAxis::atRight}) {
         strip.rect->axis(side)->setTicks(false);
         strip.rect->axis(side)->setTickLabels(false);
@@ -347,12 +329,7 @@ void Chart::style(Strip& strip)
         m_graphs[std::size_t(curve)]->setPen(QPen(m_curves[std::size_t(curve)].color, 1.6));
     if (strip.rect->insetLayout()->elementCount() > 0) {
         auto* legend = qobject_cast<QCPLegend*>(strip.rect->insetLayout()->elementAt(0));
-        QColor veil = palette().color(QPalette::Base);
-        veil.setAlphaF(0.75f);
-        legend->setBrush(veil);
-        legend->setBorderPen(Qt::NoPen);
-        legend->setFont(small);
-        legend->setTextColor(ink);
+        styleLegend(*legend, *this);
         legend->setMargins({4, 1, 4, 1});
         legend->setRowSpacing(0);
         legend->setIconSize(16, 10);

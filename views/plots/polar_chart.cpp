@@ -1,5 +1,6 @@
 #include "plots/polar_chart.h"
 
+#include "plots/chart_style.h"
 #include "plots/curve_color.h"
 
 #include <QEvent>
@@ -64,33 +65,17 @@ int PolarChart::curveCount() const { return m_plot->graphCount(); }
 
 void PolarChart::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         style();
     QWidget::changeEvent(event);
 }
 
 void PolarChart::style()
 {
-    const QColor ink = palette().color(QPalette::Text);
-    QColor faint = ink;
-    faint.setAlphaF(0.35f);
-    QColor grid = ink;
-    grid.setAlphaF(isDark(palette()) ? 0.16f : 0.12f);
-    QColor veil = palette().color(QPalette::Base);
-    veil.setAlphaF(0.75f);
     m_plot->setBackground(palette().base());
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(faint, 1));
-        axis->setTickPen(QPen(faint, 1));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLabelColor(ink);
-        axis->setLabelColor(ink);
-        axis->grid()->setPen(QPen(grid, 1));
-        axis->grid()->setZeroLinePen(QPen(faint, 1));
-    }
-    m_plot->legend->setBrush(veil);
-    m_plot->legend->setBorderPen(Qt::NoPen);
-    m_plot->legend->setTextColor(ink);
+    styleAxis(*m_plot->xAxis, *this);
+    styleAxis(*m_plot->yAxis, *this);
+    styleLegend(*m_plot->legend, *this);
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
