@@ -1,11 +1,13 @@
 #include "document/document.h"
 #include "document/selection.h"
 #include "inspector/inspector.h"
+#include "inspector/usage.h"
 #include "scene/edit.h"
 #include "small_scenes.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QtTest>
 
@@ -49,6 +51,13 @@ struct Form
 const std::vector<Id> oneOfEachKind{settingsId, Id{3},  Id{5},  Id{8},  Id{1}, Id{9},
                                     Id{11},     Id{12}, Id{13}, Id{14}, Id{15}};
 
+Id idOfKind(Kind kind)
+{
+    const Scene scene = oneOfEverything();
+    return *std::find_if(oneOfEachKind.begin(), oneOfEachKind.end(),
+                         [&](Id id) { return kindOf(*find(scene, id)) == kind; });
+}
+
 // A number in the middle of what the property allows.
 double allowedNumber(const Property& property)
 {
@@ -64,6 +73,63 @@ class TestInspector : public QObject
     Q_OBJECT
 
 private slots:
+    // What the scene file would refuse is not taken from the keyboard either.
+    void malformedTextIsRefused()
+    {
+        Form form;
+        const Id collider = idOfKind(Kind::Collider);
+        form.selection.set({collider});
+        QLineEdit* path = form.line("path");
+        form.type(path, "0: 0 1 0; 2: 3 1");
+        QCOMPARE(std::get<std::string>(form.value(collider, "path")), std::string());
+        const auto labels = form.inspector.findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().startsWith("The path must be times");
+        }));
+        form.type(path, "0: 0 1 0; 2: 3 1 0");
+        QCOMPARE(std::get<std::string>(form.value(collider, "path")),
+                 std::string("0: 0 1 0; 2: 3 1 0"));
+    }
+
+    void rowsWithoutEffect_data()
+    {
+        QTest::addColumn<Kind>("kind");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<bool>("used");
+        QTest::newRow("sweeps of the automatic solver") << Kind::Settings << "sweeps" << false;
+        QTest::newRow("its wanted strain") << Kind::Settings << "strainGoal" << true;
+        QTest::newRow("friction without self-contact") << Kind::Part << "selfFriction" << false;
+        QTest::newRow("place of a collider that stays") << Kind::Collider << "position" << true;
+    }
+    void rowsWithoutEffect()
+    {
+        QFETCH(Kind, kind);
+        QFETCH(QString, key);
+        QFETCH(bool, used);
+        const Scene scene = oneOfEverything();
+        const ConstRef ref = *find(scene, idOfKind(kind));
+        QCOMPARE(isUsed(*findProperty(kind, key.toStdString()), ref), used);
+    }
+    void rowsWithoutEffectChangeWithTheThing()
+    {
+        Settings settings;
+        const Property& sweeps = *findProperty(Kind::Settings, "sweeps");
+        const Property& goal = *findProperty(Kind::Settings, "strainGoal");
+        for (const Solver solver :
+             {Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel, Solver::Direct}) {
+            settings.solver = solver;
+            QVERIFY(isUsed(sweeps, &settings) && !isUsed(goal, &settings));
+        }
+        settings.solver = Solver::SmallSteps;
+        QVERIFY(!isUsed(sweeps, &settings));
+        Part part;
+        part.selfContact = 0.01;
+        QVERIFY(isUsed(*findProperty(Kind::Part, "selfFriction"), &part));
+        Collider collider;
+        collider.path = "0: 0 1 0";
+        QVERIFY(!isUsed(*findProperty(Kind::Collider, "position"), &collider));
+    }
+
     void everyNumberCanBeTypedAndUndone_data()
     {
         QTest::addColumn<int>("row");

@@ -134,7 +134,10 @@ Field textField(const FieldPlace& place)
             return words("No key is called so; try Left, A or Ctrl+Up.");
         if (place.property.key == "name" && text.trimmed().isEmpty())
             return words("A name is needed.");
-        return {};
+        const auto reason = refusal(place.property, text.trimmed().toStdString());
+        return reason ? words("The %1 %2.")
+                            .arg(labelOf(place.property).toLower(), QString::fromStdString(*reason))
+                      : QString();
     };
     auto* edit = new ValueEdit(judge);
     QObject::connect(edit, &ValueEdit::complained, edit, place.complain);
@@ -189,10 +192,6 @@ Field colorField(const FieldPlace& place)
 {
     Field field = textField(place);
     auto* edit = static_cast<ValueEdit*>(field.widget);
-    edit->setJudge([place](const QString& text) -> QString {
-        const auto reason = refusal(place.property, text.trimmed().toStdString());
-        return reason ? words("The colour %1.").arg(QString::fromStdString(*reason)) : QString();
-    });
 
     auto* button = new QToolButton;
     button->setAutoRaise(true);

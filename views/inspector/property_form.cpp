@@ -3,6 +3,7 @@
 #include "document/words.h"
 #include "icons/icon.h"
 #include "inspector/typed_number.h"
+#include "inspector/usage.h"
 #include "inspector/value_edit.h"
 
 #include <QGridLayout>
@@ -49,69 +50,6 @@ bool canReset(const Property& property)
     return property.pointsAt.empty() && property.key != "name" && property.key != "builder"
            && property.key != "position" && property.key != "restLength" && property.key != "title"
            && property.key != "notes";
-}
-
-// False for what the things ignore as they are, such as the radius of a plane.
-bool isUsed(const Property& property, const ConstRef& ref)
-{
-    const std::string_view key = property.key;
-    if (const auto* collider = std::get_if<const Collider*>(&ref)) {
-        const Collider& c = **collider;
-        const auto isShape = [&](auto... shapes) { return ((c.shape == shapes) || ...); };
-        using enum ColliderShape;
-        if (key == "normal")
-            return isShape(Plane);
-        if (key == "radius")
-            return isShape(Sphere);
-        if (key == "size")
-            return isShape(Box, HeightField);
-        if (key == "turn")
-            return isShape(Box, HeightField, Mesh);
-        if (key == "file")
-            return isShape(HeightField, Mesh);
-        if (key == "scale")
-            return isShape(Mesh);
-        if (key == "grid" || key == "seed" || key == "hillLength")
-            return isShape(HeightField) && c.file.empty();
-        return (key != "restitution" && key != "friction") || c.response == Response::Contact;
-    }
-    if (const auto* wind = std::get_if<const Wind*>(&ref)) {
-        const WindKind wanted = (*wind)->kind;
-        if (key == "velocity")
-            return wanted != WindKind::Gusts;
-        if (key == "referenceHeight")
-            return wanted != WindKind::Uniform && wanted != WindKind::Jet;
-        if (key == "exponent" || key == "roughness")
-            return wanted == (key == "exponent" ? WindKind::PowerLaw : WindKind::LogLaw);
-        if (key == "gustiness" || key == "seed")
-            return wanted == WindKind::Gusts;
-        return wanted == WindKind::Jet || key == "name" || key == "kind";
-    }
-    if (const auto* link = std::get_if<const Link*>(&ref)) {
-        if (key == "stiffness" || key == "damping")
-            return (*link)->kind == LinkKind::Spring;
-        if (key == "width")
-            return (*link)->role != LinkRole::Line;
-        return key != "compliance" || (*link)->kind == LinkKind::Rod;
-    }
-    if (const auto* material = std::get_if<const Material*>(&ref)) {
-        const AirLaw law = (*material)->airLaw;
-        if (key == "normalCoefficient")
-            return law == AirLaw::Paper || law == AirLaw::LinearNormal;
-        if (key == "broadsideCoefficient")
-            return law == AirLaw::LinearNormal;
-        if (key == "polar")
-            return law == AirLaw::LiftDrag;
-        if (key == "skinFriction" || key == "porosity")
-            return law != AirLaw::None;
-        if (key == "dragCoefficient")
-            return (*material)->diameter > 0.0;
-        return key != "tearLimit" || (*material)->tearRule != TearRule::Never;
-    }
-    if (const auto* probe = std::get_if<const Probe*>(&ref); probe && key == "from")
-        return (*probe)->quantity == Quantity::Distance
-               || (*probe)->quantity == Quantity::Elevation;
-    return true;
 }
 
 } // namespace
@@ -179,7 +117,7 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     grid.addWidget(field.widget, row, 1);
     grid.addWidget(reset, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
     grid.addWidget(complaint, row + 1, 1, 1, 2);
-    m_rows.push_back({&property, label, reset, std::move(field)});
+    m_rows.push_back({&property, label, tip, reset, std::move(field)});
 }
 
 void PropertyForm::refresh()
@@ -195,6 +133,8 @@ void PropertyForm::refresh()
         const bool used = std::any_of(refs.begin(), refs.end(),
                                       [&](const ConstRef& ref) { return isUsed(property, ref); });
         row.label->setForegroundRole(used ? QPalette::WindowText : QPalette::PlaceholderText);
+        row.label->setToolTip(used ? row.tip
+                                   : tr("<qt><b>Has no effect here.</b><br>%1").arg(row.tip));
     }
 }
 

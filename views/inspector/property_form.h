@@ -27,6 +27,7 @@ private:
     {
         const Property* property;
         ScrubLabel* label;
+        QString tip;
         QToolButton* reset;
         Field field;
     };
