@@ -1,6 +1,9 @@
 #include "inspector/field.h"
 
+#include "document/document.h"
+#include "document/shape_file.h"
 #include "document/words.h"
+#include "icons/icon.h"
 #include "icons/swatch.h"
 #include "inspector/typed_number.h"
 #include "inspector/value_edit.h"
@@ -61,6 +64,17 @@ private:
     std::function<void(const QString&)> m_commit;
 };
 
+QWidget* sideBySide(QWidget* left, QWidget* right)
+{
+    auto* both = new QWidget;
+    auto* layout = new QHBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(left);
+    layout->addWidget(right);
+    return both;
+}
+
 bool isKey(const Property& property)
 {
     return property.key == "keyLess" || property.key == "keyMore";
@@ -86,6 +100,8 @@ Field makeField(const FieldPlace& place)
         return choiceField(place);
     if (place.property.key == "color")
         return colorField(place);
+    if (place.property.kind == Kind::Collider && place.property.key == "file")
+        return fileField(place);
     return place.property.key == "notes" ? notesField(place) : textField(place);
 }
 
@@ -204,17 +220,30 @@ Field colorField(const FieldPlace& place)
             place.subject.edit(place.property, setTo(color.name().toStdString()));
     });
 
-    auto* both = new QWidget;
-    auto* layout = new QHBoxLayout(both);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(button);
-    layout->addWidget(edit);
-    return {both, field.focus, [button, showText = field.refresh](const Common& common) {
+    return {sideBySide(button, edit), field.focus,
+            [button, showText = field.refresh](const Common& common) {
                 showText(common);
                 button->setIcon(swatch(common.mixed[0] ? QColor(Qt::transparent)
                                                        : QColor(textOf(common.value))));
             }};
+}
+
+Field fileField(const FieldPlace& place)
+{
+    Field field = textField(place);
+    auto* button = new QToolButton;
+    button->setAutoRaise(true);
+    button->setIcon(icon(QStringLiteral("open")));
+    button->setToolTip(words("Choose a file."));
+    button->setAccessibleName(words("Choose a file"));
+    QObject::connect(button, &QToolButton::clicked, button, [place, button] {
+        const std::vector<ConstRef> refs = place.subject.refs();
+        const ColliderShape shape = std::get<const Collider*>(refs.front())->shape;
+        const QString file = askShapeFile(button->window(), place.subject.document(), shape);
+        if (!file.isEmpty())
+            place.subject.edit(place.property, setTo(file.toStdString()));
+    });
+    return {sideBySide(field.widget, button), field.focus, field.refresh};
 }
 
 } // namespace ripstop

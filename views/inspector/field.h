@@ -36,7 +36,8 @@ Field textField(const FieldPlace& place);
 Field rowsField(const FieldPlace& place);
 Field notesField(const FieldPlace& place);
 Field colorField(const FieldPlace& place);
-Field idField(const FieldPlace& place); // an id or a list of ids
+Field fileField(const FieldPlace& place); // of a collider
+Field idField(const FieldPlace& place);   // an id or a list of ids
 
 inline QString mixedText() { return QStringLiteral("\u2014"); } // shown where values differ
 

@@ -58,8 +58,6 @@ Item itemOf(Kind kind, const Census& all)
     switch (kind) {
     case Kind::Group:
         return Group{"", idsOf(all, {Kind::Particle, Kind::Link, Kind::Panel})};
-    case Kind::Collider:
-        return Collider{};
     case Kind::Wind: {
         Wind wind;
         wind.velocity = Vec3(6.0, 0.0, 0.0); // m/s, a moderate breeze
@@ -86,11 +84,12 @@ Entry newItem(const Scene& scene, Kind kind, const std::vector<Id>& selected)
     return entry;
 }
 
-Entry newCollider(const Scene& scene, ColliderShape shape)
+Entry newCollider(const Scene& scene, ColliderShape shape, const std::string& file)
 {
     Collider collider;
     collider.name = freeName(scene, Kind::Collider);
     collider.shape = shape;
+    collider.file = file;
     if (shape == ColliderShape::HeightField)
         collider.size = Vec3(20.0, 2.0, 20.0); // m
     if (shape == ColliderShape::Box || shape == ColliderShape::Sphere)

@@ -11,10 +11,11 @@ inline constexpr std::array addableKinds{Kind::Material, Kind::Collider, Kind::W
                                          Kind::Control,  Kind::Probe,    Kind::Group};
 
 // The item that makes sense beside what is selected: a group of it, a control that moves it, a
-// probe on it. Its name is not used yet, its id is the next free one.
+// probe on it. Its name is not used yet, its id is the next free one. For colliders there is
+// newCollider().
 Entry newItem(const Scene& scene, Kind kind, const std::vector<Id>& selected);
 
-// A collider of this shape, of a size that is seen.
-Entry newCollider(const Scene& scene, ColliderShape shape);
+// A collider of this shape, of a size that is seen. A mesh needs a file; other shapes have none.
+Entry newCollider(const Scene& scene, ColliderShape shape, const std::string& file = {});
 
 } // namespace ripstop

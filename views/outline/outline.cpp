@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/selection.h"
+#include "document/shape_file.h"
 #include "document/words.h"
 #include "icons/icon.h"
 #include "outline/new_item.h"
@@ -148,15 +149,24 @@ void Outline::buildAddMenu()
         if (kind == Kind::Collider) {
             QMenu* shapes = m_addMenu->addMenu(iconOf(kind), kindLabel(kind));
             for (std::size_t i = 0; i < choiceNames<ColliderShape>.size(); ++i)
-                shapes->addAction(choiceLabel(choiceNames<ColliderShape>[i]), this, [this, i] {
-                    add(Kind::Collider, newCollider(m_document.scene(), ColliderShape(i)));
-                });
+                shapes->addAction(choiceLabel(choiceNames<ColliderShape>[i]), this,
+                                  [this, i] { addCollider(ColliderShape(i)); });
             continue;
         }
         m_addMenu->addAction(iconOf(kind), kindLabel(kind), this, [this, kind] {
             add(kind, newItem(m_document.scene(), kind, m_selection.ids()));
         });
     }
+}
+
+// A mesh is nothing without its file, and would only be an error in the list of problems.
+void Outline::addCollider(ColliderShape shape)
+{
+    QString file;
+    if (shape == ColliderShape::Mesh)
+        file = askShapeFile(this, m_document, shape);
+    if (shape != ColliderShape::Mesh || !file.isEmpty())
+        add(Kind::Collider, newCollider(m_document.scene(), shape, file.toStdString()));
 }
 
 void Outline::add(Kind kind, Entry entry)

@@ -37,6 +37,7 @@ private:
     void showSelection(); // Selection -> tree
     void search(const QString& text);
     void takeSearch(); // Enter in the search box
+    void addCollider(ColliderShape shape);
     void add(Kind kind, Entry entry);
     bool eventFilter(QObject* watched, QEvent* event) override;
 

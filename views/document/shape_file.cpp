@@ -1,0 +1,35 @@
+#include "document/shape_file.h"
+
+#include "document/document.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+
+namespace ripstop {
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("ShapeFile", text); }
+
+} // namespace
+
+QString askShapeFile(QWidget* parent, const Document& document, ColliderShape shape)
+{
+    const bool isMesh = shape == ColliderShape::Mesh;
+    const QString folder = QString::fromStdString(document.scene().folder.path);
+    const QString file = QFileDialog::getOpenFileName(
+        parent, isMesh ? words("Choose a mesh") : words("Choose a picture of heights"), folder,
+        isMesh ? words("Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off);;All files (*)")
+               : words("Pictures (*.png *.pgm);;All files (*)"));
+    return file.isEmpty() ? file : namedFrom(folder, file);
+}
+
+QString namedFrom(const QString& folder, const QString& file)
+{
+    if (folder.isEmpty())
+        return file;
+    const QString relative = QDir(QDir(folder).absolutePath()).relativeFilePath(file);
+    return relative.startsWith(QStringLiteral("..")) ? file : relative;
+}
+
+} // namespace ripstop
