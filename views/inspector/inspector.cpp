@@ -4,6 +4,7 @@
 #include "document/selection.h"
 #include "document/words.h"
 #include "icons/icon.h"
+#include "inspector/preset_chooser.h"
 #include "inspector/property_form.h"
 #include "inspector/totals.h"
 #include "inspector/typed_number.h"
@@ -141,12 +142,24 @@ void Inspector::showKind(Kind kind)
         area->setWidgetResizable(true);
         area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         area->setFrameShape(QFrame::NoFrame);
-        area->setWidget(form);
+        area->setWidget(kind == Kind::Material ? underPresets(form) : form);
         m_pages->addWidget(area);
         m_areas[std::size_t(kind)] = area;
     }
     m_pages->setCurrentWidget(m_areas[std::size_t(kind)]);
     refresh();
+}
+
+QWidget* Inspector::underPresets(PropertyForm* form)
+{
+    auto* both = new QWidget;
+    auto* layout = new QVBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    m_presets = new PresetChooser(m_subject);
+    layout->addWidget(m_presets);
+    layout->addWidget(form, 1);
+    return both;
 }
 
 void Inspector::refresh()
@@ -156,6 +169,8 @@ void Inspector::refresh()
         return; // an edit removed it, and the selection will say so
     refreshHeader();
     m_forms[std::size_t(m_subject.kind())]->refresh();
+    if (m_subject.kind() == Kind::Material)
+        m_presets->refresh();
 }
 
 void Inspector::refreshHeader()

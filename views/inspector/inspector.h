@@ -13,6 +13,7 @@ class QTabBar;
 namespace ripstop {
 
 class Document;
+class PresetChooser;
 class PropertyForm;
 class Selection;
 
@@ -37,6 +38,7 @@ private:
     void refreshHeader();
     void showPicking();
     bool takePick();
+    QWidget* underPresets(PropertyForm* form); // of materials
     void keyPressEvent(QKeyEvent* event) override;
 
     Document& m_document;
@@ -50,6 +52,7 @@ private:
     QStackedWidget* m_pages;
     std::array<PropertyForm*, kindCount> m_forms{}; // made when first needed
     std::array<QWidget*, kindCount> m_areas{};      // what scrolls them
+    PresetChooser* m_presets = nullptr;             // above the form of materials
 };
 
 } // namespace ripstop
