@@ -98,6 +98,34 @@ private slots:
             QVERIFY(position.allFinite());
     }
 
+    // README.md and scenes/README.md have a table with a row for each scene, and no other rows.
+    void listsNameEveryScene_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("README.md") << QStringLiteral(SCENES_DIR "/../README.md");
+        QTest::newRow("scenes/README.md") << QStringLiteral(SCENES_DIR "/README.md");
+    }
+    void listsNameEveryScene()
+    {
+        QFETCH(QString, file);
+        QFile page(file);
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        QStringList lines = QString::fromUtf8(page.readAll()).split('\n');
+        while (!lines.isEmpty() && !lines.front().startsWith("| scene |"))
+            lines.removeFirst();
+        QStringList listed;
+        const QRegularExpression name("`([a-z0-9_]+)`");
+        for (const QString& line : lines.mid(2)) { // below the titles
+            if (!line.startsWith('|'))
+                break;
+            auto found = name.globalMatch(line.section('|', 1, 1));
+            while (found.hasNext())
+                listed << found.next().captured(1);
+        }
+        listed.sort();
+        QCOMPARE(listed, sampleNames());
+    }
+
     void isWhatItsBuilderMakes_data() { runs_data(); }
 
     // If this fails after a change of a builder, run scenes/make.
