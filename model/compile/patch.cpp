@@ -5,6 +5,13 @@
 namespace ripstop {
 namespace {
 
+// Whether a solver sees no difference: it knows nothing of tears.
+bool solvesLike(const Rod& a, const Rod& b)
+{
+    return a.a == b.a && a.b == b.b && a.restLength == b.restLength && a.compliance == b.compliance
+           && a.resists == b.resists;
+}
+
 class Patcher
 {
 public:
@@ -23,17 +30,19 @@ public:
         for (const auto& [i, values] : patch.particles)
             particle(std::size_t(i), values);
         for (const auto& [link, stuff] : patch.linkStuff)
-            m_system.linkStuff[std::size_t(link)] = stuff;
+            this->stuff(stuff, m_system.linkStuff[std::size_t(link)]);
         for (const auto& [link, spring] : patch.springs)
             put(spring, m_system.springs[place(link)]);
         for (const auto& [link, rod] : patch.rods) {
-            put(rod, m_system.rods[place(link)]);
-            m_touched.rods.push_back(int(place(link)));
+            Rod& held = m_system.rods[place(link)];
+            if (!solvesLike(rod, held))
+                m_touched.rods.push_back(int(place(link)));
+            put(rod, held);
         }
         for (const auto& [i, key] : patch.panels)
             m_system.panels[std::size_t(i)].air = airOf(key);
         items(patch);
-        if (m_dragLines || !patch.linkStuff.empty())
+        if (m_dragLines)
             listDragLines(m_system);
         if (m_tearRules)
             listTearable(m_system);
@@ -64,14 +73,21 @@ private:
             } else {
                 Rod& rod = m_system.rods[std::size_t(link.index)];
                 m_tearRules |= rod.tear.rule != material.tearRule;
+                const Rod before = rod;
                 takeMaterial(material, stuff, rod);
-                m_allRods = true;
+                m_allRods |= !solvesLike(rod, before);
             }
         }
         MaterialAir air = ripstop::airOf(Id{key}, material);
         MaterialAir& held = m_system.materialAir[std::size_t(airOf(key))];
         m_dragLines |= air.lineWidth != held.lineWidth;
         held = std::move(air);
+    }
+
+    void stuff(const LinkStuff& now, LinkStuff& held)
+    {
+        m_dragLines |= held != now;
+        held = now;
     }
 
     int airOf(Key key) const

@@ -37,7 +37,7 @@ struct Patch
 };
 
 // Changes `system`, which nobody else may be reading, into what a compile of the edited scene
-// gives. The time is that of the things named, and of one pass over links and panels for materials.
+// gives. The time is that of the things named, and of one pass over links for materials.
 // Returns whether what a Layout says may have changed: rest lengths, pins, probes.
 bool apply(const Patch& patch, System& system);
 

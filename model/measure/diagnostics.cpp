@@ -19,20 +19,6 @@ Vec3 separation(const LinkPlace& link, const State& state)
     return state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)];
 }
 
-bool isTorn(const LinkPlace& link, const State& state)
-{
-    return link.kind == LinkKind::Rod ? state.rodTorn[std::size_t(link.index)]
-                                      : state.springTorn[std::size_t(link.index)];
-}
-
-// A spring or a compliant rod stores energy only where it resists.
-double elasticEnergy(double stiffness, Resists resists, double stretch)
-{
-    const bool slack = (resists == Resists::Tension && stretch < 0.0)
-                       || (resists == Resists::Compression && stretch > 0.0);
-    return slack ? 0.0 : 0.5 * stiffness * stretch * stretch;
-}
-
 class Hash // FNV-1a, 64 bits, fed with words of eight bytes
 {
 public:

@@ -48,9 +48,7 @@ double glideRatio(const Vec3& motion)
 double tornCount(const ProbeSpec& probe, const System& system, const State& state)
 {
     return double(std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
-        const LinkPlace& link = system.links[std::size_t(l)];
-        return link.kind == LinkKind::Rod ? state.rodTorn[std::size_t(link.index)]
-                                          : state.springTorn[std::size_t(link.index)];
+        return isTorn(system.links[std::size_t(l)], state);
     }));
 }
 
@@ -121,7 +119,9 @@ Vec3 Readings::lineDragOf(const ProbeSpec& probe)
     Vec3 sum = Vec3::Zero();
     if (m_system.dragLines.empty())
         return sum;
-    const std::vector<Vec3> drag = lineDrags(m_system, m_state);
+    if (!m_lineDrag)
+        m_lineDrag = lineDrags(m_system, m_state);
+    const std::vector<Vec3>& drag = *m_lineDrag;
     std::vector<std::uint8_t> wanted(m_system.links.size(), 0);
     for (const int link : probe.links)
         wanted[std::size_t(link)] = 1;

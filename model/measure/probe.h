@@ -42,6 +42,7 @@ private:
     std::optional<std::vector<double>> m_strain;
     std::optional<std::vector<double>> m_tension;
     std::optional<std::vector<Vec3>> m_panelLoad;
+    std::optional<std::vector<Vec3>> m_lineDrag;
     std::optional<Energies> m_energy;
 };
 

@@ -79,9 +79,6 @@ void Simulation::load(const Update& update)
 void Simulation::apply(const Patch& patch)
 {
     const bool again = patch.run != m_system->run;
-    const Integrator integrator = m_system->integrator;
-    const double substep = m_system->timeStep / m_system->substeps;
-
     System& system = ownSystem();
     m_layoutIsStale |= ripstop::apply(patch, system);
     m_trouble.reset();
@@ -89,8 +86,6 @@ void Simulation::apply(const Patch& patch)
         return reset(patch);
 
     // what carryOver() does, for what can differ
-    m_state.started &=
-        integrator == system.integrator && substep == system.timeStep / system.substeps;
     for (const auto& [i, values] : patch.particles) {
         m_atStart = false;
         if (values.inverseMass == 0.0) {
@@ -150,8 +145,8 @@ bool Simulation::step()
         return false;
     m_atStart = false;
     m_lastGood = m_state;
-    m_stepper.step(*m_system, m_state);
-    m_trouble = findTrouble(*m_system, m_lastGood, m_state);
+    const int substeps = m_stepper.step(*m_system, m_state);
+    m_trouble = findTrouble(*m_system, m_lastGood, m_state, substeps);
     if (m_trouble)
         std::swap(m_state, m_lastGood);
     return !m_trouble;
@@ -175,15 +170,13 @@ std::shared_ptr<Frame> Simulation::frame() const
     frame->time = m_state.time;
     frame->step = m_state.step;
     frame->solverChoice = m_stepper.choice(*m_system);
-    frame->substeps = m_state.substeps > 0 ? m_state.substeps : m_system->substeps;
+    frame->substeps = m_stepper.substepsOf(*m_system, m_state);
     frame->hash = stateHash(m_state);
     frame->position.assign(m_state.position.begin(), m_state.position.end());
     frame->velocity.assign(m_state.velocity.begin(), m_state.velocity.end());
     frame->torn.reserve(m_system->links.size());
     for (const LinkPlace& link : m_system->links)
-        frame->torn.push_back(link.kind == LinkKind::Rod
-                                  ? m_state.rodTorn[std::size_t(link.index)]
-                                  : m_state.springTorn[std::size_t(link.index)]);
+        frame->torn.push_back(isTorn(link, m_state));
     frame->gone = m_state.panelGone;
     frame->gust = commonWind(*m_system, m_state) - m_system->wind;
     for (std::size_t i = 0; i < m_system->obstacles.size(); ++i)

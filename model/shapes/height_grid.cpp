@@ -1,5 +1,7 @@
 #include "shapes/height_grid.h"
 
+#include "base/split_mix.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,11 +13,9 @@ constexpr double slack = 1e-9; // of the size: what round-off may do to a point 
 // A number from 0 to 1 for each point of a lattice.
 double random(std::uint32_t seed, std::int64_t x, std::int64_t z)
 {
-    std::uint64_t n = std::uint64_t(x) * 0x9E3779B97F4A7C15u
-                      + std::uint64_t(z) * 0xC2B2AE3D27D4EB4Fu + seed * 0x165667B19E3779F9u;
-    n = (n ^ (n >> 30)) * 0xBF58476D1CE4E5B9u; // finalizer of SplitMix64
-    n = (n ^ (n >> 27)) * 0x94D049BB133111EBu;
-    return double((n ^ (n >> 31)) >> 11) * 0x1p-53;
+    const std::uint64_t n = std::uint64_t(x) * 0x9E3779B97F4A7C15u
+                            + std::uint64_t(z) * 0xC2B2AE3D27D4EB4Fu + seed * 0x165667B19E3779F9u;
+    return double(mixBits(n) >> 11) * 0x1p-53;
 }
 
 // Random numbers on a lattice, joined with level tangents and a continuous curvature.

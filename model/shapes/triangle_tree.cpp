@@ -1,5 +1,7 @@
 #include "shapes/triangle_tree.h"
 
+#include "shapes/triangle_point.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -193,37 +195,24 @@ std::optional<TriangleTree::Hit> TriangleTree::firstHit(const Vec3& from, const 
     return best;
 }
 
-// Ericson, Real-Time Collision Detection, 2005, 5.1.5.
 TriangleTree::Near TriangleTree::nearOn(int index, const Vec3& point) const
 {
     const auto i = std::size_t(index);
     const Face& face = m_faces[i];
     const auto corner = [&](int k) { return std::size_t(face.corner[std::size_t(k)]); };
-    const Vec3 &a = m_points[corner(0)], &b = m_points[corner(1)], &c = m_points[corner(2)];
-    const auto found = [&](const Vec3& place, const Vec3& normal) {
-        return Near{index, place, normal, (point - place).norm()};
+    const Corners x = {m_points[corner(0)], m_points[corner(1)], m_points[corner(2)]};
+    const Vec3 share = nearestShares(x, point);
+    const Vec3 place = atShares(x, share);
+    const auto normal = [&]() -> Vec3 {
+        for (int k = 0; k < 3; ++k)
+            if (share[k] == 1.0)
+                return m_cornerNormal[corner(k)];
+        for (int k = 0; k < 3; ++k) // the edge from corner k + 1 to k + 2
+            if (share[k] == 0.0)
+                return m_edgeNormal[i][std::size_t(k + 1) % 3];
+        return face.normal;
     };
-    const Vec3 ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0.0 && d2 <= 0.0)
-        return found(a, m_cornerNormal[corner(0)]);
-    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0.0 && d4 <= d3)
-        return found(b, m_cornerNormal[corner(1)]);
-    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0.0 && d5 <= d6)
-        return found(c, m_cornerNormal[corner(2)]);
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-        return found(a + d1 / (d1 - d3) * ab, m_edgeNormal[i][0]);
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-        return found(b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b), m_edgeNormal[i][1]);
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
-        return found(a + d2 / (d2 - d6) * ac, m_edgeNormal[i][2]);
-    const double sum = va + vb + vc;
-    return found(a + vb / sum * ab + vc / sum * ac, face.normal);
+    return Near{index, place, normal(), (point - place).norm()};
 }
 
 std::optional<TriangleTree::Near> TriangleTree::nearest(const Vec3& point, double within) const
@@ -302,7 +291,9 @@ std::optional<Touch> touchMesh(const TriangleTree& mesh, double margin, const Ve
     if (!inside || !mesh.isClosed())
         return touch;
     const auto out = mesh.nearest(place, std::numeric_limits<double>::infinity());
-    const double depth = out ? (place - out->place).dot(out->normal) : gap;
+    if (!out) // the place is not a number
+        return touch;
+    const double depth = (place - out->place).dot(out->normal);
     if (depth >= 0.0 && (depth > 0.0 && out->distance >= gap))
         return touch;
     const Vec3 normal = depth > 0.0 ? Vec3((place - out->place) / out->distance) : out->normal;

@@ -76,9 +76,7 @@ State carryOver(const System& from, const State& state, const System& to, State 
     carried.substep = state.substep;
     carried.substeps = state.substeps;
     carried.tears = state.tears;
-    // The drift of Verlet lags half a substep behind; another substep has to start again.
-    carried.started = state.started && from.integrator == to.integrator
-                      && from.timeStep / from.substeps == to.timeStep / to.substeps;
+    carried.driftSubstep = state.driftSubstep;
 
     const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);

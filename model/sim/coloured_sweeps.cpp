@@ -1,5 +1,6 @@
 #include "sim/coloured_sweeps.h"
 
+#include "base/split_mix.h"
 #include "sim/four.h"
 #include "sim/rod_solver.h"
 
@@ -17,18 +18,9 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 // Handing a substep to threads costs about what these many projections take.
 constexpr std::size_t worthThreads = 30000;
 
-// SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t x)
-{
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
-
 void shuffleInts(std::span<int> values, std::uint64_t seed)
 {
-    std::uint64_t random = mixed(seed);
+    std::uint64_t random = splitMix(seed);
     for (std::size_t i = values.size(); i > 1; --i) {
         random = random * 6364136223846793005u + 1442695040888963407u; // Knuth's MMIX
         std::swap(values[i - 1], values[((random >> 32) * i) >> 32]);

@@ -109,16 +109,25 @@ bool alike(const System& system, int a, int b)
     return u < alikeMasses * w && w < alikeMasses * u;
 }
 
-// Whether three particles lie in a row, as in a line with rods to second neighbours against folds.
+// m, of the rod between two particles that are tied.
+double lengthBetween(const System& system, int a, int b)
+{
+    for (int k = system.rodsAt.start[std::size_t(a)]; k < system.rodsAt.start[std::size_t(a) + 1];
+         ++k) {
+        const Rod& rod = system.rods[std::size_t(system.rodsAt.items[std::size_t(k)])];
+        if (rod.a == b || rod.b == b)
+            return rod.restLength;
+    }
+    return 0.0;
+}
+
+// Whether three particles that are tied to each other lie in a row, as in a line with rods to
+// second neighbours against folds.
 bool inRow(const System& system, int a, int b, int c)
 {
-    const auto apart = [&](int i, int j) {
-        return (system.start.position[std::size_t(i)] - system.start.position[std::size_t(j)])
-            .norm();
-    };
-    const double ab = apart(a, b);
-    const double bc = apart(b, c);
-    const double ca = apart(c, a);
+    const double ab = lengthBetween(system, a, b);
+    const double bc = lengthBetween(system, b, c);
+    const double ca = lengthBetween(system, c, a);
     return 2.0 * std::max({ab, bc, ca}) > straight * (ab + bc + ca);
 }
 
@@ -271,6 +280,8 @@ std::vector<Candidate> frames(const System& system, std::span<const Candidate> r
         if (networkOf(r) >= 0)
             found[std::size_t(networkOf(r))].rods.push_back(r);
     for (const Candidate& rigging : rigged) {
+        if (rigging.rods.empty()) // its rods went with a rigging that it is tied to
+            continue;
         double& sweeps = found[std::size_t(networkOf(rigging.rods[0]))].sweeps;
         sweeps = std::max(sweeps, rigging.sweeps);
     }

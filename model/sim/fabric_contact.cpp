@@ -1,5 +1,7 @@
 #include "sim/fabric_contact.h"
 
+#include "shapes/triangle_point.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,10 +11,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double mostCells = 16.0;   // that a panel may span
+constexpr double mostCells = 16.0;   // that a panel may span and be looked up by cells
+constexpr double tornOut = 4.0;      // times the size at the start: the motion has blown up
 constexpr double gravityReach = 1.5; // of the way at the speed of now: speeds change in a step
-
-using Corners = std::array<Vec3, 3>;
 
 Corners cornersOf(const FabricPanel& panel, const std::vector<PaddedVec3>& x)
 {
@@ -20,39 +21,11 @@ Corners cornersOf(const FabricPanel& panel, const std::vector<PaddedVec3>& x)
             x[std::size_t(panel.corner[2])]};
 }
 
-// Shares of the corners in the place of the triangle that is nearest to a point (Ericson 2005,
-// 5.1.5).
-Vec3 nearestShares(const Corners& x, const Vec3& point)
+double extentOf(const Corners& x) // m
 {
-    const Vec3 ab = x[1] - x[0], ac = x[2] - x[0];
-    const Vec3 ap = point - x[0], bp = point - x[1], cp = point - x[2];
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0.0 && d2 <= 0.0)
-        return {1.0, 0.0, 0.0};
-    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0.0 && d4 <= d3)
-        return {0.0, 1.0, 0.0};
-    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0.0 && d5 <= d6)
-        return {0.0, 0.0, 1.0};
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-        return {d3 / (d3 - d1), d1 / (d1 - d3), 0.0};
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-        const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0.0, 1.0 - t, t};
-    }
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
-        return {d6 / (d6 - d2), 0.0, d2 / (d2 - d6)};
-    const double sum = va + vb + vc;
-    return sum > 0.0 ? Vec3(va / sum, vb / sum, vc / sum) : Vec3(1.0, 0.0, 0.0);
-}
-
-Vec3 mixed(const Corners& x, const Vec3& share)
-{
-    return share[0] * x[0] + share[1] * x[1] + share[2] * x[2];
+    const Vec3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2]);
+    const Vec3 high = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
+    return (high - low).maxCoeff();
 }
 
 Vec3 normalOf(const Corners& x)
@@ -60,6 +33,16 @@ Vec3 normalOf(const Corners& x)
     const Vec3 area = (x[1] - x[0]).cross(x[2] - x[0]);
     const double twice = area.norm();
     return twice > 0.0 ? Vec3(area / twice) : Vec3(Vec3::Zero());
+}
+
+// How far controls may carry particles in a step, m, which their velocities do not tell.
+double carried(const System& system)
+{
+    double rate = 0.0; // m/s
+    for (const Input& input : system.inputs)
+        if (input.kind == ControlKind::Move)
+            rate += input.rate;
+    return rate * system.timeStep;
 }
 
 // A particle, the corners of a panel, and how a push between them is shared.
@@ -118,7 +101,7 @@ void FabricContact::find(const System& system, const State& state)
     const double edge = count > 0.0 ? widest / count : 0.0;
     // What diverges would look for partners everywhere.
     const double reach =
-        thickest + std::min(travel(system, state), std::max(4.0 * edge, 8.0 * thickest));
+        2.0 * thickest + std::min(travel(system, state), std::max(4.0 * edge, 8.0 * thickest));
     m_cell = std::max(edge, reach);
     sortParticles(system, state);
     for (std::size_t i = 0; i < system.panels.size(); ++i)
@@ -140,7 +123,7 @@ double FabricContact::travel(const System& system, const State& state) const
         high = first ? v : high.cwiseMax(v);
         first = false;
     }
-    return gravityReach * system.timeStep * (high - low).norm();
+    return gravityReach * system.timeStep * (high - low).norm() + carried(system);
 }
 
 FabricContact::Cell FabricContact::cellOf(const Vec3& place) const
@@ -191,19 +174,26 @@ void FabricContact::findNear(const System& system, const State& state, int panel
     const Vec3 high = x[0].cwiseMax(x[1]).cwiseMax(x[2]) + Vec3::Constant(reach);
     if (!low.allFinite() || !high.allFinite())
         return;
-    if ((high - low).maxCoeff() > mostCells * m_cell) // torn out of shape
+    const auto look = [&](int particle) {
+        const Vec3& place = state.position[std::size_t(particle)];
+        if ((place.array() >= low.array()).all() && (place.array() <= high.array()).all())
+            consider(system, state, particle, panel);
+    };
+    if ((high - low).maxCoeff() > mostCells * m_cell) {
+        const Corners start = cornersOf(system.panels[std::size_t(panel)], system.start.position);
+        if (extentOf(x) <= tornOut * extentOf(start))
+            std::for_each(m_sorted.begin(), m_sorted.begin() + m_start.back(), look);
         return;
+    }
     const Cell first = cellOf(low), last = cellOf(high);
     for (int i = first.x; i <= last.x; ++i)
         for (int j = first.y; j <= last.y; ++j)
             for (int k = first.z; k <= last.z; ++k) {
                 const std::size_t bucket = bucketOf({i, j, k});
                 for (int s = m_start[bucket]; s < m_start[bucket + 1]; ++s) {
-                    const auto particle = std::size_t(m_sorted[std::size_t(s)]);
-                    const Vec3& place = state.position[particle];
-                    if (m_cellOf[particle] == Cell{i, j, k} && (place.array() >= low.array()).all()
-                        && (place.array() <= high.array()).all())
-                        consider(system, state, int(particle), panel);
+                    const int particle = m_sorted[std::size_t(s)];
+                    if (m_cellOf[std::size_t(particle)] == Cell{i, j, k})
+                        look(particle);
                 }
             }
 }
@@ -221,15 +211,17 @@ void FabricContact::consider(const System& system, const State& state, int parti
 
     const Corners x = cornersOf(fabric, state.position);
     const Vec3 share = nearestShares(x, state.position[p]);
-    const Vec3 apart = state.position[p] - mixed(x, share);
-    const Vec3 closing = state.velocity[p] - mixed(cornersOf(fabric, state.velocity), share);
+    const Vec3 apart = state.position[p] - atShares(x, share);
+    const Vec3 closing = state.velocity[p] - atShares(cornersOf(fabric, state.velocity), share);
     const double distance = apart.norm();
-    if (distance > 2.0 * thickness + gravityReach * system.timeStep * closing.norm())
+    if (distance
+        > 2.0 * thickness + gravityReach * system.timeStep * closing.norm() + carried(system))
         return;
 
     const Corners start = cornersOf(fabric, system.start.position);
     const Vec3& startPlace = system.start.position[p];
-    const double startApart = (startPlace - mixed(start, nearestShares(start, startPlace))).norm();
+    const double startApart =
+        (startPlace - atShares(start, nearestShares(start, startPlace))).norm();
     const double kept = std::min(thickness, 0.9 * startApart);
     if (!(kept > 1e-6 * thickness))
         return;
@@ -240,11 +232,13 @@ void FabricContact::consider(const System& system, const State& state, int parti
 void FabricContact::resolve(const System& system, State& state) const
 {
     for (const Pair& pair : m_pairs) {
+        if (state.panelGone[std::size_t(pair.panel)]) // since they were found
+            continue;
         const auto& corner = system.panels[std::size_t(pair.panel)].corner;
         const auto p = std::size_t(pair.particle);
         const Corners x = cornersOf(system.panels[std::size_t(pair.panel)], state.position);
         const Vec3 share = nearestShares(x, state.position[p]);
-        const Vec3 apart = state.position[p] - mixed(x, share);
+        const Vec3 apart = state.position[p] - atShares(x, share);
         const Vec3 up = pair.side * normalOf(x);
         const double height = apart.dot(up);
         const bool isOver = share.minCoeff() > 0.0;

@@ -26,8 +26,6 @@ public:
     // After the rods: positions and velocities of one substep.
     void resolve(const System& system, State& state) const;
 
-    std::size_t pairCount() const { return m_pairs.size(); }
-
 private:
     struct Pair
     {

@@ -1,6 +1,7 @@
 #include "sim/gusts.h"
 
 #include "base/portable_math.h"
+#include "base/split_mix.h"
 
 #include <Eigen/Geometry>
 
@@ -12,14 +13,6 @@ namespace {
 
 constexpr double foot = 0.3048; // m
 
-std::uint64_t mixed(std::uint64_t x) // SplitMix64, Steele, Lea and Flood 2014
-{
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
-
 struct Pair
 {
     double first;
@@ -30,9 +23,9 @@ struct Pair
 // 1964).
 Pair normals(std::uint64_t seed, std::int64_t step, std::uint64_t which)
 {
-    std::uint64_t key = mixed(mixed(mixed(seed) ^ std::uint64_t(step)) ^ which);
+    std::uint64_t key = splitMix(splitMix(splitMix(seed) ^ std::uint64_t(step)) ^ which);
     const auto next = [&] { // in (-1, 1)
-        key = mixed(key);
+        key = splitMix(key);
         return (double(key >> 11) + 0.5) * 0x1p-52 - 1.0;
     };
     for (;;) {

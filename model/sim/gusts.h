@@ -5,8 +5,8 @@
 // for things much smaller than the lengths L, some 70 m and more. With h the height in feet and W
 // the wind 20 ft above the ground:
 //
-//     along, across   L = h / (0.177 + 0.000823 h)^1.2,  sigma = sigma_up / (0.177 + 0.000823
-//     h)^0.4 up              L = h,                             sigma = 0.1 W
+//     up              L = h                              sigma = 0.1 W
+//     along, across   L = h / (0.177 + 0.000823 h)^1.2   sigma = 0.1 W / (0.177 + 0.000823 h)^0.4
 //
 // W = 15, 30, 45 kt (7.7, 15.4, 23.2 m/s) are light, moderate and severe turbulence. (MIL-HDBK-1797
 // halves the transverse lengths together with another formula; the two do not mix.)

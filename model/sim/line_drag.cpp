@@ -23,9 +23,7 @@ void fillLineDrags(const System& system, const State& state, Crew& crew, std::sp
     crew.each(system.dragLines.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const DragLine& line = system.dragLines[i];
-            const LinkPlace& link = system.links[std::size_t(line.link)];
-            const auto index = std::size_t(link.index);
-            if (link.kind == LinkKind::Rod ? state.rodTorn[index] : state.springTorn[index]) {
+            if (isTorn(system.links[std::size_t(line.link)], state)) {
                 drag[i] = PaddedVec3();
                 continue;
             }

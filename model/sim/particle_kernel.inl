@@ -29,10 +29,11 @@ RIPSTOP_INLINE void predict(const ParticleMotion& m, std::size_t first, std::siz
         } else {
             // x' = 2 x - previous + a h^2, Verlet 1967, with (x - previous) / h remembered instead
             // of the previous position, which would lose digits far from the origin. The start
-            // previous = x - v h + a h^2 / 2 keeps it of second order. Velocity Verlet goes the
+            // previous = x - v h + a h^2 / 2 keeps it of second order, also after a substep of
+            // another length. Velocity Verlet goes the
             // same way; from v at a full step it would count only half of the acceleration of what
             // rods hold.
-            Four drift = m.started ? four(m.drift[i]) : Four(v - 0.5 * h * a);
+            Four drift = m.drifts ? four(m.drift[i]) : Four(v - 0.5 * h * a);
             drift += h * a;
             x += h * drift;
             four(m.drift[i]) = drift;

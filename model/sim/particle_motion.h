@@ -27,7 +27,7 @@ struct ParticleMotion // arrays of [particles]
     const double* inverseMass;      // 1/kg
     double h;                       // s
     double keep;                    // share of the speed that viscosity leaves
-    bool started;                   // a substep has been made
+    bool drifts;                    // `drift` is of a substep of this length
 };
 
 enum class ParticlePass {

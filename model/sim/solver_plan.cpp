@@ -1,5 +1,6 @@
 #include "sim/solver_plan.h"
 
+#include "base/portable_math.h"
 #include "sim/direct_choice.h"
 
 #include <algorithm>
@@ -123,7 +124,8 @@ SolverPlan planFor(const System& system)
             worst = worstRod(system, plan.direct);
         }
     }
-    plan.substeps = std::clamp(int(std::ceil(worst.substeps)), system.substeps, mostSubsteps);
+    plan.substeps =
+        std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), system.substeps);
     const bool all = !plan.direct.empty() && worst.rod < 0;
     plan.reason = block
                   + (all ? text("%d substeps", plan.substeps)
@@ -140,7 +142,9 @@ double largestRodStrain(const System& system, const State& state,
     for (std::size_t r = 0; r < system.rods.size(); ++r) {
         const Rod& rod = system.rods[r];
         const double rest = restLength[r];
-        if (state.rodTorn[r] || rod.compliance > 0.0 || rest <= 0.0)
+        const bool isHeld = system.inverseMass[std::size_t(rod.a)] == 0.0
+                            && system.inverseMass[std::size_t(rod.b)] == 0.0;
+        if (state.rodTorn[r] || rod.compliance > 0.0 || rest <= 0.0 || isHeld)
             continue;
         const double strain =
             (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm() / rest
@@ -159,8 +163,9 @@ int adaptedSubsteps(const System& system, int substeps, double strain)
     const double ratio = strain / system.strainGoal;
     double next = substeps;
     if (ratio > 1.0)
-        next =
-            std::max(substeps + 1.0, std::ceil(substeps * std::min(std::cbrt(ratio * ratio), 2.0)));
+        next = std::max(
+            substeps + 1.0,
+            std::ceil(substeps * (ratio < 2.8 ? portableExp(portableLog(ratio) / 1.5) : 2.0)));
     else if (ratio < 0.4)
         next = std::floor(substeps * 0.9);
     return int(

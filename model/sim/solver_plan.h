@@ -60,7 +60,8 @@ private:
 // The system must be finished.
 SolverPlan planFor(const System& system);
 
-// Largest strain, 1, of the rods that are whole, never stretch and resist it.
+// Largest strain, 1, of the rods that are whole, never stretch and resist it, but for those between
+// pins, which no solver can help.
 //   restLength  [rods]  m
 double largestRodStrain(const System& system, const State& state,
                         std::span<const double> restLength);

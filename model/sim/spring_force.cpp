@@ -31,6 +31,13 @@ double springTension(const Spring& spring, const Vec3& separation, const Vec3& v
                                                                  velocityDifference);
 }
 
+double elasticEnergy(double stiffness, Resists resists, double stretch)
+{
+    const bool slack = (resists == Resists::Tension && stretch < 0.0)
+                       || (resists == Resists::Compression && stretch > 0.0);
+    return slack ? 0.0 : 0.5 * stiffness * stretch * stretch;
+}
+
 void fillSpringForces(const System& system, const State& state, Crew& crew,
                       std::span<PaddedVec3> force)
 {

@@ -7,11 +7,22 @@
 
 namespace ripstop {
 
-enum class StepStage { Controls, Springs, Air, Sum, Motion, Rods, Contact, Tearing, Tensions };
+enum class StepStage {
+    Plan,
+    Controls,
+    Springs,
+    Air,
+    Sum,
+    Motion,
+    Rods,
+    Contact,
+    Tearing,
+    Tensions
+};
 
-inline constexpr std::array<std::string_view, 9> stepStageNames{
-    "controls", "springs", "air",     "sum of forces", "motion",
-    "rods",     "contact", "tearing", "tensions"};
+inline constexpr std::array<std::string_view, 10> stepStageNames{
+    "plan",   "controls", "springs", "air",     "sum of forces",
+    "motion", "rods",     "contact", "tearing", "tensions"};
 
 struct StepTimes
 {

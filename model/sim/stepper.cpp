@@ -1,5 +1,6 @@
 #include "sim/stepper.h"
 
+#include "base/portable_math.h"
 #include "sim/contact.h"
 #include "sim/gusts.h"
 #include "sim/inputs.h"
@@ -9,7 +10,6 @@
 #include "sim/spring_force.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ripstop {
 namespace {
@@ -19,22 +19,27 @@ constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses t
 
 } // namespace
 
-void Stepper::step(const System& system, State& state)
+int Stepper::step(const System& system, State& state)
 {
     m_clock.start();
     prepare(system, state);
     const int substeps = substepsOf(system, state);
     const double h = system.timeStep / substeps;
-    if (!system.fabricLayer.empty())
+    m_clock.lap(StepStage::Plan);
+    if (!system.fabricLayer.empty()) {
         m_fabric.find(system, state);
+        m_clock.lap(StepStage::Contact);
+    }
     const double startTime = state.time;
     advanceGusts(system, state);
-    m_keep = std::exp(-system.viscosity * h);
+    m_keep = portableExp(-system.viscosity * h);
     for (int s = 0; s < substeps; ++s) {
         state.time = startTime + (s + 1) * h;
         RodTask task = rodTask(system, state, h);
-        if (s == 0)
+        if (s == 0) {
             m_rods.start(task, state.rodTension);
+            m_clock.lap(StepStage::Rods);
+        }
         task.note = m_tearsByForce || s + meanOver >= substeps;
         task.shifted = s == 0;
         substep(task, state);
@@ -45,6 +50,8 @@ void Stepper::step(const System& system, State& state)
     ++state.step;
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
         adapt(system, state, substeps);
+    m_clock.lap(StepStage::Plan);
+    return substeps;
 }
 
 void Stepper::prepare(const System& system, State& state)
@@ -94,16 +101,15 @@ int Stepper::substepsOf(const System& system, const State& state) const
 {
     if (system.solver != Solver::Auto)
         return system.substeps;
-    return state.substeps > 0 ? std::max(state.substeps, system.substeps) : m_plan.substeps;
+    if (state.substeps > 0)
+        return std::max(state.substeps, system.substeps);
+    return m_planFor.isOf(system) ? m_plan.substeps : system.substeps;
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
     state.substeps =
         adaptedSubsteps(system, substeps, largestRodStrain(system, state, m_restLength));
-    // The drift of Verlet lags half a substep behind; another substep has to start again.
-    if (state.substeps != substeps)
-        state.started = false;
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -152,7 +158,9 @@ void Stepper::substep(RodTask& task, State& state)
     m_clock.lap(StepStage::Contact);
     tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
     m_clock.lap(StepStage::Tearing);
-    state.started = true;
+    const bool drifts =
+        system.integrator == Integrator::Verlet || system.integrator == Integrator::VelocityVerlet;
+    state.driftSubstep = drifts ? h : 0.0;
 }
 
 void Stepper::fillAccelerations(const System& system, const State& state)
@@ -186,7 +194,7 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
                                 system.inverseMass.data(),
                                 h,
                                 m_keep,
-                                state.started};
+                                state.driftSubstep == h};
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
         runPass(pass, system.integrator, motion, first, last);
     });

@@ -21,10 +21,15 @@ public:
         : m_crew(threads)
     {}
 
-    void step(const System& system, State& state);
+    // Returns the number of substeps that it took.
+    int step(const System& system, State& state);
 
     // Adds what each stage of the steps from now on takes; null stops that.
     void keepTimes(StepTimes* times) { m_clock.giveTo(times); }
+
+    // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
+    // for.
+    int substepsOf(const System& system, const State& state) const;
 
     // What Solver::Auto began with and why, once there was a step; empty for other solvers.
     std::string choice(const System& system) const
@@ -37,7 +42,6 @@ private:
     void prepare(const System& system, State& state);
     void substep(RodTask& task, State& state);
     void noteSpringEnds(const System& system);
-    int substepsOf(const System& system, const State& state) const;
     RodTask rodTask(const System& system, State& state, double h) const;
     void adapt(const System& system, State& state, int substeps);
     void fillAccelerations(const System& system, const State& state);

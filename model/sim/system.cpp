@@ -137,10 +137,11 @@ template <typename S>
 requires std::is_same_v<std::remove_const_t<S>, State>
 auto fieldsOf(S& state)
 {
-    auto& [time, step, substep, substeps, started, position, velocity, drift, inputCommand,
+    auto& [time, step, substep, substeps, driftSubstep, position, velocity, drift, inputCommand,
            inputValue, gusts, springTorn, rodTorn, panelGone, rodTension, tears] = state;
-    return std::tie(time, step, substep, substeps, started, position, velocity, drift, inputCommand,
-                    inputValue, gusts, springTorn, rodTorn, panelGone, rodTension, tears);
+    return std::tie(time, step, substep, substeps, driftSubstep, position, velocity, drift,
+                    inputCommand, inputValue, gusts, springTorn, rodTorn, panelGone, rodTension,
+                    tears);
 }
 
 // Arrays are emptied and keep their memory; anything else starts as `fresh` does.

@@ -251,11 +251,11 @@ struct Rows
 // What changes while a system runs. Copying a State is a checkpoint.
 struct State
 {
-    double time = 0.0;        // s
-    std::int64_t step = 0;    // time steps since the start
-    std::int64_t substep = 0; // substeps since the start
-    int substeps = 0;         // of the next step, where the solver chooses; 0 for its first choice
-    bool started = false;     // the integrator's own start has been made
+    double time = 0.0;         // s
+    std::int64_t step = 0;     // time steps since the start
+    std::int64_t substep = 0;  // substeps since the start
+    int substeps = 0;          // of the next step, where the solver chooses; 0 for its first choice
+    double driftSubstep = 0.0; // s, of the substep that `drift` is of; 0 when it is of none
 
     std::vector<PaddedVec3> position; // [particles] m
     std::vector<PaddedVec3> velocity; // [particles] m/s
@@ -297,6 +297,12 @@ struct Touched
     std::vector<int> particles; // whose inverse mass may have changed
     std::vector<int> rods;      // whose numbers may have changed
 };
+
+inline bool isTorn(const LinkPlace& link, const State& state)
+{
+    return link.kind == LinkKind::Rod ? state.rodTorn[std::size_t(link.index)]
+                                      : state.springTorn[std::size_t(link.index)];
+}
 
 struct System
 {

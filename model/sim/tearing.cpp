@@ -1,5 +1,7 @@
 #include "sim/tearing.h"
 
+#include "sim/spring_force.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -31,12 +33,6 @@ double measured(const Load& load)
     return -std::numeric_limits<double>::infinity();
 }
 
-bool isTorn(const State& state, const LinkPlace& link)
-{
-    return link.kind == LinkKind::Rod ? state.rodTorn[std::size_t(link.index)]
-                                      : state.springTorn[std::size_t(link.index)];
-}
-
 Load loadOf(const System& system, const State& state, const TearLoads& loads, const LinkPlace& link)
 {
     const auto index = std::size_t(link.index);
@@ -56,10 +52,7 @@ double releasedEnergy(const System& system, const LinkPlace& link, const Load& l
     if (link.kind == LinkKind::Rod)
         return 0.5 * load.force * load.force * system.rods[index].compliance;
     const Spring& spring = system.springs[index];
-    const double stretch = load.length - load.restLength;
-    const bool slack = (spring.resists == Resists::Tension && stretch < 0.0)
-                       || (spring.resists == Resists::Compression && stretch > 0.0);
-    return slack ? 0.0 : 0.5 * spring.stiffness * stretch * stretch;
+    return elasticEnergy(spring.stiffness, spring.resists, load.length - load.restLength);
 }
 
 void tear(const System& system, State& state, int number, const Load& load)
@@ -133,7 +126,7 @@ void tearLinks(const System& system, State& state, const TearLoads& loads,
     scratch.clear();
     for (const int number : system.tearable) {
         const LinkPlace& link = system.links[std::size_t(number)];
-        if (isTorn(state, link))
+        if (isTorn(link, state))
             continue;
         if (link.kind == LinkKind::Spring && isSafe(system, state, loads, link))
             continue;

@@ -45,9 +45,9 @@ double largestMassRatio(const System& system, std::size_t particle)
 }
 
 // The most likely cause first: what the element itself says about the step.
-std::string causeAt(const System& system, const State& before, std::size_t particle)
+std::string causeAt(const System& system, const State& before, int substeps, std::size_t particle)
 {
-    const double h = system.timeStep / system.substeps;
+    const double h = system.timeStep / substeps;
     const double limit = springLimitAt(system, before, particle);
     if (h > limit)
         return format("the substep of %.3g s is above the %.3g s that its springs allow; "
@@ -66,7 +66,8 @@ std::string causeAt(const System& system, const State& before, std::size_t parti
 
 } // namespace
 
-std::optional<Trouble> findTrouble(const System& system, const State& before, const State& after)
+std::optional<Trouble> findTrouble(const System& system, const State& before, const State& after,
+                                   int substeps)
 {
     const double limit = system.speedLimit * system.speedLimit;
     for (std::size_t i = 0; i < after.position.size(); ++i) {
@@ -81,7 +82,8 @@ std::optional<Trouble> findTrouble(const System& system, const State& before, co
                           + (finite ? format(" reached %.3g m/s, above the limit of %.3g m/s,",
                                              speed, system.speedLimit)
                                     : " left the range of numbers")
-                          + format(" at %.4f s: ", after.time) + causeAt(system, before, i);
+                          + format(" at %.4f s: ", after.time)
+                          + causeAt(system, before, substeps, i);
         return trouble;
     }
     return std::nullopt;

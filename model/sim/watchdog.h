@@ -16,7 +16,8 @@ struct Trouble
 };
 
 // Looks for a position that is not finite or a speed above the system's limit. `before` is the
-// state one step earlier, in which the cause is looked for.
-std::optional<Trouble> findTrouble(const System& system, const State& before, const State& after);
+// state one step earlier, in which the cause is looked for; the step had that many substeps.
+std::optional<Trouble> findTrouble(const System& system, const State& before, const State& after,
+                                   int substeps);
 
 } // namespace ripstop

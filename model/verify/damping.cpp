@@ -90,7 +90,7 @@ Damped damperAlone(Scheme scheme)
     addSpring(system, 0, 1, 10.0, 0.0, 0.4);
     finish(system);
     if (scheme == Scheme::NaiveVerlet) {
-        system.start.started = true;
+        system.start.driftSubstep = system.timeStep / system.substeps;
         system.start.drift = system.start.velocity;
     }
     Stepper stepper;

@@ -32,7 +32,7 @@ System oscillator(Scheme scheme, double timeStep, double frequency, double dampi
     addSpring(system, 0, 1, 0.0, frequency * frequency, damping);
     finish(system);
     if (scheme == Scheme::NaiveVerlet) {
-        system.start.started = true;
+        system.start.driftSubstep = system.timeStep / system.substeps;
         system.start.drift = system.start.velocity;
     }
     return system;

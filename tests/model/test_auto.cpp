@@ -189,6 +189,25 @@ private slots:
         QCOMPARE(run(system, 20).substep, std::int64_t(60));
     }
 
+    // What no solver can help asks for no substeps: a rod between two pins that is too short.
+    void pinsTooFarApart()
+    {
+        System system = emptySystem(0.01);
+        addRod(system, addPin(system, Vec3::Zero()), addPin(system, {2.0, 0.0, 0.0}), 1.0);
+        system.solver = Solver::Auto;
+        system.strainGoal = 0.01;
+        finish(system);
+        QCOMPARE(largestRodStrain(system, system.start, restLengths(system)), 0.0);
+        QCOMPARE(run(system, 100).substep, std::int64_t(100));
+    }
+
+    void moreSubstepsThanItWouldChoose()
+    {
+        System system = cloth(10);
+        system.substeps = 5000;
+        QCOMPARE(planFor(system).substeps, 5000);
+    }
+
     void followsTheStrain()
     {
         System system = emptySystem(0.01);

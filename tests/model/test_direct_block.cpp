@@ -118,7 +118,7 @@ private slots:
         QVERIFY(bool(system));
         Simulation simulation(*system);
         double worst = 0.0;
-        for (int i = 1; i <= 40; ++i) {
+        for (int i = 1; i <= 60; ++i) {
             QVERIFY(simulation.runUntil(0.1 * i));
             const State& state = simulation.state();
             for (const Rod& rod : simulation.system().rods) {
@@ -200,6 +200,22 @@ private slots:
         finish(brief);
         QVERIFY(rodsForDirect(brief).empty());
         QVERIFY(directChoice(brief).empty());
+    }
+
+    // A ring that only lines hold, and that is numbered before them, has no rods of its own.
+    void ringBeforeItsLines()
+    {
+        System system = directSystem(0.01, 1);
+        const int ring = addParticle(system, Vec3::Zero(), 0.001);
+        int before = ring;
+        for (int i = 1; i <= 60; ++i) {
+            const int next = addParticle(system, {0.1 * i, 0.0, 0.0}, 0.02);
+            addRod(system, before, next, 0.1);
+            before = next;
+        }
+        addRod(system, before, addPin(system, {6.1, 0.0, 0.0}), 0.1);
+        finish(system);
+        QCOMPARE(rodsForDirect(system).size(), std::size_t(61)); // n^2 / 10 = 360 sweeps
     }
 };
 

@@ -203,6 +203,39 @@ private slots:
             QVERIFY(state.position[std::size_t(i)].y() > lowest);
     }
 
+    // Two large triangles beside much small fabric: they span many cells and hold all the same.
+    void largePanels()
+    {
+        System system = sheet([](double along) { return Vec3(along, 1.0, 0.0); });
+        const auto corner = [&](double x, double z) { return addPin(system, {x, 0.9, z}); };
+        const int a = corner(-20.0, -20.0), b = corner(20.0, -20.0), c = corner(20.0, 20.0),
+                  d = corner(-20.0, 20.0);
+        addPanel(system, a, b, c, AirLaw::None, 0.0);
+        addPanel(system, a, c, d, AirLaw::None, 0.0);
+        system.fabricLayer.assign(system.start.position.size(), {thickness, 0.6});
+        finish(system);
+        const State state = run(system, 240); // falls 0.1 m and comes to rest
+        for (int i = 0; i < a; ++i) {
+            const double height = state.position[std::size_t(i)].y() - 0.9;
+            QVERIFY2(height > 0.5 * thickness && height < 0.05, told(height, thickness));
+        }
+    }
+
+    // What a tear has taken away holds nothing.
+    void gonePanels()
+    {
+        System system = emptySystem(0.01);
+        for (const Vec3& place : {Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)})
+            addPin(system, place);
+        const int stone = addParticle(system, {0.0, 0.1, 0.0}, 1.0, {0.0, -1.0, 0.0});
+        addPanel(system, 0, 1, 2, AirLaw::None, 0.0);
+        system.fabricLayer.assign(system.start.position.size(), {thickness, 0.0});
+        finish(system);
+        QVERIFY(run(system, 40).position[std::size_t(stone)].y() > 0.5 * thickness);
+        system.start.panelGone[0] = 1;
+        QCOMPARE_LT(run(system, 40).position[std::size_t(stone)].y(), -0.2);
+    }
+
     // Who meets whom does not depend on threads.
     void sameBits()
     {

@@ -25,7 +25,7 @@ std::shared_ptr<System> spring(double stiffness, double timeStep,
 
 QString messageOf(const System& system, const State& before, const State& after)
 {
-    const auto trouble = findTrouble(system, before, after);
+    const auto trouble = findTrouble(system, before, after, system.substeps);
     return trouble ? QString::fromStdString(trouble->message) : QString();
 }
 
@@ -139,7 +139,7 @@ private slots:
         State after = system.start;
         after.position[1] = position;
         after.velocity[1] = velocity;
-        const auto trouble = findTrouble(system, system.start, after);
+        const auto trouble = findTrouble(system, system.start, after, system.substeps);
         QCOMPARE(trouble.has_value(), found);
         if (found)
             QCOMPARE(trouble->particle, Key(6));
