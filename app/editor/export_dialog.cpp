@@ -1,8 +1,11 @@
 #include "editor/export_dialog.h"
 
 #include "compile/compile.h"
+#include "document/words.h"
 #include "editor/ask_file.h"
 #include "io/export.h"
+#include "io/tear_table.h"
+#include "run/tear_report.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -21,20 +24,43 @@
 namespace ripstop {
 namespace {
 
+enum class Content { Mesh, Tears, Series }; // of now, until now, of another run
+
 struct Format
 {
-    const char* extension;
+    const char* ending; // after the name of the scene
     const char* label;
-    bool moment; // of now, otherwise a series
+    Content content;
 };
 
 constexpr Format formats[]{
-    {".obj", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, OBJ"), true},
-    {".ply", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, PLY"), true},
+    {".obj", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, OBJ"), Content::Mesh},
+    {".ply", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, PLY"), Content::Mesh},
     {".vtp", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment with strains and loads, VTP"),
-     true},
-    {".pvd", QT_TRANSLATE_NOOP("ExportDialog", "Series for ParaView, PVD and VTP"), false},
-    {".csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of the probes, CSV"), false}};
+     Content::Mesh},
+    {".pvd", QT_TRANSLATE_NOOP("ExportDialog", "Series for ParaView, PVD and VTP"),
+     Content::Series},
+    {".csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of the probes, CSV"), Content::Series},
+    {"_tears.csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of what has torn, CSV"),
+     Content::Tears}};
+
+QString extensionOf(const Format& format)
+{
+    return QString(format.ending).mid(QString(format.ending).indexOf('.'));
+}
+
+QString tearsInWords(const Frame* frame)
+{
+    if (!frame || frame->tears.empty())
+        return ExportDialog::tr("Nothing has torn in the run on the screen: the table will be "
+                                "empty.");
+    const TearReport report = tearReport(frame->tears);
+    return ExportDialog::tr("Links that broke in the run on the screen: %1, the first at %2 s. The "
+                            "tear went %3 m far and released %4 J.")
+        .arg(report.count)
+        .arg(compactNumber(frame->tears.front().time), compactNumber(report.front.back().distance),
+             compactNumber(report.energy));
+}
 
 std::optional<Failure> writeMoment(const Frame& frame, const std::filesystem::path& file)
 {
@@ -74,7 +100,7 @@ ExportDialog::ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now,
 {
     setWindowTitle(tr("Export"));
     for (const Format& format : formats)
-        m_format->addItem(tr(format.label), QString(format.extension));
+        m_format->addItem(tr(format.label));
     m_fps->setRange(0.1, 10000.0);
     m_fps->setValue(25.0);
     m_fps->setSuffix(tr(" per s"));
@@ -127,20 +153,21 @@ QString ExportDialog::target() const { return m_target->text(); }
 void ExportDialog::chooseFormat()
 {
     const Format& format = formats[m_format->currentIndex()];
-    m_target->setText(m_stem + format.extension);
+    m_target->setText(m_stem + format.ending);
     for (QWidget* field :
          {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_fps)})
-        field->setEnabled(!format.moment);
+        field->setEnabled(format.content == Content::Series);
     m_message->setText(
-        format.moment
-            ? tr("The shape that the view shows now.")
+        format.content == Content::Mesh ? tr("The shape that the view shows now.")
+        : format.content == Content::Tears
+            ? tearsInWords(m_now.get())
             : tr("The scene is simulated anew from its start, without what was changed by hand "
                  "during the run on the screen."));
 }
 
 void ExportDialog::browse()
 {
-    const QString extension = m_format->currentData().toString();
+    const QString extension = extensionOf(formats[m_format->currentIndex()]);
     const QString file =
         askWhereToSave(this, tr("Export as"), m_target->text(), "*" + extension, extension.mid(1));
     if (file.isEmpty())
@@ -156,10 +183,12 @@ void ExportDialog::start()
     if (!mayWrite())
         return;
     const std::filesystem::path file = m_target->text().toStdString();
-    if (formats[m_format->currentIndex()].moment) {
+    const Content content = formats[m_format->currentIndex()].content;
+    if (content != Content::Series) {
         if (!m_now)
             return end(tr("There is nothing on the screen to export; see the list of problems."));
-        const auto failure = writeMoment(*m_now, file);
+        const auto failure = content == Content::Tears ? writeTears(m_scene, m_now->tears, file)
+                                                       : writeMoment(*m_now, file);
         return failure ? end(QString::fromStdString(failure->message)) : accept();
     }
     if (m_to->value() <= m_from->value())

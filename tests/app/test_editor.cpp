@@ -1,6 +1,7 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "editor/export_dialog.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/result_page.h"
@@ -8,13 +9,17 @@
 #include "viewport/viewport.h"
 
 #include "compile/compile.h"
+#include "io/scene_file.h"
 #include "measure/diagnostics.h"
+#include "run/simulation.h"
 #include "scene/path.h"
 #include "verify/case.h"
 #include "verify/reference.h"
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLineEdit>
@@ -168,6 +173,28 @@ private slots:
         QVERIFY(other.window.files().open(file));
         QVERIFY(other.document.scene() == before);
         QCOMPARE(other.window.windowTitle(), QString("my kite.ripstop.json[*] – Ripstop"));
+    }
+
+    // The table of what tore is that of the run on the screen.
+    void exportsWhatHasTorn()
+    {
+        const Result<Scene> scene = readScene((samples + "tear_test.ripstop.json").toStdString());
+        Simulation simulation(*compile(*scene));
+        QVERIFY(simulation.runUntil(3.05));
+        const auto frame = simulation.frame();
+        QVERIFY(!frame->tears.empty());
+        QTemporaryDir folder;
+        ExportDialog dialog(*scene, frame, folder.filePath("strip"), nullptr);
+        auto* format = dialog.findChild<QComboBox*>();
+        format->setCurrentIndex(format->count() - 1);
+        QCOMPARE(dialog.target(), folder.filePath("strip_tears.csv"));
+        dialog.findChild<QDialogButtonBox*>()->accepted();
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        QFile table(dialog.target());
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = table.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), qsizetype(1 + frame->tears.size()));
+        QVERIFY(lines[0].startsWith("time (s),element"));
     }
 
     // Same scene, same seconds: the window ends in the same bits as the command line.

@@ -1,14 +1,19 @@
+#include "builders/builder.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "inspector/inspector.h"
+#include "inspector/preset_chooser.h"
 #include "inspector/usage.h"
 #include "scene/edit.h"
+#include "scene/path.h"
+#include "scene/presets.h"
 #include "small_scenes.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QtTest>
 
 using namespace ripstop;
@@ -89,6 +94,34 @@ private slots:
         form.type(path, "0: 0 1 0; 2: 3 1 0");
         QCOMPARE(std::get<std::string>(form.value(collider, "path")),
                  std::string("0: 0 1 0; 2: 3 1 0"));
+    }
+
+    // One edit for all numbers, which one undo takes back; the button names what the material has.
+    void presetsOfMaterials()
+    {
+        Form form;
+        const Id material = idOfKind(Kind::Material);
+        form.selection.set({material});
+        auto* chooser = form.inspector.findChild<PresetChooser*>();
+        QVERIFY(chooser && chooser->isVisible());
+        auto* button = chooser->findChild<QToolButton*>();
+        QVERIFY(button->text().startsWith("Choose"));
+        const int before = form.document.history().count();
+        const Preset& preset = **findPreset("dyneema_2");
+        chooser->apply(preset);
+        QCOMPARE(form.document.history().count(), before + 1);
+        QCOMPARE(std::get<double>(form.value(material, "diameter")), 2e-3);
+        form.document.history().undo();
+        QCOMPARE(std::get<double>(form.value(material, "diameter")), 0.0);
+
+        Scene scene = *build(*findBuilder("rope"), {{"segments", 4}});
+        const Id cord = *findNamed(scene, Kind::Material, "cord");
+        form.document.replace(scene);
+        form.selection.set({cord});
+        chooser->apply(preset);
+        QCOMPARE(button->text(), QString::fromStdString(preset.label));
+        form.document.push(setValue(form.document.scene(), cord, "diameter", 0.01));
+        QVERIFY(button->text().startsWith("Choose"));
     }
 
     void rowsWithoutEffect_data()
