@@ -39,13 +39,18 @@ Json jsonOf(const Preset& preset)
             {"source", preset.source}};
 }
 
-int listPresets(bool json)
+int printJson()
 {
     Json list = Json::array();
-    for (const Preset& preset : allPresets()) {
+    for (const Preset& preset : allPresets())
         list.push_back(jsonOf(preset));
-        if (json)
-            continue;
+    print({{"presets", std::move(list)}});
+    return Done;
+}
+
+int printList()
+{
+    for (const Preset& preset : allPresets()) {
         std::cout << preset.name << " (" << presetKindName(preset.kind) << "): " << preset.label
                   << "\n   ";
         for (const auto& [key, value] : preset.values) {
@@ -57,8 +62,6 @@ int listPresets(bool json)
         }
         std::cout << "    " << preset.source << '\n';
     }
-    if (json)
-        print({{"presets", std::move(list)}});
     return Done;
 }
 
@@ -139,7 +142,9 @@ void addPresets(CLI::App& app, Command& chosen)
             const bool lists = options->preset.empty() && options->scene.file.empty()
                                && options->scene.assignments.empty() && options->materials.empty()
                                && options->output.empty();
-            return lists ? listPresets(options->json) : applyPreset(*options);
+            if (!lists)
+                return applyPreset(*options);
+            return options->json ? printJson() : printList();
         };
     });
 }

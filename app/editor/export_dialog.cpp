@@ -1,7 +1,6 @@
 #include "editor/export_dialog.h"
 
 #include "compile/compile.h"
-#include "document/words.h"
 #include "editor/ask_file.h"
 #include "io/export.h"
 #include "io/tear_table.h"
@@ -55,11 +54,12 @@ QString tearsInWords(const Frame* frame)
         return ExportDialog::tr("Nothing has torn in the run on the screen: the table will be "
                                 "empty.");
     const TearReport report = tearReport(frame->tears);
+    const auto rounded = [](double value) { return QString::number(value, 'g', 4); };
     return ExportDialog::tr("Links that broke in the run on the screen: %1, the first at %2 s. The "
                             "tear went %3 m far and released %4 J.")
         .arg(report.count)
-        .arg(compactNumber(frame->tears.front().time), compactNumber(report.front.back().distance),
-             compactNumber(report.energy));
+        .arg(rounded(frame->tears.front().time), rounded(report.front.back().distance),
+             rounded(report.energy));
 }
 
 std::optional<Failure> writeMoment(const Frame& frame, const std::filesystem::path& file)
