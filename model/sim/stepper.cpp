@@ -65,7 +65,7 @@ void Stepper::prepare(const System& system, State& state)
     m_predicted.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
-    m_overloads.reserve(system.tearsPerStep > 0 ? system.tearable.size() : 0);
+    m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size());
     m_tears = state.tears.size();
     if (m_serial != system.serial || m_valuesSerial != system.valuesSerial)
         fillRestLengths(system, state, m_restLength);
@@ -80,11 +80,10 @@ void Stepper::prepare(const System& system, State& state)
         m_plan = planFor(system);
         m_planFor = PlanFor(system);
     }
-    m_tearsByForce = std::any_of(system.tearable.begin(), system.tearable.end(), [&](int link) {
-        const LinkPlace& place = system.links[std::size_t(link)];
-        return place.kind == LinkKind::Rod
-               && system.rods[std::size_t(place.index)].tear.rule == TearRule::Force;
-    });
+    m_tearsByForce =
+        std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
+            return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
+        });
 }
 
 void Stepper::noteSpringEnds(const System& system)
@@ -202,11 +201,10 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
 
 void Stepper::noteRodLengths(const System& system, const State& state)
 {
-    for (const int tearable : system.tearable) {
-        const LinkPlace& link = system.links[std::size_t(tearable)];
-        if (link.kind == LinkKind::Rod)
-            m_rodLength[std::size_t(link.index)] =
-                (state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)]).norm();
+    for (const int tearable : system.tearableRods) {
+        const Rod& rod = system.rods[std::size_t(tearable)];
+        m_rodLength[std::size_t(tearable)] =
+            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm();
     }
 }
 

@@ -123,14 +123,16 @@ auto fieldsOf(S& system)
            solver, strainGoal, tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity,
            speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
            chunkReach, direct, materialAir, dragLines, panels, panelKey, links, linkStuff,
-           springLink, rodLink, tearable, springsAt, rodsAt, panelsAt, dragLinesAt, panelsBeside,
-           obstacles, fabricLayer, inputs, shiftedRods, probes, start] = system;
+           springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt, panelsAt,
+           dragLinesAt, panelsBeside, obstacles, fabricLayer, inputs, shiftedRods, probes, start] =
+        system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
                     key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
                     chunkReach, direct, materialAir, dragLines, panels, panelKey, links, linkStuff,
-                    springLink, rodLink, tearable, springsAt, rodsAt, panelsAt, dragLinesAt,
-                    panelsBeside, obstacles, fabricLayer, inputs, shiftedRods, probes, start);
+                    springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt, panelsAt,
+                    dragLinesAt, panelsBeside, obstacles, fabricLayer, inputs, shiftedRods, probes,
+                    start);
 }
 
 template <typename S>
@@ -260,15 +262,14 @@ bool operator==(const System& a, const System& b) { return fieldsOf(a) == fields
 
 void listTearable(System& system)
 {
-    system.tearable.clear();
-    for (std::size_t i = 0; i < system.links.size(); ++i) {
-        const LinkPlace& link = system.links[i];
-        const TearLimit& tear = link.kind == LinkKind::Spring
-                                    ? system.springs[std::size_t(link.index)].tear
-                                    : system.rods[std::size_t(link.index)].tear;
-        if (tear.rule != TearRule::Never)
-            system.tearable.push_back(int(i));
-    }
+    const auto list = [](const auto& links, std::vector<int>& tearable) {
+        tearable.clear();
+        for (std::size_t i = 0; i < links.size(); ++i)
+            if (links[i].tear.rule != TearRule::Never)
+                tearable.push_back(int(i));
+    };
+    list(system.springs, system.tearableSprings);
+    list(system.rods, system.tearableRods);
 }
 
 void listDragLines(System& system)

@@ -347,7 +347,8 @@ struct System
     std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
     std::vector<int> springLink;      // [springs] index into links
     std::vector<int> rodLink;         // [rods] index into links
-    std::vector<int> tearable;        // indices into links that may tear
+    std::vector<int> tearableSprings; // indices into springs, ascending
+    std::vector<int> tearableRods;    // indices into rods, ascending
 
     Rows springsAt;    // [particles] springs that end there
     Rows rodsAt;       // [particles]

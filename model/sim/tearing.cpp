@@ -13,14 +13,13 @@ struct Load
     double length;     // m
     double restLength; // m
     double force;      // N, positive in tension
-    TearLimit tear;
     double strain() const { return restLength > 0.0 ? length / restLength - 1.0 : 0.0; }
 };
 
 // What the rule of the link looks at, in the unit of its limit.
-double measured(const Load& load)
+double measured(const Load& load, TearRule rule)
 {
-    switch (load.tear.rule) {
+    switch (rule) {
     case TearRule::Length:
         return load.length;
     case TearRule::Strain:
@@ -33,17 +32,19 @@ double measured(const Load& load)
     return -std::numeric_limits<double>::infinity();
 }
 
-Load loadOf(const System& system, const State& state, const TearLoads& loads, const LinkPlace& link)
+Load loadOfRod(const State& state, const TearLoads& loads, std::size_t rod)
 {
-    const auto index = std::size_t(link.index);
-    if (link.kind == LinkKind::Rod)
-        return {loads.rodLength[index], loads.restLength[index], state.rodTension[index],
-                system.rods[index].tear};
-    const Spring& spring = system.springs[index];
-    const Vec3 along = state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)];
+    return {loads.rodLength[rod], loads.restLength[rod], state.rodTension[rod]};
+}
+
+Load loadOfSpring(const System& system, const State& state, const TearLoads& loads, std::size_t i)
+{
+    const Spring& spring = system.springs[i];
+    const Vec3 along =
+        state.position[std::size_t(spring.b)] - state.position[std::size_t(spring.a)];
     const double length = along.norm();
     return {length, spring.restLength,
-            length > 0.0 ? loads.springForce[index].dot(along) / length : 0.0, spring.tear};
+            length > 0.0 ? loads.springForce[i].dot(along) / length : 0.0};
 }
 
 double releasedEnergy(const System& system, const LinkPlace& link, const Load& load)
@@ -55,12 +56,15 @@ double releasedEnergy(const System& system, const LinkPlace& link, const Load& l
     return elasticEnergy(spring.stiffness, spring.resists, load.length - load.restLength);
 }
 
-void tear(const System& system, State& state, int number, const Load& load)
+void tear(const System& system, State& state, const TearLoads& loads, int number)
 {
     const auto l = std::size_t(number);
     const LinkPlace& link = system.links[l];
     const auto index = std::size_t(link.index);
-    if (link.kind == LinkKind::Rod) {
+    const bool isRod = link.kind == LinkKind::Rod;
+    const Load load =
+        isRod ? loadOfRod(state, loads, index) : loadOfSpring(system, state, loads, index);
+    if (isRod) {
         state.rodTorn[index] = 1;
         state.rodTension[index] = 0.0;
     } else {
@@ -74,30 +78,12 @@ void tear(const System& system, State& state, int number, const Load& load)
                            0.5 * (a + b), releasedEnergy(system, link, load)});
 }
 
-// Breaks at most `most` of the overloaded links.
-void tearWorst(const System& system, State& state, const TearLoads& loads,
-               std::vector<Overload>& overloads, std::size_t most)
-{
-    const std::size_t count = std::min(most, overloads.size());
-    std::partial_sort(overloads.begin(), overloads.begin() + std::ptrdiff_t(count), overloads.end(),
-                      [](const Overload& one, const Overload& other) {
-                          return one.ratio != other.ratio ? one.ratio > other.ratio
-                                                          : one.link < other.link;
-                      });
-    for (std::size_t i = 0; i < count; ++i) {
-        const int link = overloads[i].link;
-        tear(system, state, link, loadOf(system, state, loads, system.links[std::size_t(link)]));
-    }
-}
-
 // Whether a spring is far from breaking, told without a root or a quotient: that is what all but a
 // few are, in every substep.
-bool isSafe(const System& system, const State& state, const TearLoads& loads, const LinkPlace& link)
+bool isSafe(const Spring& spring, const State& state, const Vec3& force)
 {
-    const Spring& spring = system.springs[std::size_t(link.index)];
-    const Vec3& force = loads.springForce[std::size_t(link.index)];
     const Vec3 separation =
-        state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)];
+        state.position[std::size_t(spring.b)] - state.position[std::size_t(spring.a)];
     constexpr double nearly = 1.0 - 1e-9; // what is this near is looked at closely
     switch (spring.tear.rule) {
     case TearRule::Length:
@@ -114,6 +100,32 @@ bool isSafe(const System& system, const State& state, const TearLoads& loads, co
     return true;
 }
 
+void judge(const Load& load, const TearLimit& tear, int link, std::vector<Overload>& overloads)
+{
+    const double value = measured(load, tear.rule);
+    if (value > tear.limit) // above a limit of 0 is infinitely far above it
+        overloads.push_back({link, value / tear.limit});
+}
+
+// Springs and rods are gone through as they lie in memory; the links that they are tell the order.
+void findOverloads(const System& system, const State& state, const TearLoads& loads,
+                   std::vector<Overload>& overloads)
+{
+    overloads.clear();
+    for (const int tearable : system.tearableSprings) {
+        const auto i = std::size_t(tearable);
+        const Spring& spring = system.springs[i];
+        if (!isSafe(spring, state, loads.springForce[i]) && !state.springTorn[i])
+            judge(loadOfSpring(system, state, loads, i), spring.tear, system.springLink[i],
+                  overloads);
+    }
+    for (const int tearable : system.tearableRods) {
+        const auto i = std::size_t(tearable);
+        if (!state.rodTorn[i])
+            judge(loadOfRod(state, loads, i), system.rods[i].tear, system.rodLink[i], overloads);
+    }
+}
+
 } // namespace
 
 void tearLinks(const System& system, State& state, const TearLoads& loads,
@@ -123,24 +135,21 @@ void tearLinks(const System& system, State& state, const TearLoads& loads,
     const std::size_t before = state.tears.size() - loads.tearsBefore; // in this time step
     if (limited && before >= std::size_t(system.tearsPerStep))
         return;
-    scratch.clear();
-    for (const int number : system.tearable) {
-        const LinkPlace& link = system.links[std::size_t(number)];
-        if (isTorn(link, state))
-            continue;
-        if (link.kind == LinkKind::Spring && isSafe(system, state, loads, link))
-            continue;
-        const Load load = loadOf(system, state, loads, link);
-        const double value = measured(load);
-        if (!(value > load.tear.limit))
-            continue;
-        if (limited) // above a limit of 0 is infinitely far above it
-            scratch.push_back({number, value / load.tear.limit});
-        else
-            tear(system, state, number, load);
+    findOverloads(system, state, loads, scratch);
+    const auto inOrder = [](const Overload& one, const Overload& other) {
+        return one.link < other.link;
+    };
+    const auto worstFirst = [&](const Overload& one, const Overload& other) {
+        return one.ratio != other.ratio ? one.ratio > other.ratio : inOrder(one, other);
+    };
+    if (limited) {
+        std::sort(scratch.begin(), scratch.end(), worstFirst);
+        scratch.resize(std::min(scratch.size(), std::size_t(system.tearsPerStep) - before));
+    } else {
+        std::sort(scratch.begin(), scratch.end(), inOrder);
     }
-    if (limited)
-        tearWorst(system, state, loads, scratch, std::size_t(system.tearsPerStep) - before);
+    for (const Overload& overload : scratch)
+        tear(system, state, loads, overload.link);
 }
 
 } // namespace ripstop

@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(air.skinFriction, 0.01);
         QCOMPARE(panel.corner, (std::array{0, 1, 2}));
         QCOMPARE(system->panelKey, std::vector<Key>{Key(m.panel)});
-        QCOMPARE(system->tearable.size(), std::size_t(2));
+        QCOMPARE(system->tearableSprings.size() + system->tearableRods.size(), std::size_t(2));
     }
 
     void ownNumbersWin()

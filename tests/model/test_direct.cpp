@@ -368,7 +368,7 @@ private slots:
         const System system = jumble(4);
         Stepper stepper;
         State state = system.start;
-        state.tears.reserve(system.tearable.size());
+        state.tears.reserve(system.tearableRods.size());
         stepper.step(system, state);
         const long before = allocations;
         for (int i = 0; i < 20; ++i)
