@@ -1,10 +1,10 @@
 // ripstop-cli run: flies a scene and says what came of it.
 #include "cli/commands.h"
-#include "cli/control_track.h"
 #include "cli/final_scene.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/compile.h"
+#include "io/control_track.h"
 #include "io/csv.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"

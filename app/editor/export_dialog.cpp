@@ -2,6 +2,7 @@
 
 #include "compile/compile.h"
 #include "editor/ask_file.h"
+#include "io/control_track.h"
 #include "io/export.h"
 #include "io/tear_table.h"
 #include "run/tear_report.h"
@@ -23,7 +24,7 @@
 namespace ripstop {
 namespace {
 
-enum class Content { Mesh, Tears, Series }; // of now, until now, of another run
+enum class Content { Mesh, Tears, Controls, Series }; // of now, until now twice, of another run
 
 struct Format
 {
@@ -41,7 +42,9 @@ constexpr Format formats[]{
      Content::Series},
     {".csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of the probes, CSV"), Content::Series},
     {"_tears.csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of what has torn, CSV"),
-     Content::Tears}};
+     Content::Tears},
+    {"_controls.csv", QT_TRANSLATE_NOOP("ExportDialog", "Control track of this run, CSV"),
+     Content::Controls}};
 
 QString extensionOf(const Format& format)
 {
@@ -62,6 +65,27 @@ QString tearsInWords(const Frame* frame)
              rounded(report.energy));
 }
 
+QString inWords(Content content, const Frame* now)
+{
+    switch (content) {
+    case Content::Mesh:
+        return ExportDialog::tr("The shape that the view shows now.");
+    case Content::Tears:
+        return tearsInWords(now);
+    case Content::Controls:
+        return now && !now->commands.empty()
+                   ? ExportDialog::tr(
+                         "What the pilot did in this run: %1 commands. ripstop-cli run "
+                         "--controls flies them again, in this or another design.")
+                         .arg(now->commands.size())
+                   : ExportDialog::tr("No control has been moved in this run.");
+    case Content::Series:
+        break;
+    }
+    return ExportDialog::tr("The scene is simulated anew from its start, without what was changed "
+                            "by hand during the run on the screen.");
+}
+
 std::optional<Failure> writeMoment(const Frame& frame, const std::filesystem::path& file)
 {
     if (file.extension() == ".ply")
@@ -69,6 +93,16 @@ std::optional<Failure> writeMoment(const Frame& frame, const std::filesystem::pa
     if (file.extension() == ".vtp")
         return writeVtp(frame, file);
     return writeObj(frame, file);
+}
+
+std::optional<Failure> writeNow(Content content, const Scene& scene, const Frame& now,
+                                const std::filesystem::path& file)
+{
+    if (content == Content::Tears)
+        return writeTears(scene, now.tears, file);
+    if (content == Content::Controls)
+        return writeControlTrack(scene, now.commands, file);
+    return writeMoment(now, file);
 }
 
 QDoubleSpinBox* seconds(double value)
@@ -157,12 +191,7 @@ void ExportDialog::chooseFormat()
     for (QWidget* field :
          {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_fps)})
         field->setEnabled(format.content == Content::Series);
-    m_message->setText(
-        format.content == Content::Mesh ? tr("The shape that the view shows now.")
-        : format.content == Content::Tears
-            ? tearsInWords(m_now.get())
-            : tr("The scene is simulated anew from its start, without what was changed by hand "
-                 "during the run on the screen."));
+    m_message->setText(inWords(format.content, m_now.get()));
 }
 
 void ExportDialog::browse()
@@ -187,8 +216,7 @@ void ExportDialog::start()
     if (content != Content::Series) {
         if (!m_now)
             return end(tr("There is nothing on the screen to export; see the list of problems."));
-        const auto failure = content == Content::Tears ? writeTears(m_scene, m_now->tears, file)
-                                                       : writeMoment(*m_now, file);
+        const auto failure = writeNow(content, m_scene, *m_now, file);
         return failure ? end(QString::fromStdString(failure->message)) : accept();
     }
     if (m_to->value() <= m_from->value())

@@ -59,6 +59,13 @@ struct Tear
     double energy = 0.0;       // J, released
 };
 
+struct ControlCommand
+{
+    double time;           // s
+    std::uint32_t control; // id
+    double value;          // m, where the control is told to go
+};
+
 struct Frame
 {
     std::uint64_t generation = 0; // which System made it
@@ -74,19 +81,20 @@ struct Frame
     std::vector<Vec3> position; // [particles] m
     std::vector<Vec3> velocity; // [particles] m/s
 
-    std::vector<double> strain;         // [links] 1
-    std::vector<double> tension;        // [links] N, negative in compression
-    std::vector<std::uint8_t> torn;     // [links]
-    std::vector<Vec3> panelLoad;        // [panels] N
-    std::vector<std::uint8_t> gone;     // [panels]
-    Vec3 gust = Vec3::Zero();           // m/s, of all gusts together, the same everywhere
-    std::vector<Vec3> colliderPosition; // [colliders] m
-    std::vector<double> inputCommand;   // [inputs] m
-    std::vector<double> inputValue;     // [inputs] m
-    std::vector<double> probe;          // [probes] in the unit of the probe
-    std::vector<Tear> tears;            // all since the start, in order of time
-    std::string stopped;                // why the simulation cannot go on; empty when it can
-    std::uint32_t culprit = 0;          // id of the element that stopped it
+    std::vector<double> strain;           // [links] 1
+    std::vector<double> tension;          // [links] N, negative in compression
+    std::vector<std::uint8_t> torn;       // [links]
+    std::vector<Vec3> panelLoad;          // [panels] N
+    std::vector<std::uint8_t> gone;       // [panels]
+    Vec3 gust = Vec3::Zero();             // m/s, of all gusts together, the same everywhere
+    std::vector<Vec3> colliderPosition;   // [colliders] m
+    std::vector<double> inputCommand;     // [inputs] m
+    std::vector<double> inputValue;       // [inputs] m
+    std::vector<double> probe;            // [probes] in the unit of the probe
+    std::vector<Tear> tears;              // all since the start, in order of time
+    std::vector<ControlCommand> commands; // all since the start, in order of time
+    std::string stopped;                  // why the simulation cannot go on; empty when it can
+    std::uint32_t culprit = 0;            // id of the element that stopped it
 };
 
 } // namespace ripstop

@@ -59,6 +59,7 @@ void Simulation::load(std::shared_ptr<const System> system)
     m_atStart = system->run != m_system->run;
     if (m_atStart) {
         m_state = system->start;
+        m_commands.clear();
     } else {
         m_lastGood = carryOver(*m_system, m_state, *system, std::move(m_lastGood));
         std::swap(m_state, m_lastGood);
@@ -99,6 +100,7 @@ void Simulation::apply(const Patch& patch)
 void Simulation::reset(const Patch& patch)
 {
     const State& start = m_system->start;
+    m_commands.clear();
     if (!std::exchange(m_atStart, true)) {
         m_state = start;
         return;
@@ -133,9 +135,13 @@ void Simulation::command(const Commands& commands)
     for (std::size_t i = 0; i < m_system->inputs.size(); ++i)
         if (const auto found = commands.find(m_system->inputs[i].key);
             found != commands.end() && std::isfinite(found->second)) {
+            const Input& input = m_system->inputs[i];
+            const double value = std::clamp(found->second, -input.limit, input.limit);
+            if (value == m_state.inputCommand[i])
+                continue;
             m_atStart = false;
-            m_state.inputCommand[i] =
-                std::clamp(found->second, -m_system->inputs[i].limit, m_system->inputs[i].limit);
+            m_state.inputCommand[i] = value;
+            m_commands.push_back({m_state.time, input.key, value});
         }
 }
 
@@ -194,6 +200,7 @@ std::shared_ptr<Frame> Simulation::frame() const
     for (const State::Tear& tear : m_state.tears)
         frame->tears.push_back(
             {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place, tear.energy});
+    frame->commands = m_commands;
     if (m_trouble) {
         frame->stopped = m_trouble->message;
         frame->culprit = m_trouble->particle;

@@ -62,7 +62,8 @@ private:
     mutable bool m_layoutIsStale = false;
     State m_state;
     State m_lastGood;
-    bool m_atStart = true; // the state is the system's start
+    bool m_atStart = true;                  // the state is the system's start
+    std::vector<ControlCommand> m_commands; // since the start
     Stepper m_stepper;
     std::optional<Trouble> m_trouble;
 };

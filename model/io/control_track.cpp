@@ -1,5 +1,7 @@
-#include "cli/control_track.h"
+#include "io/control_track.h"
 
+#include "io/csv.h"
+#include "io/json_text.h"
 #include "io/whole_file.h"
 #include "scene/property.h"
 
@@ -28,6 +30,8 @@ std::optional<double> numberOf(std::string_view text)
     return value;
 }
 
+std::string numberText(std::uint32_t id) { return std::string(1, '#').append(std::to_string(id)); }
+
 // The id, or how the message goes on.
 Result<std::uint32_t> controlOf(const Scene& scene, std::string_view name)
 {
@@ -35,7 +39,7 @@ Result<std::uint32_t> controlOf(const Scene& scene, std::string_view name)
     for (const Entry& entry : scene.items)
         if (const Control* control = std::get_if<Control>(&entry.item)) {
             const auto id = std::uint32_t(entry.id);
-            if (control->name == name || name == "#" + std::to_string(id))
+            if (control->name == name || name == numberText(id))
                 return id;
             names.push_back(control->name);
         }
@@ -46,6 +50,20 @@ Result<std::uint32_t> controlOf(const Scene& scene, std::string_view name)
     else
         message += names.empty() ? "; the scene has none." : ".";
     return Failure{message};
+}
+
+// The name, where it tells the control from all others.
+std::string nameOf(const Scene& scene, std::uint32_t id)
+{
+    std::string name;
+    for (const Entry& entry : scene.items)
+        if (const Control* control = std::get_if<Control>(&entry.item);
+            control && std::uint32_t(entry.id) == id)
+            name = control->name;
+    const bool isPlain =
+        !name.empty() && name == trimmed(name) && name.find_first_of("\"#\n\r") == name.npos;
+    const Result<std::uint32_t> found = controlOf(scene, name);
+    return isPlain && found && *found == id ? name : numberText(id);
 }
 
 Result<ControlCommand> commandOf(const Scene& scene, std::string_view line)
@@ -93,6 +111,21 @@ Result<std::vector<ControlCommand>> readControlTrack(const std::filesystem::path
         track.begin(), track.end(),
         [](const ControlCommand& a, const ControlCommand& b) { return a.time < b.time; });
     return track;
+}
+
+std::optional<Failure> writeControlTrack(const Scene& scene, std::span<const ControlCommand> track,
+                                         const std::filesystem::path& file)
+{
+    std::string text = "time (s),control,value (m)\n";
+    for (const ControlCommand& command : track) {
+        appendNumber(text, command.time);
+        text += ',';
+        text += csvCell(nameOf(scene, command.control));
+        text += ',';
+        appendNumber(text, command.value);
+        text += '\n';
+    }
+    return replaceFile(file, text);
 }
 
 void ControlPlayer::giveTo(Simulation& simulation)

@@ -1,4 +1,5 @@
-// A recording of what a pilot did: a CSV file of "time (s), control, value (m)".
+// A recording of what a pilot did: a CSV file of "time (s),control,value (m)". It names controls,
+// so that it flies other designs that have them as well.
 #pragma once
 
 #include "base/result.h"
@@ -6,21 +7,19 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace ripstop {
-
-struct ControlCommand
-{
-    double time;           // s
-    std::uint32_t control; // id
-    double value;          // m, where the control is told to go
-};
 
 // In order of time. Controls are named by name or as #id. A first line whose time is no number is
 // taken for a heading.
 Result<std::vector<ControlCommand>> readControlTrack(const std::filesystem::path& file,
                                                      const Scene& scene);
+
+// What is read again is the same to the bit.
+std::optional<Failure> writeControlTrack(const Scene& scene, std::span<const ControlCommand> track,
+                                         const std::filesystem::path& file);
 
 // Gives a simulation its commands as their times come.
 class ControlPlayer
