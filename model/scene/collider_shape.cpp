@@ -21,22 +21,24 @@ Eigen::Matrix3d turnOf(const Collider& collider)
         .toRotationMatrix();
 }
 
-Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider)
+Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider,
+                                                 Effort effort)
 {
     const Vec3& size = collider.size;
     if (!(size.x() > 0.0 && size.y() >= 0.0 && size.z() > 0.0 && size.allFinite()))
         return Failure{"It needs a width and a depth above 0 and a height of at least 0: correct "
                        "its size."};
     if (collider.file.empty())
-        return hills(collider.grid, std::uint32_t(collider.seed), collider.hillLength);
-    return heightsFromFile(placeOfFile(scene.folder.path, collider.file));
+        return hills(collider.grid, std::uint32_t(collider.seed), collider.hillLength, effort);
+    return heightsFromFile(placeOfFile(scene.folder.path, collider.file), effort);
 }
 
-Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider)
+Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider,
+                                                   Effort effort)
 {
     if (collider.file.empty())
         return Failure{"It needs a mesh: set its file to an OBJ, STL or PLY."};
-    return meshFromFile(placeOfFile(scene.folder.path, collider.file));
+    return meshFromFile(placeOfFile(scene.folder.path, collider.file), effort);
 }
 
 std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,

@@ -16,8 +16,10 @@ Eigen::Matrix3d turnOf(const Collider& collider);
 
 // The ground of a height field, whose size is sound, and the mesh of a mesh; the message is a whole
 // sentence.
-Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider);
-Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider);
+Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider,
+                                                 Effort effort = Effort::Any);
+Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider,
+                                                   Effort effort = Effort::Any);
 
 // How the file of the collider is named in a scene that lies in another folder. An absolute path
 // stays as it is, and so does that of a file that is not there: it may be meant to come.

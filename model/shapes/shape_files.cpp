@@ -16,9 +16,14 @@ class Shelf
 {
 public:
     template <typename Make>
-    Result<std::shared_ptr<const Shape>> take(const std::string& name, Make make)
+    Result<std::shared_ptr<const Shape>> take(const std::string& name, Effort effort, Make make)
     {
-        const std::lock_guard lock(m_mutex);
+        const std::shared_ptr<const Shape> notYet;
+        std::unique_lock lock(m_mutex, std::defer_lock);
+        if (effort == Effort::Any)
+            lock.lock();
+        else if (!lock.try_lock()) // another thread is reading
+            return notYet;
         for (const auto& [held, shape] : m_known)
             if (held == name)
                 if (std::shared_ptr<const Shape> found = shape.lock())
@@ -26,6 +31,8 @@ public:
         for (const auto& [held, failure] : m_failed) // a flawed file is not read at every edit
             if (held == name)
                 return failure;
+        if (effort == Effort::None)
+            return notYet;
         Result<Shape> made = make();
         if (!made) {
             m_failed.emplace_back(name, made.failure());
@@ -55,7 +62,7 @@ private:
 
 template <typename Shape, typename Read>
 Result<std::shared_ptr<const Shape>> fromFile(const std::filesystem::path& file, const char* what,
-                                              Shelf<Shape>& shelf, Read read)
+                                              Shelf<Shape>& shelf, Effort effort, Read read)
 {
     std::error_code error;
     const bool isThere = std::filesystem::is_regular_file(file, error);
@@ -68,7 +75,7 @@ Result<std::shared_ptr<const Shape>> fromFile(const std::filesystem::path& file,
     const auto size = std::filesystem::file_size(file, error);
     std::ostringstream name;
     name << file.string() << ' ' << date.time_since_epoch().count() << ' ' << size;
-    return shelf.take(name.str(), [&] { return read(file); });
+    return shelf.take(name.str(), effort, [&] { return read(file); });
 }
 
 } // namespace
@@ -78,25 +85,27 @@ std::filesystem::path placeOfFile(std::string_view folder, std::string_view file
     return (std::filesystem::path(folder) / std::filesystem::path(file)).lexically_normal();
 }
 
-Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem::path& file)
+Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem::path& file,
+                                                          Effort effort)
 {
     static Shelf<HeightGrid> shelf;
-    return fromFile(file, "picture", shelf, readHeightPicture);
+    return fromFile(file, "picture", shelf, effort, readHeightPicture);
 }
 
-Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file)
+Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file,
+                                                         Effort effort)
 {
     static Shelf<TriangleTree> shelf;
-    return fromFile(file, "mesh", shelf, readMeshFile);
+    return fromFile(file, "mesh", shelf, effort, readMeshFile);
 }
 
-std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length)
+std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length, Effort effort)
 {
     static Shelf<HeightGrid> shelf;
     std::ostringstream name;
     name.precision(17);
     name << grid << ' ' << seed << ' ' << length;
-    return *shelf.take(name.str(),
+    return *shelf.take(name.str(), effort,
                        [&] { return Result<HeightGrid>(generatedHills(grid, seed, length)); });
 }
 

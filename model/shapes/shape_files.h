@@ -1,7 +1,8 @@
 // Shapes that take time to make: hills, and what is read from pictures and meshes.
 //
 // The same file with the same date is read once while somebody uses it, so that an edit of a
-// collider that has a large mesh costs nothing. Any thread may call these.
+// collider that has a large mesh costs nothing. Any thread may call these. One that must not wait
+// asks without effort: it gets null for what would have to be read or made first.
 #pragma once
 
 #include "base/result.h"
@@ -14,16 +15,21 @@
 
 namespace ripstop {
 
+enum class Effort { Any, None };
+
 // A path of a scene, seen from the folder of its file.
 std::filesystem::path placeOfFile(std::string_view folder, std::string_view file);
 
 // Grey PNG of 8 or 16 bits (others are turned into grey) or PGM; black is 0 and white is 1, and
 // the top of the picture is at the lowest z. The message names the file and what to do.
-Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem::path& file);
+Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem::path& file,
+                                                          Effort effort = Effort::Any);
 
 // What assimp reads: OBJ, STL, PLY, glTF and more, all its meshes together.
-Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file);
+Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file,
+                                                         Effort effort = Effort::Any);
 
-std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length);
+std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length,
+                                        Effort effort = Effort::Any);
 
 } // namespace ripstop

@@ -23,7 +23,12 @@ Scene sceneOf(ColliderShape shape)
 
 Collider& colliderOf(Scene& scene) { return std::get<Collider>(scene.items.front().item); }
 
-ColliderBody bodyOf(const Scene& scene) { return bodiesOf(scene, {}).front(); }
+// As the engine has made its shape.
+ColliderBody bodyOf(const Scene& scene)
+{
+    (void)gridOf(scene, std::get<Collider>(scene.items.front().item));
+    return bodiesOf(scene, {}).front();
+}
 
 } // namespace
 
@@ -32,10 +37,31 @@ class TestColliderGeometry : public QObject
     Q_OBJECT
 
 private slots:
+    // The view does not make hills itself; with others it waits, and shows those of before.
+    void shapesOfTheEngineAreTaken()
+    {
+        Scene scene = sceneOf(ColliderShape::HeightField);
+        colliderOf(scene).seed = 4711; // that no other test has made
+        std::vector<ColliderBody> bodies = bodiesOf(scene, {});
+        QVERIFY(bodies.front().isLate && !bodies.front().surface);
+        QVERIFY(cornersOf(bodies.front(), Vec3::Zero()).empty());
+        const auto grid = gridOf(scene, colliderOf(scene));
+        bodies = bodiesOf(scene, std::move(bodies));
+        QVERIFY(!bodies.front().isLate && bodies.front().surface);
+        QCOMPARE(bodies.front().grid, *grid);
+        colliderOf(scene).seed = 4712;
+        bodies = bodiesOf(scene, std::move(bodies));
+        QVERIFY(bodies.front().isLate);
+        QCOMPARE(bodies.front().grid, *grid);
+        colliderOf(scene).file = "no/such.png"; // what is not there cannot be waited for
+        bodies = bodiesOf(scene, std::move(bodies));
+        QVERIFY(!bodies.front().isLate && !bodies.front().surface);
+    }
+
     void surfacesAreKeptWhileTheyAreRight()
     {
         Scene scene = sceneOf(ColliderShape::HeightField);
-        std::vector<ColliderBody> bodies = bodiesOf(scene, {});
+        std::vector<ColliderBody> bodies{bodyOf(scene)};
         const auto surface = bodies.front().surface;
         QVERIFY(surface);
         colliderOf(scene).position = Vec3(1.0, 2.0, 3.0);

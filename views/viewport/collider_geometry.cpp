@@ -123,15 +123,21 @@ Eigen::AlignedBox3d boundsOf(const ColliderBody& body)
     return {};
 }
 
-ColliderBody bodyOf(const Scene& scene, Id id, const Collider& collider)
+ColliderBody bodyOf(const Scene& scene, Id id, const Collider& collider, const ColliderBody* before)
 {
-    ColliderBody body{id, collider, nullptr, nullptr, {}, nullptr};
+    ColliderBody body;
+    body.id = id;
+    body.collider = collider;
     if (collider.shape == ColliderShape::HeightField)
-        if (const auto grid = gridOf(scene, collider))
-            body.grid = *grid;
+        if (const auto grid = gridOf(scene, collider, Effort::None)) {
+            body.isLate = !*grid;
+            body.grid = body.isLate && before ? before->grid : *grid;
+        }
     if (collider.shape == ColliderShape::Mesh)
-        if (const auto mesh = meshOf(scene, collider))
-            body.mesh = *mesh;
+        if (const auto mesh = meshOf(scene, collider, Effort::None)) {
+            body.isLate = !*mesh;
+            body.mesh = body.isLate && before ? before->mesh : *mesh;
+        }
     body.bounds = boundsOf(body);
     return body;
 }
@@ -206,10 +212,10 @@ std::vector<ColliderBody> bodiesOf(const Scene& scene, std::vector<ColliderBody>
         const Collider* collider = std::get_if<Collider>(&entry.item);
         if (!collider)
             continue;
-        ColliderBody body = bodyOf(scene, entry.id, *collider);
-        const auto known = std::ranges::find(before, entry.id, &ColliderBody::id);
-        const bool isKnown = known != before.end() && looksAlike(*known, body);
-        body.surface = isKnown ? known->surface : surfaceOf(body);
+        const auto found = std::ranges::find(before, entry.id, &ColliderBody::id);
+        const ColliderBody* known = found == before.end() ? nullptr : &*found;
+        ColliderBody body = bodyOf(scene, entry.id, *collider, known);
+        body.surface = known && looksAlike(*known, body) ? known->surface : surfaceOf(body);
         bodies.push_back(std::move(body));
     }
     return bodies;

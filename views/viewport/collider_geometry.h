@@ -17,15 +17,18 @@
 namespace ripstop {
 
 // What the numbers and the file of a collider make, in its own frame. It is kept from picture to
-// picture: a mesh is neither read nor made into a surface again because something was selected.
+// picture: a mesh is not made into a surface again because something was selected. Files are read
+// and hills are made by the engine and the check, on their threads; until one of them has, the body
+// is late and has the shape of before, if any.
 struct ColliderBody
 {
     Id id{};
     Collider collider;                        // that it was made of
-    std::shared_ptr<const HeightGrid> grid;   // of a height field; null when its file fails
-    std::shared_ptr<const TriangleTree> mesh; // of a mesh; null when its file fails
-    Eigen::AlignedBox3d bounds;               // m; empty for a plane
-    vtkSmartPointer<vtkPolyData> surface;     // with normals; null for a plane or a failed file
+    std::shared_ptr<const HeightGrid> grid;   // of a height field; null when it is flawed
+    std::shared_ptr<const TriangleTree> mesh; // of a mesh; null when it is flawed
+    bool isLate = false;
+    Eigen::AlignedBox3d bounds;           // m; empty for a plane
+    vtkSmartPointer<vtkPolyData> surface; // with normals; null for a plane or a failed file
 };
 
 // The bodies of all colliders of the scene, in its order. Those of `before` that are still right

@@ -7,6 +7,7 @@
 #include <vtkLight.h>
 #include <vtkRenderWindow.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace ripstop {
@@ -187,6 +188,11 @@ bool Stage::somethingBroke() const
     return !m_drawn || m_drawn->torn != m_frame->torn || m_drawn->gone != m_frame->gone;
 }
 
+std::ptrdiff_t Stage::lateOnes() const
+{
+    return std::ranges::count_if(m_bodies, &ColliderBody::isLate);
+}
+
 void Stage::prepare(const Scene& scene)
 {
     if (!m_frame)
@@ -196,7 +202,10 @@ void Stage::prepare(const Scene& scene)
     if (otherLayout || m_lookIsOld) {
         m_layout = m_frame->layout;
         m_look = lookOf(scene, *m_layout);
+    }
+    if (const auto late = lateOnes(); otherLayout || m_lookIsOld || late > 0) {
         m_bodies = bodiesOf(scene, std::move(m_bodies));
+        m_layersAreOld |= lateOnes() != late;
     }
     const bool rebuild = otherLayout || m_lookIsOld || m_layersAreOld || somethingBroke();
     if (!rebuild && !otherFrame)

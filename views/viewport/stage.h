@@ -70,6 +70,7 @@ private:
     void takeBounds();
     void takeRange();
     bool somethingBroke() const;
+    std::ptrdiff_t lateOnes() const; // colliders whose file is being read
     std::array<Layer*, 10> layers();
 
     PinLayer m_pins;

@@ -174,6 +174,10 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     connect(&player, &Player::frameReady, this,
             [this](const std::shared_ptr<const Frame>& frame) { show(frame); });
 
+    // the files of colliders have been read then, also when there is no frame
+    connect(&player, &Player::stateChanged, this, [this] { d->screen.update(); });
+    connect(&player.follower(), &Follower::checked, this, [this] { d->screen.update(); });
+
     setTheme(Theme::from(palette()));
     if (player.frame())
         d->stage.show(player.frame());
