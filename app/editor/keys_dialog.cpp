@@ -50,6 +50,8 @@ KeysDialog::KeysDialog(const std::vector<QAction*>& actions, const Scene& scene,
     section(tr("In the 3D view"));
     new QTreeWidgetItem(table, {tr("Left drag"), tr("Turn"), tr("The horizon stays level.")});
     new QTreeWidgetItem(table, {tr("Middle or Shift + left drag"), tr("Move"), QString()});
+    new QTreeWidgetItem(table, {tr("Ctrl + left drag"), tr("Steer"),
+                                tr("Drags what controls move: corners, pilots, colliders.")});
     new QTreeWidgetItem(table, {tr("Wheel"), tr("Zoom"), tr("Towards the cursor.")});
     new QTreeWidgetItem(table, {tr("Click"), tr("Select"),
                                 tr("With Shift or Ctrl, add to the selection or take away.")});

@@ -6,10 +6,13 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "run/simulation.h"
+#include "viewport/hand.h"
 #include "viewport/steady_range.h"
 #include "viewport/wind_layer.h"
 
 #include <Eigen/Geometry>
+#include <QApplication>
+#include <QMouseEvent>
 #include <QSurfaceFormat>
 #include <QtTest>
 
@@ -169,6 +172,69 @@ private slots:
         QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, {200, 160});
         QCOMPARE(view.selection.ids(), std::vector{Id{5}});
         QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, {2, 2});
+        QVERIFY(view.selection.ids().empty());
+    }
+
+    // What is dragged along axes in the picture stays under the cursor; along an axis that points
+    // at the eye nothing moves.
+    void theHandFollowsTheCursor()
+    {
+        Scene scene = redPanel();
+        const auto control = [&](std::uint32_t id, const Vec3& axis) {
+            Control row;
+            row.targets = {Id{4}};
+            row.axis = axis;
+            scene.items.push_back({Id{id}, row});
+        };
+        control(7, Vec3(2.0, 0.0, 0.0));
+        control(8, Vec3(0.0, 1.0, 0.0));
+        control(9, Vec3(0.0, 0.0, 1.0));
+        QVERIFY(Hand(scene, Id{2}, Vec3::Zero()).isEmpty());
+        const Hand hand(scene, Id{4}, Vec3(0.3, 0.2, 0.0));
+        QCOMPARE(hand.controls(), (std::vector{Id{7}, Id{8}, Id{9}}));
+        Turntable camera;
+        for (const bool orthographic : {true, false}) {
+            camera.orthographic = orthographic;
+            const double perPixel = 2.0 * camera.halfHeight() / 300.0;
+            const std::vector<double> pull = hand.pull(camera, 300.0, 40.0, -20.0);
+            QVERIFY(std::abs(pull[0] - 40.0 * perPixel) < 0.002 * 40.0 * perPixel);
+            QVERIFY(std::abs(pull[1] - 20.0 * perPixel) < 0.002 * 20.0 * perPixel);
+            QVERIFY(std::abs(pull[2]) < 1e-9);
+        }
+    }
+
+    void controlDragSteers()
+    {
+        Scene scene = redPanel();
+        Collider ball;
+        ball.shape = ColliderShape::Sphere;
+        ball.position = {0.0, -0.3, 2.0};
+        scene.items.push_back({Id{7}, ball});
+        Control control;
+        control.targets = {Id{7}};
+        control.limit = 0.25;
+        scene.items.push_back({Id{8}, control});
+        scene.nextId = Id{9};
+        View view(scene);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        QTRY_COMPARE(view.viewport.pick({200, 160}), Id{7});
+        const double azimuth = view.viewport.camera().azimuth;
+        const auto move = [&](QPointF to) {
+            QMouseEvent event(QEvent::MouseMove, to, view.viewport.mapToGlobal(to), Qt::NoButton,
+                              Qt::LeftButton, Qt::ControlModifier);
+            QApplication::sendEvent(&view.viewport, &event);
+        };
+        QTest::mousePress(&view.viewport, Qt::LeftButton, Qt::ControlModifier, {200, 160});
+        move({215, 160});
+        const double gone = view.player.commandOf(Id{8});
+        QVERIFY2(gone > 0.01 && gone < 0.25, qPrintable(QString::number(gone)));
+        move({399, 160});
+        QCOMPARE(view.player.commandOf(Id{8}), 0.25); // its limit
+        move({200, 160});
+        QVERIFY(std::abs(view.player.commandOf(Id{8})) < 1e-12); // back where it was
+        QTest::mouseRelease(&view.viewport, Qt::LeftButton, Qt::ControlModifier, {200, 160});
+        QCOMPARE(view.viewport.camera().azimuth, azimuth);
         QVERIFY(view.selection.ids().empty());
     }
 

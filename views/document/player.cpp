@@ -80,10 +80,15 @@ void Player::setSpeed(double ratio)
 
 void Player::nudge(Id id, int steps)
 {
+    if (const Control* control = findItem<Control>(m_document.scene(), id))
+        steer(id, commandOf(id) + steps * control->step);
+}
+
+void Player::steer(Id id, double asked)
+{
     const Control* control = findItem<Control>(m_document.scene(), id);
     if (!control)
         return;
-    const double asked = commandOf(id) + steps * control->step;
     const double command = std::clamp(asked, -control->limit, control->limit);
 
     // The simulation moves the commands of automatic controls; an old one must not set them back.
@@ -95,11 +100,11 @@ void Player::nudge(Id id, int steps)
     m_runner.command(m_commands);
 }
 
-// Where the control is told to go now, m.
 double Player::commandOf(Id id) const
 {
     if (const auto held = m_commands.find(std::uint32_t(id)); held != m_commands.end())
-        if (findItem<Control>(m_document.scene(), id)->automaticRate == 0.0)
+        if (const Control* control = findItem<Control>(m_document.scene(), id);
+            control && control->automaticRate == 0.0)
             return held->second;
     if (m_frame && m_frame->run == m_run) {
         const auto& inputs = m_frame->layout->inputId;

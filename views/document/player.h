@@ -43,7 +43,9 @@ public:
     // Simulated seconds per second of the clock; 0 is as fast as it can.
     void setSpeed(double ratio);
 
-    // Moves the command of a control by whole steps, within its limit.
+    // Where a control is told to go, m, within its limit; nudge() moves that by whole steps.
+    double commandOf(Id control) const;
+    void steer(Id control, double command);
     void nudge(Id control, int steps);
 
 signals:
@@ -72,7 +74,6 @@ private:
     bool refuse(); // says why nothing can be played, if so
     void halt();
     bool hasArrived() const; // where playUntil() wanted
-    double commandOf(Id control) const;
 
     Document& m_document;
     Runner m_runner;

@@ -5,6 +5,7 @@
 #include "document/selection.h"
 #include "viewport/compass.h"
 #include "viewport/element_places.h"
+#include "viewport/hand.h"
 #include "viewport/legend.h"
 #include "viewport/picker.h"
 #include "viewport/scene_frame.h"
@@ -67,6 +68,8 @@ public:
     void place();
     void moveWith(const Frame& frame);
     void fitNow();
+    void grip(Id id);
+    void drag(const QPointF& way);
 
     Document& document;
     Selection& selection;
@@ -85,6 +88,8 @@ public:
     QPointF pressed;
     QPointF last;
     bool dragging = false;
+    std::optional<Hand> hand; // that moves controls while it drags
+    std::vector<double> held; // m, where it found them
 };
 
 // --- frames and scene ------------------------------------------------------------------------
@@ -148,6 +153,32 @@ void Viewport::Private::fitNow()
     if (following && stage.frame())
         followed = middleOf(*stage.frame());
     screen.update();
+}
+
+// Takes hold of what controls move, if that is what is under the cursor.
+void Viewport::Private::grip(Id id)
+{
+    const auto& frame = stage.frame();
+    if (id == noId || !frame)
+        return;
+    std::vector<Vec3> places = placesOf(*frame, document.scene(), {id});
+    if (const auto* collider = findItem<Collider>(document.scene(), id))
+        places = {placeOf(*frame, id, *collider)};
+    if (places.empty())
+        return;
+    hand.emplace(document.scene(), id, places.front());
+    if (hand->isEmpty())
+        return hand.reset();
+    held.clear();
+    for (const Id control : hand->controls())
+        held.push_back(player.commandOf(control));
+}
+
+void Viewport::Private::drag(const QPointF& way)
+{
+    const std::vector<double> pull = hand->pull(camera, screen.height(), way.x(), way.y());
+    for (std::size_t i = 0; i < pull.size(); ++i)
+        player.steer(hand->controls()[i], held[i] + pull[i]);
 }
 
 // --- the widget ------------------------------------------------------------------------------
@@ -339,6 +370,8 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 {
     d->pressed = d->last = event->position();
     d->dragging = false;
+    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::ControlModifier)
+        d->grip(pick(event->position()));
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -348,6 +381,10 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
         d->dragging = true;
     if (!d->dragging)
         return;
+    if (d->hand) {
+        setCursor(Qt::ClosedHandCursor);
+        return d->drag(event->position() - d->pressed);
+    }
     const QPointF step = event->position() - d->last;
     d->last = event->position();
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
@@ -362,6 +399,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
+    d->hand.reset();
+    unsetCursor();
     if (d->dragging || event->button() != Qt::LeftButton)
         return;
     const Id id = pick(event->position());

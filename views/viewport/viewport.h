@@ -1,6 +1,7 @@
 // The 3D view.
 //
 // Left drag turns it, middle or Shift + left drag moves it, the wheel moves in towards the cursor.
+// Ctrl + left drag moves what controls move: corners, pilots, colliders.
 // A click selects the particle, link, panel or collider under the cursor; with Shift or Ctrl it
 // adds to the selection or takes away.
 #pragma once
