@@ -97,7 +97,8 @@ void addElongations(std::vector<Case>& cases)
         const double digits = hang.percent < 0.01 ? 0.5e-4 : 0.5e-3; // what was rounded away
         cases.push_back({"T-K2", title + nameOf(hang.solver), hang.percent,
                          within(std::max(0.02 * hang.percent, digits)), "%",
-                         "computed by another program", [=] { return elongation(hang); }});
+                         "independent small program, double precision",
+                         [=] { return elongation(hang); }});
     }
     // That program's Gauss-Seidel goes down the rope in order; ours takes colours, there and back,
     // so only the ranking is compared.

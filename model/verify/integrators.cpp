@@ -80,8 +80,8 @@ void addEnergies(std::vector<Case>& cases)
                          energyRatioOf(scheme), relative(1e-6), "", "closed form of the recurrence",
                          [=] { return ratio(); }});
         cases.push_back({idOf(scheme), "the same beside another program's, " + nameOf(scheme),
-                         published[i], within(digits[i]), "", "computed by another program",
-                         [=] { return ratio(); }});
+                         published[i], within(digits[i]), "",
+                         "independent small program, double precision", [=] { return ratio(); }});
         cases.push_back({idOf(scheme), "order of the error at 1.1 s, " + nameOf(scheme), orders[i],
                          within(0.1), "", "order of the scheme",
                          [=] { return orderOf(scheme, false); }});

@@ -64,6 +64,8 @@ private slots:
         QTest::newRow("no ids")            << "control.targets"     << " "           << value(std::vector<Id>{});
         QTest::newRow("optional, there")   << "link.stiffness"      << "40"          << value(40.0);
         QTest::newRow("optional, absent")  << "link.stiffness"      << ""            << value(std::monostate());
+        QTest::newRow("rows")              << "material.polar"      << "0,0,1; 90,1,2"  << value(NumberRows{{0, 0, 1}, {90, 1, 2}});
+        QTest::newRow("rows, end mark")    << "material.polar"      << "0,0,1; 90,1,2;" << value(NumberRows{{0, 0, 1}, {90, 1, 2}});
         // clang-format on
     }
 
@@ -116,6 +118,9 @@ private slots:
         QTest::newRow("gap in ids")            << "control.targets"     << "1,,2"       << "must be a list of ids";
         QTest::newRow("word, optional")        << "link.stiffness"      << "soft"       << "must be a number";
         QTest::newRow("negative, optional")    << "link.stiffness"      << "-4"         << "must be at least 0";
+        QTest::newRow("empty row")             << "material.polar"      << "0,0,1;;9,1,2" << "must be rows of numbers";
+        QTest::newRow("short row")             << "material.polar"      << "0,0,1;9,1"  << "must have 3 numbers in each row (row 2)";
+        QTest::newRow("row that falls")        << "material.polar"      << "9,0,1;0,0,1" << "must have angles that rise from row to row, between 0 and 90 (row 2)";
         // clang-format on
     }
 
