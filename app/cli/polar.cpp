@@ -44,6 +44,8 @@ Scene plateOf(std::string_view law)
     plate.skinFriction = 0.0;
     if (plate.airLaw == AirLaw::Paper)
         plate.normalCoefficient = 4.0;
+    if (plate.airLaw == AirLaw::Vortex)
+        plate.broadsideCoefficient = 1.17; // of a plate that has stalled
     Scene scene;
     const Id id = takeId(scene);
     scene.items.push_back({id, plate});

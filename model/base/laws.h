@@ -31,7 +31,7 @@ enum class LinkRole : std::uint8_t {
                                                    // its threads or across its cells
 enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
 enum class TearRule { Never, Length, Strain, Force };
-enum class AirLaw { None, Paper, LinearNormal, LiftDrag };
+enum class AirLaw { None, Paper, LinearNormal, LiftDrag, Vortex };
 enum class WindKind { Uniform, PowerLaw, LogLaw, Gusts, Jet };
 enum class ColliderShape { Plane, Sphere, Box, HeightField, Mesh };
 enum class Response { Stop, Slide, Contact };
@@ -80,8 +80,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", "length", "strain",
                                                                        "force"};
 template <>
-inline constexpr std::array<std::string_view, 4> choiceNames<AirLaw>{"none", "paper",
-                                                                     "linear_normal", "lift_drag"};
+inline constexpr std::array<std::string_view, 5> choiceNames<AirLaw>{
+    "none", "paper", "linear_normal", "lift_drag", "vortex"};
 template <>
 inline constexpr std::array<std::string_view, 5> choiceNames<WindKind>{"uniform", "power_law",
                                                                        "log_law", "gusts", "jet"};

@@ -34,6 +34,7 @@ constexpr Parameter parameters[]{
     {"washout",     "deg",   7,     -10, 40,    false, "How much less the tips meet the wind than the root; gives pitch stability to a swept wing."},
     {"reflex",      "",      0.02,  -0.1, 0.2,   false, "Rise of the rear end of the keel over its length; gives pitch stability."},
     {"lift_slope",  "1/rad", 4.0,   0.1, 8,     false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a taut delta of aspect ratio A, 3.1 fits the first, slack Rogallo wings."},
+    {"vortex",      "",      0,     0, 1,     true,  "1 flies with the vortex law, which finds lift slope and induced drag from the shape of the wing; 0 with the plate law and the lift slope above."},
     {"drag",        "",      0.06,  0, 0.5,   false, "Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin friction."},
     {"altitude",    "m",     100,   5, 3000,  false, "Height of the nose at the start."},
     {"shift",       "m",     0.4,   0.01, 1,     false, "How far the pilot can shift either way."},
@@ -52,6 +53,11 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     Material material;
     material.normalCoefficient = p.at("lift_slope");
     material.skinFriction = p.at("drag");
+    if (p.at("vortex") != 0.0) {
+        material.airLaw = AirLaw::Vortex;
+        material.normalCoefficient = 2.0; // of a plate, when it stalls
+        material.broadsideCoefficient = 1.17;
+    }
     const auto add = [&](const char* name, const char* color, bool shown) {
         material.name = name;
         material.color = color;

@@ -1,8 +1,9 @@
 // Statics: the load on a rigid design in a steady wind.
 //
-// Builders use it to place what a craft hangs from and to start it in trim. Only the linear-normal
-// law is known here, because that is what flying designs are built with:
-//     F = 1/2 rho A (Ca |w| (n.w) n + Cf |wt| wt),   w the wind that the panel feels, m/s.
+// Builders use it to place what a craft hangs from and to start it in trim. Known here is what
+// flying designs are built with, the linear-normal law,
+//     F = 1/2 rho A (Ca |w| (n.w) n + Cf |wt| wt),   w the wind that the panel feels, m/s,
+// and the vortex law (base/vortex_wing.h).
 #pragma once
 
 #include "scene/scene.h"

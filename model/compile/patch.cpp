@@ -1,5 +1,7 @@
 #include "compile/patch.h"
 
+#include "sim/wing_load.h"
+
 #include <algorithm>
 
 namespace ripstop {
@@ -44,6 +46,9 @@ public:
         items(patch);
         if (m_dragLines)
             listDragLines(m_system);
+        if (!patch.materials.empty() || !patch.particles.empty() || !patch.panels.empty()
+            || patch.winds)
+            listWings(m_system);
         if (m_tearRules)
             listTearable(m_system);
         if (m_allRods)

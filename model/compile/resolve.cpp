@@ -188,13 +188,17 @@ MaterialAir airOf(Id id, const Material& material)
 {
     MaterialAir air;
     air.key = Key(id);
-    air.law = material.airLaw;
+    // a wing that stalls is a plate
+    const bool wing = material.airLaw == AirLaw::Vortex;
+    air.law = wing ? AirLaw::LinearNormal : material.airLaw;
+    if (wing)
+        air.stall = std::sin(material.stallAngle * std::numbers::pi / 180.0);
     air.normalCoefficient = material.normalCoefficient;
-    if (material.broadsideCoefficient && material.airLaw == AirLaw::LinearNormal
+    if (material.broadsideCoefficient && air.law == AirLaw::LinearNormal
         && material.normalCoefficient > 0.0)
         air.saturation = material.normalCoefficient / *material.broadsideCoefficient - 1.0;
     air.skinFriction = material.skinFriction;
-    air.porosity = material.porosity;
+    air.porosity = wing ? 0.0 : material.porosity;
     air.lineWidth = material.dragCoefficient * material.diameter;
     if (material.airLaw == AirLaw::LiftDrag)
         air.polar = polarOf(material.polar);

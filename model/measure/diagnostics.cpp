@@ -3,6 +3,7 @@
 #include "sim/inputs.h"
 #include "sim/line_drag.h"
 #include "sim/panel_load.h"
+#include "sim/wing_load.h"
 #include "sim/spring_force.h"
 
 #include <Eigen/Geometry>
@@ -160,6 +161,7 @@ std::vector<Vec3> panelLoads(const System& system, const State& state)
     std::vector<PaddedVec3> load(system.panels.size());
     Crew alone(1);
     fillPanelLoads(system, state, alone, load);
+    WingLoads().add(system, state, load);
     return {load.begin(), load.end()};
 }
 

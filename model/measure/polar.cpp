@@ -1,6 +1,9 @@
 #include "measure/polar.h"
 
+#include "base/vortex_wing.h"
 #include "sim/panel_load.h"
+
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>
@@ -38,6 +41,60 @@ constexpr std::array references{
                    [](double a) { return 2.0 * std::sin(a); }},
 };
 
+// A rectangle in y = 0 with the wind along x, of the aspect ratio of the curves above.
+struct Rectangle
+{
+    std::vector<PaddedVec3> position; // m
+    std::vector<std::array<int, 3>> corners;
+    WingStrips strips;
+};
+
+Rectangle rectangle()
+{
+    constexpr int along = 4;
+    constexpr int across = wingStrips;
+    Rectangle plate;
+    for (int i = 0; i <= across; ++i)
+        for (int j = 0; j <= along; ++j)
+            plate.position.push_back(
+                {double(j) / along, 0.0, aspectRatio * (double(i) / across - 0.5)});
+    for (int i = 0; i < across; ++i)
+        for (int j = 0; j < along; ++j) {
+            const int first = i * (along + 1) + j;
+            const int next = first + along + 1;
+            plate.corners.push_back({first, next, first + 1});
+            plate.corners.push_back({next, next + 1, first + 1});
+        }
+    const std::vector<std::uint8_t> all(plate.corners.size(), 1);
+    const std::vector<Vec3> chord(plate.corners.size(), Vec3::UnitX());
+    plate.strips = wingsOf(plate.corners, all, plate.position, chord).front();
+    return plate;
+}
+
+Vec3 wingLoad(const MaterialAir& air, const Vec3& wind, double density) // N
+{
+    static const Rectangle plate = rectangle();
+    const WingStrips& wing = plate.strips;
+    std::vector<WingPanel> panels(plate.corners.size());
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const Vec3& a = plate.position[std::size_t(plate.corners[i][0])];
+        const Vec3& b = plate.position[std::size_t(plate.corners[i][1])];
+        const Vec3& c = plate.position[std::size_t(plate.corners[i][2])];
+        sum += panelLoad(air, a, b, c, wind, density);
+        panels[i].normal = (b - a).cross(c - a);
+        panels[i].wind = wind;
+        panels[i].plate = air.normalCoefficient;
+        panels[i].saturation = air.saturation;
+        panels[i].stall = air.stall;
+    }
+    fillWingLoads(wing, rimOf(wing.front, plate.position), rimOf(wing.rear, plate.position),
+                  density, panels);
+    for (const WingPanel& panel : panels)
+        sum += panel.load;
+    return sum;
+}
+
 } // namespace
 
 std::vector<PolarRow> platePolar(const MaterialAir& air, double step)
@@ -51,9 +108,12 @@ std::vector<PolarRow> platePolar(const MaterialAir& air, double step)
         const double degrees = i * step;
         const double s = std::sin(degrees * pi / 180.0);
         const double c = std::cos(degrees * pi / 180.0);
-        const Vec3 load = panelLoad(air, Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(),
-                                    speed * Vec3(c, s, 0.0), density)
-                          / (0.5 * density * speed * speed * area);
+        const Vec3 wind = speed * Vec3(c, s, 0.0);
+        const bool wing = air.stall > 0.0;
+        const Vec3 force =
+            wing ? wingLoad(air, wind, density)
+                 : panelLoad(air, Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(), wind, density);
+        const Vec3 load = force / (0.5 * density * speed * speed * (wing ? aspectRatio : area));
         rows.push_back(
             {degrees, load.y(), load.y() * c - load.x() * s, load.y() * s + load.x() * c});
     }

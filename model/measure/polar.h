@@ -20,7 +20,8 @@ struct PolarRow
     double drag;    // 1, C_D
 };
 
-// From 0 to 90 degrees; `step` in degrees. The load is that of panelLoad().
+// From 0 to 90 degrees; `step` in degrees. The load is that of panelLoad(); with the vortex law, of
+// a rectangular plate of aspect ratio 2.
 std::vector<PolarRow> platePolar(const MaterialAir& air, double step);
 
 // A curve from the literature. All are normal forces: C_L = C_N cos, C_D = C_N sin.

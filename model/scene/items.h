@@ -108,6 +108,7 @@ struct Material
     double normalCoefficient = 2.0;             // 1
     std::optional<double> broadsideCoefficient; // 1; absent, that of small angles holds
     NumberRows polar = flatPlatePolar();        // degrees, CL, CD
+    double stallAngle = 15.0;                   // degrees, of the vortex law
     double skinFriction = 0.02;                 // 1
     double porosity = 0.0;                      // 1
     double diameter = 0.0;                      // m, of links as lines in the wind

@@ -171,6 +171,7 @@ void Stepper::fillAccelerations(const System& system, const State& state)
     fillSpringForces(system, state, m_crew, m_springForce);
     m_clock.lap(StepStage::Springs);
     fillPanelLoads(system, state, m_crew, m_panelLoad);
+    m_wings.add(system, state, m_panelLoad);
     fillLineDrags(system, state, m_crew, m_lineDrag);
     m_clock.lap(StepStage::Air);
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {

@@ -9,6 +9,7 @@
 #include "sim/step_times.h"
 #include "sim/system.h"
 #include "sim/tearing.h"
+#include "sim/wing_load.h"
 
 namespace ripstop {
 
@@ -55,6 +56,7 @@ private:
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
     FabricContact m_fabric;
+    WingLoads m_wings;
     std::vector<PaddedVec3> m_springForce;   // [springs] N, on end `a`
     std::vector<std::uint8_t> m_springIsAtB; // [springsAt.items]
     std::vector<PaddedVec3> m_panelLoad;     // [panels] N

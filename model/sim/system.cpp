@@ -3,6 +3,7 @@
 #include "base/key_index.h"
 #include "sim/gusts.h"
 #include "sim/rod_order.h"
+#include "sim/wing_load.h"
 
 #include <algorithm>
 #include <atomic>
@@ -122,17 +123,17 @@ auto fieldsOf(S& system)
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
            solver, strainGoal, tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity,
            speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
-           chunkReach, direct, materialAir, dragLines, panels, panelKey, links, linkStuff,
+           chunkReach, direct, materialAir, dragLines, panels, panelKey, wings, links, linkStuff,
            springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt, panelsAt,
            dragLinesAt, panelsBeside, obstacles, fabricLayer, inputs, shiftedRods, probes, start] =
         system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
                     key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
-                    chunkReach, direct, materialAir, dragLines, panels, panelKey, links, linkStuff,
-                    springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt, panelsAt,
-                    dragLinesAt, panelsBeside, obstacles, fabricLayer, inputs, shiftedRods, probes,
-                    start);
+                    chunkReach, direct, materialAir, dragLines, panels, panelKey, wings, links,
+                    linkStuff, springLink, rodLink, tearableSprings, tearableRods, springsAt,
+                    rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, fabricLayer, inputs,
+                    shiftedRods, probes, start);
 }
 
 template <typename S>
@@ -241,6 +242,7 @@ void finishOrdered(System& system, RodOrder order)
     fill(start.rodTorn, system.rods.size(), std::uint8_t(0));
     fill(start.panelGone, system.panels.size(), std::uint8_t(0));
     fill(start.rodTension, system.rods.size(), 0.0);
+    listWings(system);
 }
 
 void startGusts(System& system)

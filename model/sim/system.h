@@ -10,6 +10,7 @@
 #include "base/laws.h"
 #include "base/path_key.h"
 #include "base/vec3.h"
+#include "base/wing_strips.h"
 #include "shapes/height_grid.h"
 #include "shapes/triangle_tree.h"
 
@@ -78,6 +79,7 @@ struct MaterialAir
     double saturation = 0.0;        // 1, Ca / C90 - 1; linear normal only
     double skinFriction = 0.0;      // 1, Cs
     double porosity = 0.0;          // 1, c
+    double stall = 0.0;             // 1, sine of the stall of a wing; 0 for what is none
     double lineWidth = 0.0;         // m, drag coefficient times diameter
     std::vector<PolarPoint> polar;  // [polarCells + 1] at equal steps of tan(alpha / 2) from 0 to 1
 
@@ -343,6 +345,7 @@ struct System
     std::vector<DragLine> dragLines;      // in the order of their links
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]
+    std::vector<WingStrips> wings;          // pieces of fabric with the vortex law
     std::vector<LinkPlace> links;     // in the author's order
     std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
     std::vector<int> springLink;      // [springs] index into links

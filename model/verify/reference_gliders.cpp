@@ -17,6 +17,8 @@ struct Wing
     double area;   // m^2
     double aspect; // 1, span^2 / area
     double mass;   // kg, with pilot
+    AirLaw law;
+    double drag; // 1, CD0 of its class
 };
 
 struct Point
@@ -25,8 +27,9 @@ struct Point
     double sink;  // m/s
 };
 
-// Flown at seven trims; by rising speed. Sail, drag and twist are the builder's, but for the slope
-// that its help gives for a delta of this aspect ratio, 2 pi A / (2 + sqrt(A^2 + 8)).
+// Flown at eight trims; by rising speed. Sail and twist are the builder's. With the plate law the
+// slope is that which the builder's help gives for a delta of this aspect ratio,
+// 2 pi A / (2 + sqrt(A^2 + 8)).
 std::vector<Point> polarOf(const Wing& wing)
 {
     const double span = std::sqrt(wing.aspect * wing.area);
@@ -39,6 +42,8 @@ std::vector<Point> polarOf(const Wing& wing)
                                                    {"wing_mass", 0.3 * wing.mass},
                                                    {"pilot_mass", 0.7 * wing.mass},
                                                    {"lift_slope", slope},
+                                                   {"vortex", wing.law == AirLaw::Vortex},
+                                                   {"drag", wing.drag},
                                                    {"speed", trim},
                                                    {"altitude", 2000.0}});
         if (!glider || !glider->runUntil(20.0))
@@ -91,19 +96,20 @@ std::vector<Reference> gliderReferences()
     std::vector<Reference> references;
     const auto row = [&](const Wing& wing, const char* what, double low, double high,
                          const char* unit, const char* source, auto measure) {
-        char note[120];
+        char note[160];
         std::snprintf(note, sizeof note,
-                      "hang_glider, %g m2, aspect ratio %g, %g kg, linear-normal", wing.area,
-                      wing.aspect, wing.mass);
+                      "hang_glider, %g m2, aspect ratio %g, %g kg, CD0 %g, law %s", wing.area,
+                      wing.aspect, wing.mass, wing.drag, nameOf(wing.law).c_str());
         references.push_back({section, wing.name + std::string(", ") + what, low, high, unit,
                               source, note, measure});
     };
-    const Wing rogallo{"standard Rogallo of the 1970s", 18.0, 2.6, 90.0};
+    const Wing rogallo{
+        "standard Rogallo of the 1970s", 18.0, 2.6, 90.0, AirLaw::LinearNormal, 0.06};
     const auto old = shared([=] { return polarOf(rogallo); });
     row(rogallo, "best glide", 3.5, 4.5, "", "british-hang-gliding-museum; plans of 1974",
         [=] { return bestGlide(old()); });
 
-    const Wing single{"single surface, USHPA-2", 15.5, 5.5, 100.0};
+    const Wing single{"single surface, USHPA-2", 15.5, 5.5, 100.0, AirLaw::Vortex, 0.045};
     const auto middle = shared([=] { return polarOf(single); });
     row(single, "best glide", 9.5, 9.5, "", "XCSoar PolarStore",
         [=] { return bestGlide(middle()); });
@@ -117,7 +123,7 @@ std::vector<Reference> gliderReferences()
             [=, speed = speed] { return sinkAt(middle(), speed / 3.6); });
     }
 
-    const Wing topless{"topless, USHPA-4", 14.0, 7.2, 100.0};
+    const Wing topless{"topless, USHPA-4", 14.0, 7.2, 100.0, AirLaw::Vortex, 0.03};
     const auto late = shared([=] { return polarOf(topless); });
     row(topless, "best glide", 13.4, 13.4, "", "XCSoar PolarStore",
         [=] { return bestGlide(late()); });

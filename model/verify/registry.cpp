@@ -28,6 +28,7 @@ const Section sections[] = {
     {"Tearing", tearingCases},
     {"Air", airCases},
     {"Laws of the air", airLawCases},
+    {"Wings", wingCases},
     {"Wind", windCases},
     {"Flight", flightCases},
     {"Counts", countCases},

@@ -27,6 +27,7 @@ std::vector<Case> contactCases();
 std::vector<Case> tearingCases();
 std::vector<Case> airCases();
 std::vector<Case> airLawCases();
+std::vector<Case> wingCases();
 std::vector<Case> windCases();
 std::vector<Case> flightCases();
 std::vector<Case> countCases();

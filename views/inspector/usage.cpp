@@ -62,14 +62,19 @@ bool uses(const Link& link, std::string_view key)
 
 bool uses(const Material& material, std::string_view key)
 {
+    const auto isLaw = [&](auto... laws) { return ((material.airLaw == laws) || ...); };
     if (key == "normalCoefficient")
-        return material.airLaw == AirLaw::Paper || material.airLaw == AirLaw::LinearNormal;
+        return isLaw(AirLaw::Paper, AirLaw::LinearNormal, AirLaw::Vortex);
     if (key == "broadsideCoefficient")
-        return material.airLaw == AirLaw::LinearNormal;
+        return isLaw(AirLaw::LinearNormal, AirLaw::Vortex);
+    if (key == "stallAngle")
+        return isLaw(AirLaw::Vortex);
     if (key == "polar")
         return material.airLaw == AirLaw::LiftDrag;
-    if (key == "skinFriction" || key == "porosity")
-        return material.airLaw != AirLaw::None;
+    if (key == "skinFriction")
+        return !isLaw(AirLaw::None);
+    if (key == "porosity")
+        return !isLaw(AirLaw::None, AirLaw::Vortex);
     if (key == "dragCoefficient")
         return material.diameter > 0.0;
     return key != "tearLimit" || material.tearRule != TearRule::Never;
