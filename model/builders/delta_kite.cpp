@@ -41,6 +41,7 @@ constexpr Parameter parameters[]{
     {"gusts",        "m/s",   0,      0, 50,    false, "Wind at 20 ft whose gusts blow as well; 7.7 is light turbulence, 15.4 moderate."},
     {"launch",       "deg",   35,     5, 85,    false, "Angle of the line above the horizon at the start."},
     {"lift_slope",   "1/rad", 3.7,    0.1, 8,   false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a delta of aspect ratio A, less for a loose sail."},
+    {"vortex",       "",      0,      0, 1,     true,  "1 flies the wing with the vortex law, which finds lift slope and induced drag from its shape; 0 with the plate law and the lift slope above; the keel has that law in any case."},
     {"drag",         "",      0.04,   0, 0.5,   false, "Drag coefficient of sail and spars edge on, as skin friction of the sail."},
     {"hand_height",  "m",     1.2,    0, 100,   false, "Height of the hand over the ground."},
 };
@@ -67,12 +68,19 @@ Materials addMaterials(Scene& scene, const Parameters& p)
         material.shown = shown;
         return addItem(scene, material);
     };
+    const Material plate = material;
+    if (p.at("vortex") != 0.0) {
+        material.airLaw = AirLaw::Vortex;
+        material.normalCoefficient = 2.0; // of a plate, when it stalls
+        material.broadsideCoefficient = 1.17;
+    }
     Materials materials{};
     materials.sail.sail = add("sail", "#f4a024", true);
     materials.sail.border = add("border", "#c3342b", true);
     materials.sail.seams = add("seams", "#d4851a", true);
     materials.sail.edges = add("spar", "#20262e", true);
     materials.spar = materials.sail.edges;
+    material = plate;
     materials.keel = add("keel cloth", "#2a6f97", true);
     material.diameter = p.at("line_diameter");
     materials.line = add("line", "#5c677d", true);

@@ -46,12 +46,12 @@ std::vector<Point> polarOf(const Wing& wing)
                                                    {"drag", wing.drag},
                                                    {"speed", trim},
                                                    {"altitude", 2000.0}});
-        if (!glider || !glider->runUntil(20.0))
+        if (!glider || !glider->runUntil(30.0))
             continue;
         const Vec3 from = centerOfMass(glider->system(), glider->state().position);
-        if (!glider->runUntil(35.0))
+        if (!glider->runUntil(64.0)) // some four swings of speed against height
             continue;
-        const Vec3 way = (centerOfMass(glider->system(), glider->state().position) - from) / 15.0;
+        const Vec3 way = (centerOfMass(glider->system(), glider->state().position) - from) / 34.0;
         if (way.y() < 0.0 && std::hypot(way.x(), way.z()) > -way.y()) // glides
             polar.push_back({way.norm(), -way.y()});
     }

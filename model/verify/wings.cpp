@@ -317,11 +317,12 @@ void addStall(std::vector<Case>& cases)
     cases.push_back({"T-A12", "wing at 90 degrees, C_N", 1.17, relative(1e-9), "",
                      "the plate that it is when stalled",
                      [] { return inWind(rectangle(6.0), windAt(90.0 * degrees)).force.y(); }});
-    cases.push_back({"T-A12", "wing of aspect ratio 6 at 45 degrees over the blended plate", 1.0,
-                     relative(1e-9), "", "stalled all over: 2 sin / (1 + (2 / 1.17 - 1) sin)", [] {
-                         const double s = std::sqrt(0.5);
+    cases.push_back({"T-A12", "wing of aspect ratio 6 at 60 degrees over the blended plate", 1.0,
+                     relative(1e-9), "", "too far from the chord: 2 sin / (1 + (2 / 1.17 - 1) sin)",
+                     [] {
+                         const double s = std::sin(60.0 * degrees);
                          const double plate = 2.0 * s / (1.0 + (2.0 / 1.17 - 1.0) * s);
-                         return inWind(rectangle(6.0), windAt(45.0 * degrees)).force.y() / plate;
+                         return inWind(rectangle(6.0), windAt(60.0 * degrees)).force.y() / plate;
                      }});
     cases.push_back({"T-A12", "wing of aspect ratio 6, greatest lift coefficient, at most", 1.5,
                      atMost, "", "2 pi sin(1.2 x 15 degrees) less what is stalled", [] {

@@ -71,9 +71,9 @@ private slots:
     {
         const QStringList names = sampleNames();
         for (const char* name :
-             {"cloth", "delta_kite", "flag", "glider_over_hills", "hang_glider", "heavy_load",
-              "parachute", "pendulum", "rope", "self_contact", "sheet_on_boxes", "sheet_on_terrain",
-              "stiffened_rod", "tear_test", "torn_sheet"})
+             {"cloth", "delta_kite", "flag", "glider_over_hills", "glider_polar", "hang_glider",
+              "heavy_load", "parachute", "pendulum", "rope", "self_contact", "sheet_on_boxes",
+              "sheet_on_terrain", "stiffened_rod", "tear_test", "torn_sheet"})
             QVERIFY2(names.contains(name), name);
     }
 
@@ -263,6 +263,21 @@ private slots:
         QVERIFY(probe(simulation, "mean glide ratio") > 2.0);
         QVERIFY(probe(simulation, "distance flown") > 100.0);
         QVERIFY(probe(simulation, "height") > 10.0); // still in the air
+    }
+
+    // Within 20 % of the best glide of modern wings, 13.4 (USHPA-4 of XCSoar's PolarStore),
+    // steadily.
+    void gliderWithInducedFlowGlidesFar()
+    {
+        Simulation simulation = started("glider_polar");
+        QVERIFY(simulation.runUntil(20.0)); // it starts with a swing
+        const double from = probe(simulation, "distance flown");
+        const double high = probe(simulation, "height");
+        QVERIFY(simulation.runUntil(54.0));
+        const double glide =
+            (probe(simulation, "distance flown") - from) / (high - probe(simulation, "height"));
+        qInfo("glide ratio %.2f", glide);
+        QVERIFY(std::abs(glide / 13.4 - 1.0) < 0.2);
     }
 
     // T-F2: weight shift forward flies faster, to the right turns right, and let go it recovers.
