@@ -33,6 +33,7 @@ std::shared_ptr<const System> compiled(const Scene& scene)
 MaterialAir wingAir()
 {
     MaterialAir air;
+    air.normalCoefficient = 1.0; // when stalled: less than a wing has
     air.stall = 0.25;
     return air;
 }
@@ -197,13 +198,14 @@ private slots:
         QVERIFY((engine - load.force).norm() < 1e-9 * pull);
     }
 
-    // The mirror image of a step is the step of the mirror image, so that a glider flies straight.
+    // Air and wing are mirror images of themselves; what is left comes from the order of sweeps.
     void gliderFliesStraight()
     {
         Simulation simulation(compiled(glider()));
         QVERIFY(simulation.runUntil(20.0));
         const Vec3 centre = centerOfMass(simulation.system(), simulation.state().position);
-        QVERIFY2(std::abs(centre.z()) < 0.5, qPrintable(QString::number(centre.z())));
+        QVERIFY(centre.x() > 200.0);
+        QVERIFY2(std::abs(centre.z()) < 0.01 * centre.x(), qPrintable(QString::number(centre.z())));
     }
 
     void sameBitsOnThreads()
