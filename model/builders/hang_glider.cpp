@@ -108,15 +108,19 @@ Wing addWing(Network& network, const Parameters& p, const Materials& materials)
     return wing;
 }
 
-// The angle of attack at which the air carries the whole weight at this speed, rad.
-double trimAngle(const Scene& scene, const Part& part, double speed)
+// The least angle of attack at which the air carries the whole weight at this speed, rad.
+double trimAngle(const Scene& scene, const Part& part, double speed, bool stalls)
 {
     const double weight = weightOf(part).mass * scene.settings.gravity.norm();
-    return root(
-        [&](double angle) {
-            return airLoad(scene, part, headwind(speed, angle)).force.norm() - weight;
-        },
-        0.0, 60.0 * degrees);
+    const auto surplus = [&](double angle) {
+        const Vec3 force = airLoad(scene, part, headwind(speed, angle)).force;
+        return std::copysign(force.norm(), force.y()) - weight;
+    };
+    const double most = 60.0 * degrees;
+    double high = stalls ? 1.0 * degrees : most; // beyond the stall it may carry the weight again
+    while (high < most && surplus(high) < 0.0)
+        high += 1.0 * degrees;
+    return root(surplus, 0.0, high);
 }
 
 // Pilot and control frame hang where the line of the air's force passes through the centre of
@@ -192,7 +196,7 @@ Scene buildHangGlider(const Parameters& p)
     Network network(scene, "glider");
     const Wing wing = addWing(network, p, materials);
     const double speed = p.at("speed");
-    const double angle = trimAngle(scene, network.part(), speed);
+    const double angle = trimAngle(scene, network.part(), speed, p.at("vortex") != 0.0);
     const Load air = airLoad(scene, network.part(), headwind(speed, angle));
     hangPilot(network, wing, air);
     addControlRods(network, materials, wing);
