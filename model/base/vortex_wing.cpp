@@ -68,24 +68,26 @@ Square downwashMatrix()
     return result;
 }
 
-// Velocity at `p`, times 4 pi, of a vortex of unit circulation from a to b, and from a to infinity
-// along the unit vector d. `core`, m^2, keeps it finite at the vortex.
-Vec3 ofBound(const Vec3& p, const Vec3& a, const Vec3& b, double core)
+// A place as seen from an end of a vortex.
+struct Sight
 {
-    const Vec3 fromA = p - a;
-    const Vec3 fromB = p - b;
-    const double lengthA = fromA.norm();
-    const double lengthB = fromB.norm();
-    const double both = lengthA * lengthB;
-    return ((lengthA + lengthB) / (both * (both + fromA.dot(fromB)) + core * both + core * core))
-           * fromA.cross(fromB);
+    Vec3 from;     // m
+    double length; // m
+};
+
+// Velocity at the place, times 4 pi, of a vortex of unit circulation from a to b, and from a to
+// infinity along the unit vector d. `core`, m^2, keeps it finite at the vortex.
+Vec3 ofBound(const Sight& a, const Sight& b, double core)
+{
+    const double both = a.length * b.length;
+    return ((a.length + b.length)
+            / (both * (both + a.from.dot(b.from)) + core * both + core * core))
+           * a.from.cross(b.from);
 }
 
-Vec3 ofTrailing(const Vec3& p, const Vec3& a, const Vec3& d, double core)
+Vec3 ofTrailing(const Sight& a, const Vec3& d, double core)
 {
-    const Vec3 from = p - a;
-    const double length = from.norm();
-    return d.cross(from) / (length * (length - d.dot(from)) + core);
+    return d.cross(a.from) / (a.length * (a.length - d.dot(a.from)) + core);
 }
 
 double smoothStep(double low, double high, double x)
@@ -136,10 +138,17 @@ void layLine(const WingRim& front, const WingRim& rear, Line& line)
     line.span = line.quarter[N] - line.quarter[0];
 }
 
-double headOn(const WingPanel& panel, double side) // m/s
+void meetPanels(const WingStrips& wing, std::span<WingPanel> panels)
 {
-    const double size = panel.normal.norm();
-    return size > 0.0 ? side * panel.normal.dot(panel.wind) / size : 0.0;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        WingPanel& panel = panels[i];
+        panel.load = Vec3::Zero();
+        panel.held = 0.0;
+        panel.more = 0.0;
+        panel.size = panel.normal.norm();
+        panel.headOn =
+            panel.size > 0.0 ? wing.side[i] * panel.normal.dot(panel.wind) / panel.size : 0.0;
+    }
 }
 
 void meetWind(const WingStrips& wing, std::span<const WingPanel> panels, Line& line)
@@ -150,13 +159,12 @@ void meetWind(const WingStrips& wing, std::span<const WingPanel> panels, Line& l
         Strip& strip = line.strip[std::size_t(part.strip)];
         if (panel.gone)
             strip.held = 0.0;
-        const double size = part.area * panel.normal.norm();
-        const double through = headOn(panel, wing.side[std::size_t(part.panel)]);
+        const double size = part.area * panel.size;
         strip.area += size;
         strip.wind += size * panel.wind;
-        strip.mean += size * through;
+        strip.mean += size * panel.headOn;
         strip.stall += size * panel.stall;
-        strip.wash += part.wash * through;
+        strip.wash += part.wash * panel.headOn;
     }
     for (Strip& strip : line.strip) {
         line.wind += strip.wind;
@@ -180,11 +188,17 @@ bool findCirculations(Line& line)
     Row value;
     for (std::size_t i = 0; i < N; ++i) {
         const Strip& strip = line.strip[i];
-        Vec3 last = ofTrailing(strip.check, line.quarter[0], rearward, core);
+        const auto sight = [&](std::size_t end) {
+            const Vec3 from = strip.check - line.quarter[end];
+            return Sight{from, from.norm()};
+        };
+        Sight here = sight(0);
+        Vec3 last = ofTrailing(here, rearward, core);
         for (std::size_t j = 0; j < N; ++j) {
-            const Vec3 next = ofTrailing(strip.check, line.quarter[j + 1], rearward, core);
-            const Vec3 bound = ofBound(strip.check, line.quarter[j], line.quarter[j + 1], core);
-            matrix[i][j] = (bound + next - last).dot(strip.normal) * width;
+            const Sight there = sight(j + 1);
+            const Vec3 next = ofTrailing(there, rearward, core);
+            matrix[i][j] = (ofBound(here, there, core) + next - last).dot(strip.normal) * width;
+            here = there;
             last = next;
         }
         value[i] = -4.0 * pi * strip.wash * width;
@@ -229,24 +243,27 @@ void addStripForces(const WingStrips& wing, const Vec3& downwind, double airDens
         panels[std::size_t(part.panel)].load += part.load * force[std::size_t(part.strip)];
 }
 
-// What panels get by themselves: the load of a plate less where they hold, and the moment of
-// camber.
+// What panels get by themselves: the moment of camber, and less of the load of a plate where they
+// hold.
 void addPanelForces(const WingStrips& wing, double airDensity, const Line& line,
                     std::span<WingPanel> panels)
 {
     for (const StripPart& part : wing.parts) {
         WingPanel& panel = panels[std::size_t(part.panel)];
         const Strip& strip = line.strip[std::size_t(part.strip)];
-        if (panel.gone || part.area == 0.0)
+        panel.held += part.area * strip.held;
+        panel.more += part.area * strip.held * (panel.headOn - strip.mean);
+    }
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        WingPanel& panel = panels[i];
+        if (panel.gone)
             continue;
-        const double side = wing.side[std::size_t(part.panel)];
-        const double more = side * (headOn(panel, side) - strip.mean);
         const double speed = panel.wind.norm();
         // across the wind: in thin sections the suction at the edge takes the drag of camber away
         const Vec3 along = panel.wind / std::max(speed, 1e-300);
         const Vec3 across = panel.normal - panel.normal.dot(along) * along;
-        const double bend = 0.25 * airDensity * camberSlope * speed * more;
-        panel.load += (part.area * strip.held) * (bend * across - plateLoad(panel, airDensity));
+        const double bend = 0.25 * airDensity * camberSlope * speed * wing.side[i] * panel.more;
+        panel.load += bend * across - panel.held * plateLoad(panel, airDensity);
     }
 }
 
@@ -284,8 +301,7 @@ Vec3 plateLoad(const WingPanel& panel, double airDensity)
 void fillWingLoads(const WingStrips& wing, const WingRim& front, const WingRim& rear,
                    double airDensity, std::span<WingPanel> panels)
 {
-    for (WingPanel& panel : panels)
-        panel.load = Vec3::Zero();
+    meetPanels(wing, panels);
     Line line;
     layLine(front, rear, line);
     meetWind(wing, panels, line);

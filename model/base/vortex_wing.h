@@ -38,6 +38,12 @@ struct WingPanel
     double stall = 0.25;        // 1, sine of the stall's angle
     bool gone = false;
     Vec3 load = Vec3::Zero(); // N, the answer: to be added to the plate's load
+
+    // found on the way
+    double size = 0.0;   // m^2, twice the area
+    double headOn = 0.0; // m/s, the wind across the panel
+    double held = 0.0;   // 1, share that is not stalled
+    double more = 0.0;   // m/s, head-on wind beyond the mean of the strips, of that share
 };
 
 Vec3 plateLoad(const WingPanel& panel, double airDensity); // N

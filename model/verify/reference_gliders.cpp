@@ -27,7 +27,7 @@ struct Point
     double sink;  // m/s
 };
 
-// Flown at eight trims; by rising speed. Sail and twist are the builder's. With the plate law the
+// Flown at nine trims; by rising speed. Sail and twist are the builder's. With the plate law the
 // slope is that which the builder's help gives for a delta of this aspect ratio,
 // 2 pi A / (2 + sqrt(A^2 + 8)).
 std::vector<Point> polarOf(const Wing& wing)
@@ -36,7 +36,7 @@ std::vector<Point> polarOf(const Wing& wing)
     const double slope = 2.0 * 3.14159265358979323846 * wing.aspect
                          / (2.0 + std::sqrt(wing.aspect * wing.aspect + 8.0));
     std::vector<Point> polar;
-    for (const double trim : {8.0, 9.0, 10.0, 11.0, 12.5, 15.0, 18.0, 22.0}) {
+    for (const double trim : {8.0, 9.0, 10.0, 11.0, 12.5, 15.0, 18.0, 22.0, 26.0}) {
         const auto glider = design("hang_glider", {{"span", span},
                                                    {"chord", 2.0 * wing.area / span},
                                                    {"wing_mass", 0.3 * wing.mass},
