@@ -21,5 +21,6 @@ void addBench(CLI::App& app, Command& chosen);
 void addProperties(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
 void addPresets(CLI::App& app, Command& chosen);
+void addWeigh(CLI::App& app, Command& chosen);
 
 } // namespace ripstop

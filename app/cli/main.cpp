@@ -49,6 +49,7 @@ int call(int argc, char** argv)
     addBench(app, chosen);
     addProperties(app, chosen);
     addPresets(app, chosen);
+    addWeigh(app, chosen);
     addVerify(app, chosen);
 
     if (argc > 1 && argv[1][0] != '-')

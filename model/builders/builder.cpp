@@ -51,8 +51,9 @@ std::optional<Failure> refused(const Parameter& parameter, double value)
 
 std::span<const Builder> allBuilders()
 {
-    static const std::array table{clothBuilder,     ropeBuilder,      hangGliderBuilder,
-                                  deltaKiteBuilder, parachuteBuilder, stiffenedRodBuilder};
+    static const std::array table{clothBuilder,      ropeBuilder,      hangGliderBuilder,
+                                  deltaKiteBuilder,  parachuteBuilder, stiffenedRodBuilder,
+                                  bendingTestBuilder};
     return table;
 }
 

@@ -28,9 +28,10 @@ constexpr Parameter parameters[]{
     {"membrane",  "N/m",    0,    0, 1e7,  false, "Membrane stiffness E t of the fabric along its threads; above 0 it replaces the stiffness, and the sheet stretches alike at every resolution."},
     {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones; of the membrane, shear stiffness over membrane stiffness."},
     {"bend",      "",       0.02, 0, 2,    false, "Stiffness of bend springs over that of structural ones."},
+    {"bending",   "N m",    0,    0, 10,   false, "Bending stiffness of the fabric, its moment per width and curvature; garments have 1e-5 to 1e-4."},
     {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only."},
     {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never."},
-    {"hang",      "",       0,    0, 3,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away."},
+    {"hang",      "",       0,    0, 4,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped."},
     {"slit",      "",       0,    0, 0.9,  false, "A cut from the middle of the lower edge upwards, over the height; tears start there."},
     {"level",     "m",      1.6,  0.01, 1000, false, "Height of the top edge over the ground."},
     {"flat",      "",       1,    0, 1,    true,  "1 starts with the sheet lying level, 0 hanging."},
@@ -46,6 +47,7 @@ constexpr Parameter parameters[]{
 constexpr int byCorners = 0;
 constexpr int byEdge = 1;
 constexpr int byTwoEdges = 3;
+constexpr int clamped = 4; // the first two columns
 
 struct Materials
 {
@@ -69,6 +71,7 @@ Materials addMaterials(Scene& scene, const Parameters& p)
             material.shearStiffness = p.at("shear") * p.at("membrane");
     }
     material.arealDensity = p.at("density");
+    material.bendingStiffness = p.at("bending");
     const auto add = [&](const char* name, const char* color, double share) {
         material.name = name;
         material.color = color;
@@ -284,6 +287,11 @@ Scene buildCloth(const Parameters& p)
     if (hang == byTwoEdges)
         for (const Id node : sheet.edge(sheet.columns()))
             held.push_back(node);
+    if (hang == clamped) {
+        held = sheet.edge(0);
+        for (const Id node : sheet.edge(1))
+            held.push_back(node);
+    }
     for (const Id node : held)
         network.row(node).pinned = true;
     if (hang == byEdge) // a flag that is exactly plane in the wind would stay so for ever

@@ -11,5 +11,6 @@ extern const Builder hangGliderBuilder;
 extern const Builder deltaKiteBuilder;
 extern const Builder parachuteBuilder;
 extern const Builder stiffenedRodBuilder;
+extern const Builder bendingTestBuilder;
 
 } // namespace ripstop

@@ -5,7 +5,9 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
+#include "scene/check.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
@@ -17,6 +19,8 @@ constexpr Parameter parameters[]{
     {"length",    "m",    2,    0.01, 1000, false, "Of the whole rope."},
     {"density",   "kg/m", 0.05, 0, 50,   false, "Mass of the rope per length."},
     {"axial",     "N",    0,    0, 1e9,  false, "Axial stiffness EA of the rope, its tension per strain; 0 never stretches."},
+    {"rigidity",  "N m^2", 0,   0, 1e6,  false, "Flexural rigidity EI of a spar, its bending moment per curvature; a kite spar has 1 to 10, a rope nothing."},
+    {"clamped",   "",     0,    0, 1,    true,  "1 pins the second particle as well, so that the first segment keeps its direction."},
     {"end_mass",  "kg",   0,    0, 1000, false, "A bob at the free end, over and above the rope's own mass."},
     {"angle",     "deg",  60,   0, 180,  false, "Of the rope at the start, from straight down."},
     {"ends",      "",     1,    0, 2,    true,  "How many ends are pinned."},
@@ -36,6 +40,7 @@ Scene buildRope(const Parameters& p)
     material.linearDensity = p.at("density");
     if (p.at("axial") > 0.0)
         material.axialStiffness = p.at("axial");
+    material.flexuralRigidity = p.at("rigidity");
     const Id cord = addItem(scene, material);
     Network network(scene, "rope");
     const int count = int(p.at("segments"));
@@ -49,6 +54,7 @@ Scene buildRope(const Parameters& p)
         network.line(first, last, count, length * p.at("density"), cord, resists);
     if (p.at("stiffened") > 0.0) {
         material.name = "stiffening";
+        material.flexuralRigidity = 0.0;
         material.shown = false;
         const Id stiffening = addItem(scene, material);
         for (int i = 0; i + 2 <= count; ++i)
@@ -59,6 +65,7 @@ Scene buildRope(const Parameters& p)
         network.row(node).mass = std::max(network.row(node).mass, 1e-6);
     network.row(first).pinned = p.at("ends") >= 1.0;
     network.row(last).pinned = p.at("ends") >= 2.0;
+    network.row(nodes[1]).pinned |= p.at("clamped") > 0.0;
 
     addGroup(scene, "rope nodes", nodes);
     const Id firstRod = network.part().links.front().id;
@@ -69,6 +76,10 @@ Scene buildRope(const Parameters& p)
     addProbe(scene, "tension", Quantity::Tension, firstRod);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
     addProbe(scene, "energy", Quantity::TotalEnergy);
+    if (p.at("rigidity") > 0.0) // a fifth to spare
+        if (const std::optional<StepLimit> limit = stepLimit(scene))
+            scene.settings.substeps =
+                std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
     return scene;
 }
 

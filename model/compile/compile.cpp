@@ -92,6 +92,7 @@ RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
 void addPanels(const Scene& scene, const ElementIndex& index, System& system)
 {
     system.materialAir = materialAirOf(scene);
+    system.bending = bendingsOf(scene);
     KeyIndex airs(system.materialAir.size());
     for (const MaterialAir& air : system.materialAir)
         airs.add(air.key, int(&air - system.materialAir.data()));

@@ -14,6 +14,13 @@ bool solvesLike(const Rod& a, const Rod& b)
            && a.resists == b.resists;
 }
 
+// Whether bends, or the step that they allow, may be others.
+bool touchesBends(const Patch& patch)
+{
+    return !patch.materials.empty() || !patch.particles.empty() || !patch.springs.empty()
+           || !patch.rods.empty() || !patch.linkStuff.empty() || !patch.panels.empty();
+}
+
 class Patcher
 {
 public:
@@ -49,6 +56,10 @@ public:
         if (!patch.materials.empty() || !patch.particles.empty() || !patch.panels.empty()
             || patch.winds)
             listWings(m_system);
+        if (m_bending || (!m_system.bending.empty() && touchesBends(patch))) {
+            listBends(m_system);
+            m_allRods = true; // the choice of Solver::Auto hangs on bends
+        }
         if (m_tearRules)
             listTearable(m_system);
         if (m_allRods)
@@ -87,6 +98,19 @@ private:
         MaterialAir& held = m_system.materialAir[std::size_t(airOf(key))];
         m_dragLines |= air.lineWidth != held.lineWidth;
         held = std::move(air);
+        this->bending(std::size_t(airOf(key)), bendingOf(material));
+    }
+
+    void bending(std::size_t place, const Bending& bending)
+    {
+        std::vector<Bending>& all = m_system.bending;
+        if ((all.empty() ? Bending() : all[place]) == bending)
+            return;
+        all.resize(m_system.materialAir.size());
+        all[place] = bending;
+        if (isLimp(all))
+            all.clear();
+        m_bending = true;
     }
 
     void stuff(const LinkStuff& now, LinkStuff& held)
@@ -153,6 +177,7 @@ private:
     bool m_allRods = false;
     bool m_tearRules = false; // have changed
     bool m_dragLines = false; // have changed
+    bool m_bending = false;   // has changed
     bool m_layout = false;
 };
 

@@ -212,6 +212,25 @@ std::vector<MaterialAir> materialAirOf(const Scene& scene)
     return airs;
 }
 
+Bending bendingOf(const Material& material)
+{
+    return {material.bendingStiffness, material.flexuralRigidity};
+}
+
+std::vector<Bending> bendingsOf(const Scene& scene)
+{
+    std::vector<Bending> bendings{Bending()};
+    forEachItem<Material>(scene, [&](Id, const Material& m) { bendings.push_back(bendingOf(m)); });
+    return isLimp(bendings) ? std::vector<Bending>() : bendings;
+}
+
+bool isLimp(const std::vector<Bending>& bendings)
+{
+    return std::all_of(bendings.begin(), bendings.end(), [](const Bending& bending) {
+        return bending.fabric == 0.0 && bending.spar == 0.0;
+    });
+}
+
 void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring)
 {
     if (!(stuff.own & OwnStiffness))

@@ -24,6 +24,9 @@ Spring springOf(const Link& row, const Material& material, int a, int b); // par
 Rod rodOf(const Link& row, const Material& material, int a, int b);
 MaterialAir airOf(Id id, const Material& material);
 std::vector<MaterialAir> materialAirOf(const Scene& scene);
+Bending bendingOf(const Material& material);
+std::vector<Bending> bendingsOf(const Scene& scene); // [materialAir], empty when all are limp
+bool isLimp(const std::vector<Bending>& bendings);
 
 // The numbers that come from the material, but for those that the link has itself.
 void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring);

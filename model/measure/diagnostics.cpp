@@ -1,5 +1,6 @@
 #include "measure/diagnostics.h"
 
+#include "sim/bend_force.h"
 #include "sim/inputs.h"
 #include "sim/line_drag.h"
 #include "sim/panel_load.h"
@@ -76,6 +77,7 @@ Energies energies(const System& system, const State& state)
                 elasticEnergy(1.0 / rod.compliance, rod.resists, length - restLength[index]);
         }
     }
+    sum.elastic += bendingEnergy(system, state);
     return sum;
 }
 

@@ -12,7 +12,7 @@ struct Energies
 {
     double kinetic = 0.0;   // J
     double potential = 0.0; // J, of weight, zero at the origin
-    double elastic = 0.0;   // J, in springs and compliant rods
+    double elastic = 0.0;   // J, in springs, compliant rods and bends
     double total() const { return kinetic + potential + elastic; }
 };
 

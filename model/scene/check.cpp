@@ -1,6 +1,7 @@
 #include "scene/check.h"
 
 #include "base/step_limit.h"
+#include "scene/bending.h"
 #include "scene/collider_shape.h"
 #include "scene/element_index.h"
 #include "scene/link_stiffness.h"
@@ -30,7 +31,7 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
     {
         double stiffness = 0.0; // N/m
         double damping = 0.0;   // N s/m
-        bool springs = false;
+        bool forces = false;
     };
     std::vector<Sums> at;
     forEachPart(scene, [&](Id, const Part& part) { at.resize(at.size() + part.particles.size()); });
@@ -50,16 +51,21 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
                     material ? springStiffness(*material, link.role, link.width, link.restLength)
                              : 0.0);
                 sums.damping += link.damping.value_or(material ? material->damping : 0.0);
-                sums.springs = true;
+                sums.forces = true;
             }
         }
     });
+    const std::vector<double> bends = bendSumsOf(scene, index);
+    for (std::size_t k = 0; k < bends.size(); ++k) {
+        at[k].stiffness += bends[k];
+        at[k].forces |= bends[k] > 0.0;
+    }
     std::optional<StepLimit> limit;
     std::size_t i = 0;
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& particle : part.particles) {
             const Sums& sums = at[i++];
-            if (particle.pinned || !sums.springs)
+            if (particle.pinned || !sums.forces)
                 continue;
             const double h = springStepLimit(particle.mass, sums.stiffness, sums.damping);
             if (std::isfinite(h) && (!limit || h < limit->timeStep))
@@ -369,7 +375,7 @@ private:
         char text[200];
         std::snprintf(
             text, sizeof text,
-            "The substep of %.3g s is above the %.3g s that the springs at particle %u may "
+            "The substep of %.3g s is above the %.3g s that springs and bending at particle %u may "
             "need: shorten the time step, add substeps, or lower stiffness and damping.",
             h, limit->timeStep, unsigned(limit->particle));
         add("step", Severity::Warning, text, limit->particle);

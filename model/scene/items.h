@@ -100,6 +100,8 @@ struct Material
     std::optional<double> axialStiffness;    // N, EA of lines and spars; see link_stiffness.h
     std::optional<double> membraneStiffness; // N/m, E t of fabric along its threads
     std::optional<double> shearStiffness;    // N/m, G t of fabric
+    double bendingStiffness = 0.0;           // N m, B of fabric; see base/bend.h
+    double flexuralRigidity = 0.0;           // N m^2, EI of spars
     std::optional<double> arealDensity;      // kg/m^2, of fabric, as weighed into the particles
     std::optional<double> linearDensity;     // kg/m, of lines and spars, as weighed into them
     TearRule tearRule = TearRule::Never;

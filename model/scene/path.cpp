@@ -1,5 +1,7 @@
 #include "scene/path.h"
 
+#include "scene/weigh.h"
+
 #include <charconv>
 
 namespace ripstop {
@@ -142,8 +144,8 @@ Result<Edit> assignment(const Scene& scene, std::string_view text)
     const Result<Value> value = valueFromText(*place->property, text.substr(equals + 1));
     if (!value)
         return value.failure();
-    return Edit{"Set " + std::string(place->property->label),
-                {SetValues{place->property, place->targets, {*value}}}};
+    return weighed(scene, {"Set " + std::string(place->property->label),
+                           {SetValues{place->property, place->targets, {*value}}}});
 }
 
 } // namespace ripstop

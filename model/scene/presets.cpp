@@ -1,11 +1,10 @@
 #include "scene/presets.h"
 
-#include "scene/element_index.h"
-
-#include <Eigen/Geometry>
+#include "scene/weigh.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace ripstop {
@@ -59,13 +58,16 @@ Preset coatedCloth(const char* name, const char* label, const std::string& sourc
 }
 
 // Shear stiffness and porosity were not measured.
-Preset garment(const char* name, const char* label, double density, double membrane)
+Preset garment(const char* name, const char* label, double density, double membrane, double bending)
 {
-    return fabric(
+    Preset preset = fabric(
         name, label,
-        "Wang, O'Brien and Ramamoorthi 2011, data of ARCSim; E t is twice its C11 as read "
-        "by others; shear is left to the material's own stiffness, air is held back.",
+        "Wang, O'Brien and Ramamoorthi 2011, data of ARCSim: weight and bending stiffness; E t is "
+        "twice its C11 as read by others; shear is left to the material's own stiffness, air is "
+        "held back.",
         density, membrane, std::nullopt, std::nullopt);
+    preset.values.emplace_back("bendingStiffness", bending);
+    return preset;
 }
 
 void addFabrics(std::vector<Preset>& presets)
@@ -99,11 +101,17 @@ void addFabrics(std::vector<Preset>& presets)
     presets.push_back(coatedCloth("skytex_38", "Porcher Skytex 38", porcher, 0.038));
     presets.push_back(coatedCloth("teijin_d2", "Teijin D2, canopy of surf kites",
                                   "About 52 g/m2, a typical value, unsourced.", 0.052));
-    presets.push_back(garment("gray_interlock", "Grey interlock knit", 0.187, 69.0));
-    presets.push_back(garment("camel_ponte_roma", "Ponte Roma knit", 0.284, 88.1));
-    presets.push_back(garment("white_swim_solid", "Swimwear", 0.204, 209.0));
-    presets.push_back(garment("denim_11oz", "Black denim, 11 oz", 0.324, 2028.0));
-    presets.push_back(garment("royal_target", "Royal Target cotton", 0.220, 4070.0));
+    presets.push_back(garment("gray_interlock", "Grey interlock knit", 0.187, 69.0, 2.32e-5));
+    presets.push_back(garment("navy_sparkle_sweat", "Sweat knit", 0.224, 25.0, 5.95e-5));
+    presets.push_back(garment("camel_ponte_roma", "Ponte Roma knit", 0.284, 88.1, 3.63e-5));
+    presets.push_back(garment("ivory_rib_knit", "Rib knit", 0.276, 130.0, 4.62e-5));
+    presets.push_back(garment("white_swim_solid", "Swimwear", 0.204, 209.0, 6.02e-5));
+    presets.push_back(garment("tango_red_jet_set", "Jet set", 0.113, 343.0, 1.43e-5));
+    presets.push_back(garment("pink_ribbon_brown", "Pink ribbon brown", 0.228, 490.0, 1.17e-4));
+    presets.push_back(garment("denim_11oz", "Black denim, 11 oz", 0.324, 2028.0, 6.42e-5));
+    presets.push_back(
+        garment("white_dots_on_black", "White dots on black", 0.128, 4055.0, 5.17e-5));
+    presets.push_back(garment("royal_target", "Royal Target cotton", 0.220, 4070.0, 1.25e-4));
 }
 
 // --- lines -----------------------------------------------------------------------------------
@@ -173,11 +181,16 @@ Preset dyneema(const char* name, const char* label, double millimetres)
 
 // --- spars -----------------------------------------------------------------------------------
 
-Preset spar(const char* name, const char* label, const std::string& source, double diameter,
-            double axial, std::optional<double> density)
+Preset spar(const char* name, const char* label, const std::string& source, double rigidity,
+            std::optional<double> diameter, std::optional<double> axial,
+            std::optional<double> density)
 {
     Preset preset{PresetKind::Spar, name, label, source, {}};
-    preset.values = {{"axialStiffness", axial}, {"diameter", diameter}, {"dragCoefficient", 1.1}};
+    preset.values = {{"flexuralRigidity", rigidity}, {"dragCoefficient", 1.1}};
+    if (axial)
+        preset.values.emplace_back("axialStiffness", *axial);
+    if (diameter)
+        preset.values.emplace_back("diameter", *diameter);
     if (density)
         preset.values.emplace_back("linearDensity", *density);
     return preset;
@@ -185,26 +198,51 @@ Preset spar(const char* name, const char* label, const std::string& source, doub
 
 double tubeArea(double outer, double inner) { return 0.25 * pi * (outer * outer - inner * inner); }
 
+// EI = E pi (outer^4 - inner^4) / 64.
+void addTubes(std::vector<Preset>& presets, const std::string& table)
+{
+    // with E the bore follows from EI, and EA from the bore
+    const std::string tube =
+        table + "EI and mass measured; EA from E 50 GPa and the bore that gives this EI.";
+    presets.push_back(spar("fibreglass_tube_6", "Fibreglass tube 6 mm", tube, 1.95, 6e-3,
+                           50e9 * tubeArea(6e-3, 4.73e-3), 0.0247));
+    presets.push_back(spar("fibreglass_tube_8", "Fibreglass tube 8 mm", tube, 7.73, 8e-3,
+                           50e9 * tubeArea(8e-3, 5.55e-3), 0.0382));
+    const std::string stiff =
+        table + "EI and mass measured; stiffer than 50 GPa of this diameter, so EA is left alone.";
+    presets.push_back(
+        spar("fibreglass_tube_9", "Fibreglass tube 9 mm", stiff, 17.8, 9e-3, std::nullopt, 0.0512));
+    presets.push_back(spar("fibreglass_tube_10", "Fibreglass tube 10 mm", stiff, 44.8, 10e-3,
+                           std::nullopt, 0.054));
+    presets.push_back(spar("aluminium_42", "Aluminium 7075-T6 tube 42 x 0.9 mm",
+                           "Handbook values of 7075-T6: E 71.7 GPa, 2810 kg/m3.",
+                           71.7e9 * pi / 64.0 * (std::pow(42e-3, 4) - std::pow(40.2e-3, 4)), 42e-3,
+                           71.7e9 * tubeArea(42e-3, 40.2e-3), 2810.0 * tubeArea(42e-3, 40.2e-3)));
+}
+
 void addSpars(std::vector<Preset>& presets)
 {
     const std::string table = "jesseo.com/kites/spar-calculator.php: ";
-    const std::string rod = table + "E 122 GPa, EA over the full circle; its mass is not given.";
-    presets.push_back(spar("carbon_rod_2", "Carbon rod 2 mm", rod, 2e-3, 122e9 * tubeArea(2e-3, 0),
-                           std::nullopt));
-    presets.push_back(spar("carbon_rod_3", "Carbon rod 3 mm", rod, 3e-3, 122e9 * tubeArea(3e-3, 0),
-                           std::nullopt));
-    presets.push_back(spar("carbon_rod_4", "Carbon rod 4 mm", rod, 4e-3, 122e9 * tubeArea(4e-3, 0),
-                           std::nullopt));
-    // the bore follows from EI = E pi (outer^4 - inner^4) / 64
-    const std::string tube =
-        table + "E 50 GPa and mass; the bore, and EA with it, follow from the measured EI of ";
-    presets.push_back(spar("fibreglass_tube_6", "Fibreglass tube 6 mm", tube + "1.95 N m2.", 6e-3,
-                           50e9 * tubeArea(6e-3, 4.73e-3), 0.0247));
-    presets.push_back(spar("fibreglass_tube_8", "Fibreglass tube 8 mm", tube + "7.73 N m2.", 8e-3,
-                           50e9 * tubeArea(8e-3, 5.55e-3), 0.0382));
-    presets.push_back(spar("aluminium_42", "Aluminium 7075-T6 tube 42 x 0.9 mm",
-                           "Handbook values of 7075-T6: E 71.7 GPa, 2810 kg/m3.", 42e-3,
-                           71.7e9 * tubeArea(42e-3, 40.2e-3), 2810.0 * tubeArea(42e-3, 40.2e-3)));
+    const std::string rod =
+        table + "EI measured; EA from E 122 GPa over the full circle; its mass is not given.";
+    presets.push_back(spar("carbon_rod_2", "Carbon rod 2 mm", rod, 0.096, 2e-3,
+                           122e9 * tubeArea(2e-3, 0), std::nullopt));
+    presets.push_back(spar("carbon_rod_3", "Carbon rod 3 mm", rod, 0.487, 3e-3,
+                           122e9 * tubeArea(3e-3, 0), std::nullopt));
+    presets.push_back(spar("carbon_rod_4", "Carbon rod 4 mm", rod, 1.54, 4e-3,
+                           122e9 * tubeArea(4e-3, 0), std::nullopt));
+    const std::string only =
+        table + "EI, by F L^3 / (48 d) of 908 g on 0.6604 m; no more is given.";
+    const auto bare = [&](const char* name, const char* label, double rigidity,
+                          std::optional<double> diameter) {
+        presets.push_back(spar(name, label, only, rigidity, diameter, std::nullopt, std::nullopt));
+    };
+    bare("skyshark_p90", "Skyshark P90", 3.72, std::nullopt);
+    bare("skyshark_p100", "Skyshark P100", 5.09, std::nullopt);
+    bare("skyshark_p400", "Skyshark P400", 6.97, std::nullopt);
+    bare("wood_6", "Wooden dowel 6 mm", 0.95, 6e-3);
+    bare("wood_8", "Wooden dowel 8 mm", 3.0, 8e-3);
+    addTubes(presets, table);
 }
 
 std::vector<Preset> made()
@@ -222,9 +260,9 @@ std::vector<Preset> made()
 // --- applying --------------------------------------------------------------------------------
 
 // What some preset sets. Another one that has nothing to say about it brings the default back.
-constexpr std::array<std::string_view, 8> settable{
-    "axialStiffness", "membraneStiffness", "shearStiffness", "porosity",
-    "diameter",       "dragCoefficient",   "tearRule",       "tearLimit"};
+constexpr std::array<std::string_view, 10> settable{
+    "axialStiffness",   "membraneStiffness", "shearStiffness",  "porosity", "bendingStiffness",
+    "flexuralRigidity", "diameter",          "dragCoefficient", "tearRule", "tearLimit"};
 
 const Value* valueOf(const Preset& preset, std::string_view key)
 {
@@ -238,70 +276,6 @@ std::optional<double> numberOf(const Preset& preset, std::string_view key)
     const Value* value = valueOf(preset, key);
     return value ? std::optional(std::get<double>(*value)) : std::nullopt;
 }
-
-// Takes the old mass of what is made of some materials off the particles and puts the new one on.
-class Scales
-{
-public:
-    explicit Scales(const Scene& scene)
-        : m_index(scene)
-    {
-        forEachPart(scene, [&](Id, const Part& part) {
-            for (const Particle& particle : part.particles)
-                m_particles.push_back(&particle);
-        });
-        m_change.resize(m_particles.size());
-    }
-
-    // More mass per area of panels, kg/m^2, and per length of links, kg/m.
-    void add(const Scene& scene, Id material, double areal, double linear)
-    {
-        forEachPart(scene, [&](Id, const Part& part) {
-            for (const Panel& panel : part.panels)
-                if (panel.material == material && areal != 0.0)
-                    addPanel(panel, areal);
-            for (const Link& link : part.links)
-                if (link.material == material && linear != 0.0)
-                    for (const Id end : {link.from, link.to})
-                        m_change[place(end)] += 0.5 * linear * link.restLength;
-        });
-    }
-
-    Result<SetValues> masses() const
-    {
-        SetValues change{findProperty(Kind::Particle, "mass"), {}, {}};
-        for (std::size_t i = 0; i < m_change.size(); ++i) {
-            const Particle& particle = *m_particles[i];
-            if (m_change[i] == 0.0)
-                continue;
-            const double mass = particle.mass + m_change[i];
-            if (!(mass > 0.0))
-                return Failure{"Particle " + std::to_string(std::uint32_t(particle.id))
-                               + " weighs less than the density of its material says: empty the "
-                                 "material's areal and linear density first."};
-            change.targets.push_back(particle.id);
-            change.values.emplace_back(mass);
-        }
-        return change;
-    }
-
-private:
-    std::size_t place(Id particle) const { return std::size_t(m_index.particle(particle)); }
-
-    void addPanel(const Panel& panel, double density)
-    {
-        const Vec3& a = m_particles[place(panel.a)]->position;
-        const Vec3& b = m_particles[place(panel.b)]->position;
-        const Vec3& c = m_particles[place(panel.c)]->position;
-        const double share = density * 0.5 * (b - a).cross(c - a).norm() / 3.0;
-        for (const Id corner : {panel.a, panel.b, panel.c})
-            m_change[place(corner)] += share;
-    }
-
-    ElementIndex m_index;
-    std::vector<const Particle*> m_particles; // as the index counts them
-    std::vector<double> m_change;             // [particles] kg
-};
 
 SetValues setting(std::string_view key, const std::vector<Id>& materials, const Value& value)
 {
@@ -366,7 +340,6 @@ Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
         changes.push_back({setting(key, materials, value ? *value : initial)});
     }
 
-    Scales scales(scene);
     const bool ofArea = preset.kind == PresetKind::Fabric;
     const std::string_view key = ofArea ? "arealDensity" : "linearDensity";
     const std::optional<double> density = numberOf(preset, key);
@@ -377,14 +350,12 @@ Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
             result.notWeighed.push_back(id);
             continue;
         }
-        scales.add(scene, id, ofArea ? *density - *old : 0.0, ofArea ? 0.0 : *density - *old);
         changes.push_back({setting(key, {id}, *density)});
     }
-    Result<SetValues> masses = scales.masses();
-    if (!masses)
-        return masses.failure();
-    if (!masses->targets.empty())
-        changes.push_back({std::move(*masses)});
+    Result<Edit> edit = weighed(scene, std::move(result.edit));
+    if (!edit)
+        return edit.failure();
+    result.edit = std::move(*edit);
     return result;
 }
 

@@ -99,6 +99,19 @@ RIPSTOP_INLINE void foreseeVelocities(const ParticleMotion& m, std::size_t first
     }
 }
 
+// Kept out of line, as few scenes have it.
+__attribute__((noinline)) Four bendingAt(const System& system, const PaddedVec3* moment,
+                                         std::size_t particle)
+{
+    Four sum{};
+    for (int k = system.bendsAt.start[particle]; k < system.bendsAt.start[particle + 1]; ++k) {
+        const int item = system.bendsAt.items[std::size_t(k)];
+        const Bend& bend = system.bends[std::size_t(item / 4)];
+        sum += all(bend.weight[std::size_t(item % 4)]) * four(moment[item / 4]);
+    }
+    return sum;
+}
+
 // Forces are computed per element and gathered per particle in the order of the elements, so that
 // sums do not depend on who computed what when.
 void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* acceleration,
@@ -110,6 +123,7 @@ void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* ac
     const int* const lines = system.dragLinesAt.items.data();
     constexpr double signs[2] = {1.0, -1.0};
     const bool drags = !system.dragLines.empty();
+    const bool bends = !system.bends.empty();
     for (std::size_t i = first; i < last; ++i) {
         if (system.inverseMass[i] == 0.0) {
             four(acceleration[i]) = Four{};
@@ -130,6 +144,8 @@ void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* ac
                 drag += four(forces.line[std::size_t(lines[k])]);
             force += drag * all(0.5);
         }
+        if (bends)
+            force -= bendingAt(system, forces.bend, i);
         four(acceleration[i]) = gravity + all(system.inverseMass[i]) * force;
     }
 }

@@ -14,6 +14,7 @@ struct ForcesOnElements
     const std::uint8_t* springIsAtB; // [springsAt.items] 1 where the particle is end `b`
     const PaddedVec3* panel;         // [panels] N, a third for each corner
     const PaddedVec3* line;          // [dragLines] N, half for each end
+    const PaddedVec3* bend;          // [bends] N, times the weight of each corner
 };
 
 struct ParticleMotion // arrays of [particles]

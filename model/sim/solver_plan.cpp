@@ -1,6 +1,7 @@
 #include "sim/solver_plan.h"
 
 #include "base/portable_math.h"
+#include "sim/bend_force.h"
 #include "sim/direct_choice.h"
 
 #include <algorithm>
@@ -102,14 +103,24 @@ std::string text(const char* pattern, auto... values)
     return buffer;
 }
 
+// A twentieth to spare.
+int substepsForBends(const System& system)
+{
+    const double needed = 1.05 * system.timeStep / bendStepLimit(system);
+    return std::clamp(int(std::ceil(needed)), 1, mostSubsteps);
+}
+
 } // namespace
 
 SolverPlan planFor(const System& system)
 {
     SolverPlan plan;
-    plan.substeps = system.substeps;
+    plan.least = substepsForBends(system);
+    plan.substeps = std::max(system.substeps, plan.least);
+    const std::string bends =
+        plan.least > 1 ? text("; bending needs at least %d", plan.least) : std::string();
     if (system.rods.empty()) {
-        plan.reason = "there are no rods";
+        plan.reason = "there are no rods" + bends;
         return plan;
     }
     Worst worst = worstRod(system, {});
@@ -125,13 +136,14 @@ SolverPlan planFor(const System& system)
         }
     }
     plan.substeps =
-        std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), system.substeps);
+        std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), plan.substeps);
     const bool all = !plan.direct.empty() && worst.rod < 0;
     plan.reason = block
                   + (all ? text("%d substeps", plan.substeps)
                          : text("small steps: %d substeps of one sweep to begin with, for a strain "
                                 "of %.3g %%",
-                                plan.substeps, 100.0 * system.strainGoal));
+                                plan.substeps, 100.0 * system.strainGoal))
+                  + bends;
     return plan;
 }
 

@@ -12,6 +12,8 @@
 // substeps of the step T; 1.5 is what square cloths of 10 to 100 particles a side need. Where n is
 // above 100 in 10 ms, and a direct block (direct_choice.h) can have such rods, it gets them.
 //
+// Bends (bend_force.h) are forces and bound the substep themselves.
+//
 // That is the start. While a system runs, the strain is looked at every few steps and the number of
 // substeps follows it (adaptedSubsteps): wind and swings load rods as well.
 #pragma once
@@ -27,6 +29,7 @@ namespace ripstop {
 struct SolverPlan
 {
     int substeps = 1;                 // to begin with, and never fewer than System::substeps
+    int least = 1;                    // that bends allow, with the springs beside them
     std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
     std::string reason;               // what was chosen and why, for people; one sentence
 };

@@ -1,6 +1,7 @@
 #include "sim/stepper.h"
 
 #include "base/portable_math.h"
+#include "sim/bend_force.h"
 #include "sim/contact.h"
 #include "sim/gusts.h"
 #include "sim/inputs.h"
@@ -60,6 +61,8 @@ void Stepper::prepare(const System& system, State& state)
     m_springForce.resize(system.springs.size());
     m_panelLoad.resize(system.panels.size());
     m_lineDrag.resize(system.dragLines.size());
+    m_turn.resize(system.bends.size());
+    m_bend.resize(system.bends.size());
     m_acceleration.resize(state.position.size());
     m_before.resize(state.position.size());
     m_predicted.resize(state.position.size());
@@ -100,15 +103,18 @@ int Stepper::substepsOf(const System& system, const State& state) const
 {
     if (system.solver != Solver::Auto)
         return system.substeps;
+    const int least =
+        m_planFor.isOf(system) ? std::max(m_plan.least, system.substeps) : system.substeps;
     if (state.substeps > 0)
-        return std::max(state.substeps, system.substeps);
+        return std::max(state.substeps, least);
     return m_planFor.isOf(system) ? m_plan.substeps : system.substeps;
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
     state.substeps =
-        adaptedSubsteps(system, substeps, largestRodStrain(system, state, m_restLength));
+        std::max(adaptedSubsteps(system, substeps, largestRodStrain(system, state, m_restLength)),
+                 m_plan.least);
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -165,20 +171,21 @@ void Stepper::substep(RodTask& task, State& state)
 void Stepper::fillAccelerations(const System& system, const State& state)
 {
     if (system.springs.empty() && system.panels.empty() && system.dragLines.empty()
-        && m_onlyGravity)
+        && system.bends.empty() && m_onlyGravity)
         return;
     m_onlyGravity = true;
     fillSpringForces(system, state, m_crew, m_springForce);
+    fillBends(system, state, m_crew, m_turn, m_bend);
     m_clock.lap(StepStage::Springs);
     fillPanelLoads(system, state, m_crew, m_panelLoad);
     m_wings.add(system, state, m_panelLoad);
     fillLineDrags(system, state, m_crew, m_lineDrag);
     m_clock.lap(StepStage::Air);
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
-        gatherAccelerations(
-            system,
-            {m_springForce.data(), m_springIsAtB.data(), m_panelLoad.data(), m_lineDrag.data()},
-            m_acceleration.data(), first, last);
+        gatherAccelerations(system,
+                            {m_springForce.data(), m_springIsAtB.data(), m_panelLoad.data(),
+                             m_lineDrag.data(), m_bend.data()},
+                            m_acceleration.data(), first, last);
     });
     m_clock.lap(StepStage::Sum);
 }

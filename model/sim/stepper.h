@@ -61,6 +61,8 @@ private:
     std::vector<std::uint8_t> m_springIsAtB; // [springsAt.items]
     std::vector<PaddedVec3> m_panelLoad;     // [panels] N
     std::vector<PaddedVec3> m_lineDrag;      // [dragLines] N
+    std::vector<PaddedVec3> m_turn;          // [bends] m
+    std::vector<PaddedVec3> m_bend;          // [bends] N
     std::vector<PaddedVec3> m_acceleration;  // [particles] m/s^2, of forces, not of rods or contact
     std::vector<PaddedVec3> m_before;        // [particles] m, at the start of the substep
     std::vector<PaddedVec3> m_predicted;     // [particles] m, before projection

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <type_traits>
 
@@ -85,6 +86,31 @@ void fillPanelsBeside(System& system)
     }
 }
 
+BendingNet bendingNetOf(const System& system)
+{
+    BendingNet net;
+    for (std::size_t i = 0; i < system.start.position.size(); ++i) {
+        net.position.push_back(system.start.position[i]);
+        net.pinned.push_back(system.inverseMass[i] == 0.0);
+    }
+    for (const FabricPanel& panel : system.panels)
+        net.panels.push_back({panel.corner, system.bending[std::size_t(panel.air)]});
+    KeyIndex bendingOf(system.materialAir.size());
+    for (std::size_t i = 0; i < system.materialAir.size(); ++i)
+        bendingOf.add(system.materialAir[i].key, int(i));
+    for (std::size_t i = 0; i < system.links.size(); ++i) {
+        const LinkPlace& link = system.links[i];
+        const auto index = std::size_t(link.index);
+        const double length = link.kind == LinkKind::Spring ? system.springs[index].restLength
+                                                            : system.rods[index].restLength;
+        const Key material = system.linkStuff.empty() ? 0 : system.linkStuff[i].material;
+        const int bending = system.linkStuff.empty() ? -1 : bendingOf(material);
+        net.links.push_back({link.a, link.b, length, material,
+                             bending < 0 ? Bending() : system.bending[std::size_t(bending)]});
+    }
+    return net;
+}
+
 void nameLinks(System& system)
 {
     if (system.links.empty()) {
@@ -123,17 +149,17 @@ auto fieldsOf(S& system)
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
            solver, strainGoal, tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity,
            speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
-           chunkReach, direct, materialAir, dragLines, panels, panelKey, wings, links, linkStuff,
-           springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt, panelsAt,
-           dragLinesAt, panelsBeside, obstacles, fabricLayer, inputs, shiftedRods, probes, start] =
-        system;
+           chunkReach, direct, materialAir, bending, dragLines, bends, panels, panelKey, wings,
+           links, linkStuff, springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt,
+           panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles, fabricLayer, inputs,
+           shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
                     key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
-                    chunkReach, direct, materialAir, dragLines, panels, panelKey, wings, links,
-                    linkStuff, springLink, rodLink, tearableSprings, tearableRods, springsAt,
-                    rodsAt, panelsAt, dragLinesAt, panelsBeside, obstacles, fabricLayer, inputs,
-                    shiftedRods, probes, start);
+                    chunkReach, direct, materialAir, bending, dragLines, bends, panels, panelKey,
+                    wings, links, linkStuff, springLink, rodLink, tearableSprings, tearableRods,
+                    springsAt, rodsAt, panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles,
+                    fabricLayer, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>
@@ -231,6 +257,7 @@ void finishOrdered(System& system, RodOrder order)
         fillDragLinesAt(system);
     else
         listDragLines(system);
+    listBends(system);
 
     State& start = system.start;
     fill(start.velocity, n, PaddedVec3());
@@ -290,6 +317,29 @@ void listDragLines(System& system)
             system.dragLines.push_back({int(i), system.links[i].a, system.links[i].b, width});
     }
     fillDragLinesAt(system);
+}
+
+void listBends(System& system)
+{
+    system.bends.clear();
+    system.bendsAt.start.clear();
+    system.bendsAt.items.clear();
+    if (system.bending.empty())
+        return;
+    system.bends = bendsOf(bendingNetOf(system));
+    if (system.bends.empty())
+        return;
+    fillIncidence(system.bendsAt, system.start.position.size(), system.bends, [](const Bend& bend) {
+        return std::span(bend.corner).first(bend.ofSpar ? 3 : 4);
+    });
+    // of each bend, which of its corners the particle is
+    const Rows& at = system.bendsAt;
+    for (std::size_t p = 0; p + 1 < at.start.size(); ++p)
+        for (int k = at.start[p]; k < at.start[p + 1]; ++k) {
+            int& item = system.bendsAt.items[std::size_t(k)];
+            const auto& corner = system.bends[std::size_t(item)].corner;
+            item = 4 * item + int(std::find(corner.begin(), corner.end(), int(p)) - corner.begin());
+        }
 }
 
 void touch(System& system, const Touched& changed)

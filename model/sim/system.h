@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/airflow.h"
+#include "base/bend.h"
 #include "base/laws.h"
 #include "base/path_key.h"
 #include "base/vec3.h"
@@ -342,7 +343,9 @@ struct System
     int chunkReach = 0;                   // those that do are numbered at most this far apart
     std::vector<std::uint8_t> direct;     // [rods] solved as one block (direct_choice.h), or empty
     std::vector<MaterialAir> materialAir; // the first is that of no material
+    std::vector<Bending> bending;         // [materialAir], or empty when nothing bends stiffly
     std::vector<DragLine> dragLines;      // in the order of their links
+    std::vector<Bend> bends;              // where what bends stiffly can bend
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]
     std::vector<WingStrips> wings;          // pieces of fabric with the vortex law
@@ -357,6 +360,7 @@ struct System
     Rows rodsAt;       // [particles]
     Rows panelsAt;     // [particles]
     Rows dragLinesAt;  // [particles], or empty when there are none
+    Rows bendsAt;      // [particles] 4 x bend + which of its corners, or empty
     Rows panelsBeside; // [links] panels that have both ends as corners
 
     std::vector<Obstacle> obstacles;
@@ -381,9 +385,10 @@ void clear(System& system);
 bool operator==(const System& a, const System& b);
 
 // Whoever changes a finished system in place, and is its only owner, says so with these.
-void listTearable(System& system);                  // after a tear rule
-void startGusts(System& system);                    // after another seed
-void listDragLines(System& system);                 // after the air or the material of a link
+void listTearable(System& system);  // after a tear rule
+void startGusts(System& system);    // after another seed
+void listDragLines(System& system); // after the air or the material of a link
+void listBends(System& system);     // after bending, lengths, pins or where particles start
 void touch(System& system, const Touched& changed); // after these inverse masses and rods
 void touchAll(System& system);
 

@@ -22,6 +22,7 @@ const Section sections[] = {
     {"Ropes", ropeCases},
     {"Cloth", clothCases},
     {"Materials", materialCases},
+    {"Bending", bendingCases},
     {"Conservation and invariance", invarianceCases},
     {"Repeats", repeatCases},
     {"Contact", contactCases},

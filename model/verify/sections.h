@@ -21,6 +21,7 @@ std::vector<Case> hangCases();
 std::vector<Case> ropeCases();
 std::vector<Case> clothCases();
 std::vector<Case> materialCases();
+std::vector<Case> bendingCases();
 std::vector<Case> invarianceCases();
 std::vector<Case> repeatCases();
 std::vector<Case> contactCases();

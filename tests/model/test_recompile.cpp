@@ -20,12 +20,15 @@ namespace {
 // Something of every kind, tied by springs and by rods, with numbers of its own here and there.
 Scene rich()
 {
-    Scene scene = *build(*findBuilder("cloth"), {{"columns", 5}, {"rows", 4}, {"sphere", 0.3}});
+    Scene scene = *build(*findBuilder("cloth"),
+                         {{"columns", 5}, {"rows", 4}, {"sphere", 0.3}, {"bending", 1e-5}});
     Material line{"line"};
     line.diameter = 0.002;
     line.airLaw = AirLaw::LiftDrag;
     line.compliance = 1e-6;
     line.tearRule = TearRule::Strain;
+    line.bendingStiffness = 1e-5;
+    line.flexuralRigidity = 1e-4;
     const Id material = addItem(scene, line);
     const Id other = addItem(scene, Material{"other"});
 

@@ -1,0 +1,192 @@
+// The tester of Peirce 1930: strips of fabric reach over the edge of a table, and droop.
+//
+// The bending length of a fabric, c = (B / (rho g))^(1/3), says how: a strip that reaches 2 c over
+// the edge hangs 41.5 degrees below level, whatever it is made of. So each strip here, of a fabric
+// whose bending stiffness B and density rho were measured, reaches as far as its own c says, and
+// all come to rest on one plane; narrow ramps beside the strips show it.
+#include "builders/designs.h"
+#include "builders/network.h"
+#include "builders/statics.h"
+#include "scene/check.h"
+#include "scene/presets.h"
+#include "scene/weigh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+// clang-format off
+constexpr Parameter parameters[]{
+    {"cells",  "",    16,    4, 64,       true,  "Cells from the edge of the table to the tip."},
+    {"across", "",    4,     1, 40,       true,  "Cells across a strip."},
+    {"reach",  "",    2,     0.2, 4,      false, "Overhang of a strip over its bending length; with 2 strips come to 41.5 degrees."},
+    {"gap",    "m",   0.012, 0.001, 1,    false, "Between strips, with a ramp in it."},
+    {"angle",  "deg", 41.5,  0, 80,       false, "Of the ramps, below level."},
+};
+// clang-format on
+
+constexpr double level = 0.1;      // m, of the edge above the ground
+constexpr double depth = 0.06;     // m, of the table
+constexpr double thickness = 2e-3; // m, of ramps
+constexpr const char* fabrics[]{"gray_interlock", "denim_11oz", "royal_target"};
+constexpr const char* colors[]{"#8d99a6", "#34507a", "#b0413e"};
+
+double numberOf(const Preset& preset, std::string_view key)
+{
+    for (const auto& [name, value] : preset.values)
+        if (name == key)
+            return std::get<double>(value);
+    return 0.0;
+}
+
+// The fabric's weight and bending; threads do not stretch, and shear little.
+Material fabricOf(const Preset& preset, const char* color)
+{
+    Material material;
+    material.name = preset.name;
+    material.color = color;
+    material.arealDensity = numberOf(preset, "arealDensity");
+    material.bendingStiffness = numberOf(preset, "bendingStiffness");
+    return material;
+}
+
+class Strip
+{
+public:
+    Strip(Network& network, const Parameters& p, double overhang, double start)
+        : m_cells(int(p.at("cells")))
+        , m_across(int(p.at("across")))
+        , m_cell(overhang / m_cells)
+    {
+        for (int i = -1; i <= m_cells; ++i)
+            for (int j = 0; j <= m_across; ++j) {
+                const Id node = network.particle({i * m_cell, level, start + j * m_cell});
+                network.row(node).pinned = i <= 0;
+                network.texture(node, double(i + 1) / (m_cells + 1), double(j) / m_across);
+                m_nodes.push_back(node);
+            }
+    }
+
+    void weave(Network& network, Id fabric, Id bias) const
+    {
+        for (int i = -1; i <= m_cells; ++i)
+            for (int j = 0; j <= m_across; ++j) {
+                if (i < m_cells)
+                    network.rod(at(i, j), at(i + 1, j), fabric);
+                if (j < m_across)
+                    network.rod(at(i, j), at(i, j + 1), fabric);
+                if (i < m_cells && j < m_across)
+                    cover(network, i, j, fabric, bias);
+            }
+    }
+
+    double width() const { return m_across * m_cell; }
+    Id edge() const { return at(0, m_across / 2); }
+    Id tip() const { return at(m_cells, m_across / 2); }
+
+private:
+    Id at(int i, int j) const { return m_nodes[std::size_t((i + 1) * (m_across + 1) + j)]; }
+
+    void cover(Network& network, int i, int j, Id fabric, Id bias) const
+    {
+        const Id a = at(i, j), b = at(i + 1, j);
+        const Id c = at(i, j + 1), d = at(i + 1, j + 1);
+        network.spring(a, d, bias);
+        network.spring(b, c, bias);
+        const bool rising = (i + j) % 2 == 0;
+        network.panel(a, b, rising ? d : c, fabric);
+        network.panel(rising ? a : b, d, c, fabric);
+    }
+
+    int m_cells;
+    int m_across;
+    double m_cell; // m
+    std::vector<Id> m_nodes;
+};
+
+void addBox(Scene& scene, const char* name, const Vec3& position, const Vec3& size, double angle)
+{
+    Collider box;
+    box.name = name;
+    box.shape = ColliderShape::Box;
+    box.position = position;
+    box.size = size;
+    box.turn = Vec3(0.0, 0.0, angle);
+    addItem(scene, box);
+}
+
+// Its upper side goes down from the edge.
+void addRamp(Scene& scene, double angle, double length, double from, double width)
+{
+    const double a = angle * degrees;
+    const Vec3 along(std::cos(a), -std::sin(a), 0.0);
+    const Vec3 under(-std::sin(a), -std::cos(a), 0.0);
+    const Vec3 edge(0.0, level, from + 0.5 * width);
+    addBox(scene, "ramp", edge + 0.5 * length * along + 0.5 * thickness * under,
+           {length, thickness, width}, -angle);
+}
+
+Scene buildBendingTest(const Parameters& p)
+{
+    Scene scene;
+    scene.settings.title = "Bending test";
+    scene.settings.viscosity = 3.0; // as the air between strips and table would
+    addGround(scene);
+    Material bias;
+    bias.name = "bias";
+    bias.stiffness = 2.0;
+    bias.shown = false;
+    const Id shear = addItem(scene, bias);
+
+    Network network(scene, "strips");
+    struct Tip
+    {
+        std::string name;
+        Id tip;
+        Id edge;
+    };
+    std::vector<Tip> tips;
+    const double gap = p.at("gap");
+    double z = 0.0; // m, where the next ramp begins
+    double longest = 0.0;
+    std::vector<double> ramps;
+    for (std::size_t i = 0; i < std::size(fabrics); ++i) {
+        const Material fabric = fabricOf(**findPreset(fabrics[i]), colors[i]);
+        const double weight = *fabric.arealDensity * scene.settings.gravity.norm(); // N/m^2
+        const double overhang = p.at("reach") * std::cbrt(fabric.bendingStiffness / weight);
+        const Id material = addItem(scene, fabric);
+        const Strip strip(network, p, overhang, z + gap);
+        strip.weave(network, material, shear);
+        tips.push_back({fabric.name, strip.tip(), strip.edge()});
+        ramps.push_back(z);
+        z += gap + strip.width();
+        longest = std::max(longest, overhang);
+    }
+    ramps.push_back(z);
+    // strips lie on the table, not in it
+    addBox(scene, "table", {-0.5 * depth, 0.5 * level - 5e-4, 0.5 * (z + gap)},
+           {depth, level - 1e-3, z + gap}, 0.0);
+    for (const double ramp : ramps)
+        addRamp(scene, p.at("angle"), longest, ramp + 0.25 * gap, 0.5 * gap);
+
+    (void)network.finish("bending_test", p);
+    (void)apply(scene, weighing(scene));
+    for (const Tip& tip : tips)
+        addProbe(scene, tip.name, Quantity::Elevation, tip.tip, tip.edge);
+
+    // small cells need short substeps; a fifth to spare
+    if (const std::optional<StepLimit> limit = stepLimit(scene))
+        scene.settings.substeps =
+            std::max(4, int(std::ceil(1.2 * scene.settings.timeStep / limit->timeStep)));
+    return scene;
+}
+
+} // namespace
+
+const Builder bendingTestBuilder{"bending_test", "Bending test",
+                                 "Strips of fabric that droop over the edge of a table.",
+                                 parameters, buildBendingTest};
+
+} // namespace ripstop

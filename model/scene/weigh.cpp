@@ -1,0 +1,150 @@
+#include "scene/weigh.h"
+
+#include "scene/element_index.h"
+
+#include <Eigen/Geometry>
+
+namespace ripstop {
+namespace {
+
+// Sums up what panels and links of some materials give to particles.
+class Scales
+{
+public:
+    explicit Scales(const Scene& scene)
+        : m_scene(scene)
+        , m_index(scene)
+    {
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Particle& particle : part.particles)
+                m_particles.push_back(&particle);
+        });
+        m_mass.resize(m_particles.size());
+    }
+
+    // Mass per area of panels, kg/m^2, and per length of links, kg/m.
+    void add(Id material, double areal, double linear)
+    {
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            for (const Panel& panel : part.panels)
+                if (panel.material == material && areal != 0.0)
+                    addPanel(panel, areal);
+            for (const Link& link : part.links)
+                if (link.material == material && linear != 0.0)
+                    for (const Id end : {link.from, link.to})
+                        give(end, 0.5 * linear * link.restLength);
+        });
+    }
+
+    // Mass that is given, kg, by particle; only those that are given any.
+    template <typename Visit>
+    void forEachGiven(Visit visit) const
+    {
+        for (std::size_t i = 0; i < m_mass.size(); ++i)
+            if (m_mass[i] != 0.0)
+                visit(*m_particles[i], m_mass[i]);
+    }
+
+private:
+    // what points at nothing is for the check to tell
+    const Particle* find(Id particle) const
+    {
+        const int place = m_index.particle(particle);
+        return place < 0 ? nullptr : m_particles[std::size_t(place)];
+    }
+
+    void give(Id particle, double mass)
+    {
+        if (const int place = m_index.particle(particle); place >= 0)
+            m_mass[std::size_t(place)] += mass;
+    }
+
+    void addPanel(const Panel& panel, double density)
+    {
+        const Particle* const a = find(panel.a);
+        const Particle* const b = find(panel.b);
+        const Particle* const c = find(panel.c);
+        if (!a || !b || !c)
+            return;
+        const Vec3 across = (b->position - a->position).cross(c->position - a->position);
+        for (const Particle* corner : {a, b, c})
+            give(corner->id, density * 0.5 * across.norm() / 3.0);
+    }
+
+    const Scene& m_scene;
+    ElementIndex m_index;
+    std::vector<const Particle*> m_particles; // as the index counts them
+    std::vector<double> m_mass;               // [particles] kg
+};
+
+SetValues noMasses() { return {findProperty(Kind::Particle, "mass"), {}, {}}; }
+
+} // namespace
+
+Result<Edit> weighed(const Scene& scene, Edit edit)
+{
+    struct More
+    {
+        Id material;
+        double areal;  // kg/m^2
+        double linear; // kg/m
+    };
+    std::vector<More> more;
+    for (const Change& change : edit.changes) {
+        const SetValues* const set = std::get_if<SetValues>(&change);
+        if (!set || set->property->kind != Kind::Material)
+            continue;
+        const bool areal = set->property->key == "arealDensity";
+        if (!areal && set->property->key != "linearDensity")
+            continue;
+        for (std::size_t i = 0; i < set->targets.size(); ++i) {
+            const Material* material = findItem<Material>(scene, set->targets[i]);
+            const Value& value = set->values[set->values.size() == 1 ? 0 : i];
+            const double* const now = std::get_if<double>(&value);
+            const auto& before = areal ? material->arealDensity : material->linearDensity;
+            if (now && before && *now != *before)
+                more.push_back(
+                    {set->targets[i], areal ? *now - *before : 0.0, areal ? 0.0 : *now - *before});
+        }
+    }
+    if (more.empty())
+        return edit;
+    Scales scales(scene);
+    for (const More& one : more)
+        scales.add(one.material, one.areal, one.linear);
+    SetValues masses = noMasses();
+    std::optional<Failure> failure;
+    scales.forEachGiven([&](const Particle& particle, double mass) {
+        masses.targets.push_back(particle.id);
+        masses.values.emplace_back(particle.mass + mass);
+        if (!(particle.mass + mass > 0.0) && !failure)
+            failure = Failure{"Particle " + std::to_string(std::uint32_t(particle.id))
+                              + " weighs less than the density of its material says: empty the "
+                                "material's areal and linear density first."};
+    });
+    if (failure)
+        return *failure;
+    if (!masses.targets.empty())
+        edit.changes.push_back({std::move(masses)});
+    return edit;
+}
+
+Edit weighing(const Scene& scene)
+{
+    Scales scales(scene);
+    for (const Entry& entry : scene.items)
+        if (const Material* material = std::get_if<Material>(&entry.item))
+            scales.add(entry.id, material->arealDensity.value_or(0.0),
+                       material->linearDensity.value_or(0.0));
+    SetValues masses = noMasses();
+    scales.forEachGiven([&](const Particle& particle, double mass) {
+        masses.targets.push_back(particle.id);
+        masses.values.emplace_back(mass);
+    });
+    Edit edit{"Weigh", {}};
+    if (!masses.targets.empty())
+        edit.changes.push_back({std::move(masses)});
+    return edit;
+}
+
+} // namespace ripstop

@@ -1,0 +1,131 @@
+#include "sim/bend_force.h"
+
+#include "base/step_limit.h"
+#include "sim/four.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+bool isTorn(const System& system, const State& state, int link)
+{
+    const LinkPlace& place = system.links[std::size_t(link)];
+    return place.kind == LinkKind::Rod ? state.rodTorn[std::size_t(place.index)]
+                                       : state.springTorn[std::size_t(place.index)];
+}
+
+bool isGone(const System& system, const State& state, const Bend& bend)
+{
+    if (bend.ofSpar)
+        return isTorn(system, state, bend.of[0]) || isTorn(system, state, bend.of[1]);
+    return state.panelGone[std::size_t(bend.of[0])] || state.panelGone[std::size_t(bend.of[1])];
+}
+
+Vec3 sum(const Bend& bend, const std::vector<PaddedVec3>& x)
+{
+    Vec3 sum = bend.weight[0] * x[std::size_t(bend.corner[0])];
+    for (std::size_t k = 1; k < 4; ++k)
+        sum += bend.weight[k] * x[std::size_t(bend.corner[k])];
+    return sum;
+}
+
+RIPSTOP_CLONES
+void fillTurns(const System& system, const State& state, PaddedVec3* turn, std::size_t first,
+               std::size_t last)
+{
+    const PaddedVec3* const x = state.position.data();
+    for (std::size_t i = first; i < last; ++i) {
+        const Bend& bend = system.bends[i];
+        if (isGone(system, state, bend)) {
+            four(turn[i]) = Four{};
+            continue;
+        }
+        Four y = bend.weight[0] * four(x[bend.corner[0]]);
+        for (std::size_t k = 1; k < 4; ++k)
+            y += bend.weight[k] * four(x[bend.corner[k]]);
+        four(turn[i]) = y;
+    }
+}
+
+// What the bend's own turn gives, N per m of it.
+double ownMoment(const Bend& bend, const Vec3& turn)
+{
+    const double size = bend.restTurn > 0.0 ? turn.norm() : 0.0;
+    return size > 0.0 ? bend.stiffness * (1.0 - bend.restTurn / size) : bend.stiffness;
+}
+
+RIPSTOP_CLONES
+void fillMoments(const System& system, const State& state, const PaddedVec3* turn,
+                 PaddedVec3* moment, std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i) {
+        const Bend& bend = system.bends[i];
+        if (isGone(system, state, bend)) {
+            four(moment[i]) = Four{};
+            continue;
+        }
+        Four z = ownMoment(bend, turn[i]) * four(turn[i]);
+        if (!bend.ofSpar)
+            for (std::size_t k = 0; k < 4; ++k)
+                if (bend.beside[k] >= 0)
+                    z += bend.coupling[k] * four(turn[bend.beside[k]]);
+        four(moment[i]) = z;
+    }
+}
+
+} // namespace
+
+void fillBends(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> turn,
+               std::span<PaddedVec3> moment)
+{
+    const std::size_t count = system.bends.size();
+    crew.each(count, [&](std::size_t first, std::size_t last) {
+        fillTurns(system, state, turn.data(), first, last);
+    });
+    crew.each(count, [&](std::size_t first, std::size_t last) {
+        fillMoments(system, state, turn.data(), moment.data(), first, last);
+    });
+}
+
+double bendingEnergy(const System& system, const State& state)
+{
+    std::vector<Vec3> turn;
+    for (const Bend& bend : system.bends)
+        turn.push_back(isGone(system, state, bend) ? Vec3(Vec3::Zero())
+                                                   : sum(bend, state.position));
+    double energy = 0.0;
+    for (std::size_t i = 0; i < turn.size(); ++i) {
+        const Bend& bend = system.bends[i];
+        if (isGone(system, state, bend))
+            continue;
+        const double own = turn[i].norm() - bend.restTurn;
+        energy += 0.5 * bend.stiffness * own * own;
+        for (std::size_t k = 0; k < 4; ++k)
+            if (bend.beside[k] >= 0)
+                energy += 0.5 * bend.coupling[k] * turn[i].dot(turn[std::size_t(bend.beside[k])]);
+    }
+    return energy;
+}
+
+double bendStepLimit(const System& system)
+{
+    double limit = std::numeric_limits<double>::infinity();
+    if (system.bends.empty())
+        return limit;
+    std::vector<double> stiffness = bendSums(system.bends, system.inverseMass.size());
+    std::vector<double> damping(stiffness.size(), 0.0);
+    for (const Spring& spring : system.springs)
+        for (const int end : {spring.a, spring.b}) {
+            stiffness[std::size_t(end)] += spring.stiffness;
+            damping[std::size_t(end)] += spring.damping;
+        }
+    for (std::size_t i = 0; i < stiffness.size(); ++i)
+        if (system.inverseMass[i] > 0.0)
+            limit = std::min(
+                limit, springStepLimit(1.0 / system.inverseMass[i], stiffness[i], damping[i]));
+    return limit;
+}
+
+} // namespace ripstop

@@ -1,0 +1,401 @@
+// Bending of fabric and of spars; the deflections that theory knows are in verify (M6, M-EI).
+#include "model/systems.h"
+
+#include "base/bend.h"
+#include "builders/builder.h"
+#include "builders/network.h"
+#include "compile/compile.h"
+#include "compile/live_system.h"
+#include "measure/diagnostics.h"
+#include "scene/check.h"
+#include "sim/bend_force.h"
+
+#include <Eigen/Geometry>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr double stiffness = 0.2; // N m
+
+// A sheet of square cells of `cell` m in the plane y = 0, its diagonals one way or alternating.
+BendingNet sheet(int columns, int rows, double cell, bool alternating = true)
+{
+    BendingNet net;
+    const auto at = [&](int i, int j) { return i * (rows + 1) + j; };
+    const Bending bending{stiffness, 0.0};
+    for (int i = 0; i <= columns; ++i)
+        for (int j = 0; j <= rows; ++j) {
+            net.position.push_back({i * cell, 0.0, j * cell});
+            net.pinned.push_back(0);
+        }
+    for (int i = 0; i < columns; ++i)
+        for (int j = 0; j < rows; ++j) {
+            const int a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
+            const bool rising = !alternating || (i + j) % 2 == 0;
+            net.panels.push_back({{a, b, rising ? d : c}, bending});
+            net.panels.push_back({{rising ? a : b, d, c}, bending});
+        }
+    return net;
+}
+
+Vec3 turnOf(const Bend& bend, const std::vector<Vec3>& x)
+{
+    Vec3 turn = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+        turn += bend.weight[k] * x[std::size_t(bend.corner[k])];
+    return turn;
+}
+
+double energyOf(const std::vector<Bend>& bends, const std::vector<Vec3>& x)
+{
+    double energy = 0.0;
+    for (const Bend& bend : bends) {
+        const Vec3 turn = turnOf(bend, x);
+        energy += 0.5 * bend.stiffness * turn.squaredNorm();
+        for (std::size_t k = 0; k < 4; ++k)
+            if (bend.beside[k] >= 0)
+                energy += 0.5 * bend.coupling[k]
+                          * turn.dot(turnOf(bends[std::size_t(bend.beside[k])], x));
+    }
+    return energy;
+}
+
+// Loose, of springs, 0.2 kg/m^2.
+System looseSheet(int columns, int rows)
+{
+    const double cell = 0.02;
+    System system = emptySystem(1.0);
+    const BendingNet net = sheet(columns, rows, cell);
+    for (const Vec3& x : net.position)
+        addParticle(system, x, 0.2 * cell * cell);
+    for (const BendingNet::Panel& panel : net.panels) {
+        const auto [a, b, c] = panel.corner;
+        addPanel(system, a, b, c, AirLaw::None, 0.0);
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+            addSpring(system, from, to, distance(system, from, to), 500.0);
+    }
+    system.bending = {{stiffness, 0.0}};
+    return system;
+}
+
+void crumple(State& state, double size, double speed)
+{
+    Dice dice(5);
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+        state.position[i] += dice.vector(size);
+        state.velocity[i] += dice.vector(speed);
+    }
+}
+
+bool isFinite(const State& state)
+{
+    return std::all_of(state.position.begin(), state.position.end(),
+                       [](const PaddedVec3& x) { return x.allFinite() && x.norm() < 1e6; });
+}
+
+// Links between neighbours of a row of places, all of one material with EI = 1 N m^2.
+void addSpar(BendingNet& net, const std::vector<int>& particles, std::uint32_t material = 1)
+{
+    for (std::size_t i = 1; i < particles.size(); ++i) {
+        const int a = particles[i - 1];
+        const int b = particles[i];
+        const double length = (net.position[std::size_t(a)] - net.position[std::size_t(b)]).norm();
+        net.links.push_back({a, b, length, material, {0.0, 1.0}});
+    }
+}
+
+int addPlace(BendingNet& net, const Vec3& place)
+{
+    net.position.push_back(place);
+    net.pinned.push_back(0);
+    return int(net.position.size()) - 1;
+}
+
+template <typename T>
+T& itemNamed(Scene& scene, std::string_view name)
+{
+    for (Entry& entry : scene.items)
+        if (T* item = std::get_if<T>(&entry.item); item && item->name == name)
+            return *item;
+    std::abort();
+}
+
+} // namespace
+
+class TestBending : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // sides inside: columns (rows - 1) + rows (columns - 1) + a diagonal in each cell
+    void everySideInsideBends()
+    {
+        const auto bends = bendsOf(sheet(5, 3, 0.1));
+        QCOMPARE(int(bends.size()), 5 * 2 + 3 * 4 + 15);
+        for (const Bend& bend : bends) {
+            double sum = 0.0;
+            for (const double w : bend.weight)
+                sum += w;
+            QVERIFY(std::abs(sum) < 1e-12);
+        }
+    }
+
+    void whatHasNoTwoStiffPanelsDoesNotBend()
+    {
+        BendingNet net = sheet(1, 1, 0.1);
+        QCOMPARE(int(bendsOf(net).size()), 1);
+        net.panels[0].bending = {}; // limp
+        QVERIFY(bendsOf(net).empty());
+        net = sheet(1, 1, 0.1);
+        net.panels.push_back(net.panels[0]); // three on one side
+        QVERIFY(bendsOf(net).empty());
+        net = sheet(1, 1, 0.1);
+        net.pinned.assign(4, 1);
+        QVERIFY(bendsOf(net).empty());
+        net = sheet(1, 1, 0.1);
+        for (Vec3& x : net.position)
+            x.z() = 0.0; // no area
+        QVERIFY(bendsOf(net).empty());
+    }
+
+    // flat, turned, stretched and sheared sheets have no turns
+    void flatIsFlat()
+    {
+        const BendingNet net = sheet(4, 4, 0.1);
+        const auto bends = bendsOf(net);
+        Eigen::Matrix3d skew;
+        skew << 1.1, 0.3, 0.2, -0.4, 0.9, 0.5, 0.1, 0.7, 1.3;
+        std::vector<Vec3> x;
+        for (const Vec3& place : net.position)
+            x.push_back(skew * place + Vec3(3.0, -2.0, 1.0));
+        for (const Bend& bend : bends)
+            QVERIFY(turnOf(bend, x).norm() < 1e-12);
+    }
+
+    // E = B k^2 / 2 for each area; half a cell at either end has no curvature
+    void energyOfACylinder_data()
+    {
+        QTest::addColumn<bool>("alternating");
+        QTest::newRow("alternating") << true;
+        QTest::newRow("one way") << false;
+    }
+    void energyOfACylinder()
+    {
+        QFETCH(bool, alternating);
+        const double cell = 0.02;
+        const BendingNet net = sheet(20, 6, cell, alternating);
+        const double radius = 2.0;
+        std::vector<Vec3> x;
+        for (const Vec3& place : net.position)
+            x.push_back({radius * std::sin(place.x() / radius),
+                         radius * (1.0 - std::cos(place.x() / radius)), place.z()});
+        const double area = 19 * cell * 6 * cell;
+        const double expected = 0.5 * stiffness / (radius * radius) * area;
+        QVERIFY2(isNear(energyOf(bendsOf(net), x), expected, 1e-3 * expected),
+                 told(energyOf(bendsOf(net), x), expected));
+    }
+
+    // M9, without the cloth paper's springs alone: 1e4 steps at half the limit
+    void energyIsKept()
+    {
+        System system = looseSheet(6, 4);
+        finish(system);
+        system.timeStep = 0.5 * bendStepLimit(system);
+        State state = system.start;
+        crumple(state, 0.002, 0.1);
+        const double before = energies(system, state).total();
+        state = run(system, state, 10000);
+        const double after = energies(system, state).total();
+        QVERIFY2(isNear(after, before, 0.01 * before), told(after, before));
+    }
+
+    void stepLimitIsSafeAndNear()
+    {
+        System system = looseSheet(8, 8);
+        finish(system);
+        const double limit = bendStepLimit(system);
+        for (const auto& [factor, stays] : {std::pair(0.99, true), std::pair(1.7, false)}) {
+            system.timeStep = factor * limit;
+            State state = system.start;
+            crumple(state, 1e-5, 0.0);
+            QCOMPARE(isFinite(run(system, state, 4000)), stays);
+        }
+    }
+
+    void sceneHasTheSameStepLimit()
+    {
+        Scene scene = *build(*findBuilder("bending_test"), {});
+        const auto system = *compile(scene);
+        const double inScene = stepLimit(scene)->timeStep;
+        QVERIFY2(isNear(inScene, bendStepLimit(*system), 1e-9 * inScene),
+                 told(inScene, bendStepLimit(*system)));
+        scene.settings.substeps = 1;
+        const auto problems = problemsOf(scene);
+        QVERIFY(std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
+            return problem.message.find("bending") != std::string::npos;
+        }));
+    }
+
+    void tearDropsBends()
+    {
+        System system = looseSheet(4, 4);
+        system.springs[20].tear = {TearRule::Length, 0.0}; // at once
+        finish(system);
+        system.timeStep = 0.5 * bendStepLimit(system);
+        State state = system.start;
+        crumple(state, 0.002, 0.0);
+        state = run(system, state, 1);
+        const auto gone = std::count(state.panelGone.begin(), state.panelGone.end(), 1);
+        QVERIFY(gone > 0);
+        std::vector<PaddedVec3> turn(system.bends.size());
+        std::vector<PaddedVec3> moment(system.bends.size());
+        Crew alone(1);
+        fillBends(system, state, alone, turn, moment);
+        int dropped = 0;
+        for (std::size_t i = 0; i < turn.size(); ++i) {
+            const auto [one, other] = system.bends[i].of;
+            const bool isGone =
+                state.panelGone[std::size_t(one)] || state.panelGone[std::size_t(other)];
+            QCOMPARE(moment[i].norm() == 0.0, isGone);
+            dropped += isGone;
+        }
+        QVERIFY(dropped >= int(gone));
+        state = run(system, state, 1000);
+        QVERIFY(isFinite(state));
+        QVERIFY(momentum(system, state).norm() < 1e-12);
+    }
+
+    void tornSparHinges()
+    {
+        Scene scene = *build(*findBuilder("rope"), {{"segments", 4}, {"rigidity", 1}, {"ends", 1}});
+        Material& cord = itemNamed<Material>(scene, "cord");
+        cord.tearRule = TearRule::Length;
+        cord.tearLimit = 1e-3; // all of them
+        const auto system = *compile(scene);
+        QCOMPARE(int(system->bends.size()), 3);
+        State state = run(*system, 1);
+        QCOMPARE(int(state.tears.size()), 4);
+        QCOMPARE(bendingEnergy(*system, state), 0.0);
+    }
+
+    void linksGoOnStraight()
+    {
+        // two spars of one material that cross
+        BendingNet net;
+        const int middle = addPlace(net, Vec3::Zero());
+        const int west = addPlace(net, {-1, 0, 0}), east = addPlace(net, {1, 0, 0});
+        const int south = addPlace(net, {0, 0, -1}), north = addPlace(net, {0, 0.1, 1});
+        addSpar(net, {west, middle, east});
+        addSpar(net, {south, middle, north});
+        const auto bends = bendsOf(net);
+        QCOMPARE(int(bends.size()), 2);
+        for (const Bend& bend : bends) {
+            QCOMPARE(bend.corner[0], middle);
+            QVERIFY(bend.corner[1] + bend.corner[2] == west + east
+                    || bend.corner[1] + bend.corner[2] == south + north);
+        }
+        // a corner is a joint, and so is where the material changes
+        BendingNet corner;
+        addSpar(corner, {addPlace(corner, {1, 0, 0}), addPlace(corner, {0, 0, 0}),
+                         addPlace(corner, {0, 0, 1})});
+        QVERIFY(bendsOf(corner).empty());
+        BendingNet two;
+        const int a = addPlace(two, {0, 0, 0}), b = addPlace(two, {1, 0, 0});
+        addSpar(two, {a, b}, 1);
+        addSpar(two, {b, addPlace(two, {2, 0, 0})}, 2);
+        QVERIFY(bendsOf(two).empty());
+    }
+
+    void hoopStaysRound()
+    {
+        System system = emptySystem(1e-4);
+        const int count = 12;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / count;
+            addParticle(system, {std::cos(angle), std::sin(angle), 0.0}, 0.1);
+        }
+        for (int i = 0; i < count; ++i) {
+            addSpring(system, i, (i + 1) % count, distance(system, i, (i + 1) % count), 1e4);
+            system.links.push_back({Key(i), LinkKind::Spring, i, i, (i + 1) % count});
+            system.linkStuff.push_back({1, 0, LinkRole::Line, 0.0});
+        }
+        system.materialAir = {MaterialAir(), MaterialAir()};
+        system.materialAir[1].key = 1;
+        system.bending = {Bending(), {0.0, 5.0}};
+        finish(system);
+        QCOMPARE(int(system.bends.size()), count);
+        QVERIFY(bendingEnergy(system, system.start) < 1e-20);
+        const State after = run(system, 1000);
+        for (int i = 0; i < count; ++i)
+            QVERIFY((after.position[std::size_t(i)] - system.start.position[std::size_t(i)]).norm()
+                    < 1e-9);
+    }
+
+    void limpScenesHaveNone()
+    {
+        const auto system = *compile(*build(*findBuilder("cloth"), {}));
+        QVERIFY(system->bends.empty() && system->bending.empty());
+    }
+
+    // bending given to a running scene, changed and taken away again
+    void editsInPlace()
+    {
+        Scene scene = *build(*findBuilder("cloth"), {{"columns", 6}, {"rows", 5}});
+        const Id cloth = [&] {
+            for (const Entry& entry : scene.items)
+                if (const auto* m = std::get_if<Material>(&entry.item); m && m->name == "cloth")
+                    return entry.id;
+            return noId;
+        }();
+        LiveSystem live(scene);
+        System running = *std::get<Update>(live.update(1, 1)).system;
+        const Property* property = findProperty(Kind::Material, "bendingStiffness");
+        for (const double value : {1e-4, 2e-4, 0.0, 1e-3}) {
+            live.apply({"", {SetValues{property, {cloth}, {value}}}});
+            const auto update = std::get<Update>(live.update(1, 1));
+            QVERIFY(update.patch);
+            (void)apply(*update.patch, running);
+            QVERIFY(running == **compile(live.scene(), 1, 1));
+            QCOMPARE(running.bends.empty(), value == 0.0);
+        }
+    }
+
+    void sameBitsAtAnyNumberOfThreads()
+    {
+        System system = looseSheet(100, 60);
+        finish(system);
+        system.timeStep = 0.5 * bendStepLimit(system);
+        State start = system.start;
+        crumple(start, 0.002, 0.1);
+        const std::uint64_t one = stateHash(run(system, start, 20, 1));
+        QCOMPARE(stateHash(run(system, start, 20, 4)), one);
+        QCOMPARE(stateHash(run(system, start, 20, 2)), one);
+    }
+
+    // the automatic solver takes the substeps that bending needs
+    void automaticSubsteps()
+    {
+        Scene scene = *build(*findBuilder("bending_test"), {{"cells", 8}});
+        scene.settings.substeps = 1;
+        scene.settings.solver = Solver::Auto;
+        const auto system = *compile(scene);
+        Stepper stepper;
+        State state = system->start;
+        for (int i = 0; i < 200; ++i) {
+            stepper.step(*system, state);
+            QVERIFY(system->timeStep / state.substeps <= bendStepLimit(*system)
+                    || state.substeps == 0);
+        }
+        QVERIFY(isFinite(state));
+        QVERIFY(stepper.choice(*system).find("bending") != std::string::npos);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBending)
+#include "test_bending.moc"
