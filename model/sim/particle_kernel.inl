@@ -99,17 +99,15 @@ RIPSTOP_INLINE void foreseeVelocities(const ParticleMotion& m, std::size_t first
     }
 }
 
-// Kept out of line, as few scenes have it.
-__attribute__((noinline)) Four bendingAt(const System& system, const PaddedVec3* moment,
-                                         std::size_t particle)
+// What bends take off the force on a particle. Kept out of line, as few scenes have it.
+__attribute__((noinline)) void takeBending(const System& system, const PaddedVec3* moment,
+                                           std::size_t particle, Four& force)
 {
-    Four sum{};
     for (int k = system.bendsAt.start[particle]; k < system.bendsAt.start[particle + 1]; ++k) {
         const int item = system.bendsAt.items[std::size_t(k)];
         const Bend& bend = system.bends[std::size_t(item / 4)];
-        sum += all(bend.weight[std::size_t(item % 4)]) * four(moment[item / 4]);
+        force -= all(bend.weight[std::size_t(item % 4)]) * four(moment[item / 4]);
     }
-    return sum;
 }
 
 // Forces are computed per element and gathered per particle in the order of the elements, so that
@@ -144,8 +142,11 @@ void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* ac
                 drag += four(forces.line[std::size_t(lines[k])]);
             force += drag * all(0.5);
         }
-        if (bends)
-            force -= bendingAt(system, forces.bend, i);
+        if (bends) {
+            Four left = force; // so that the force itself can stay in a register
+            takeBending(system, forces.bend, i, left);
+            force = left;
+        }
         four(acceleration[i]) = gravity + all(system.inverseMass[i]) * force;
     }
 }

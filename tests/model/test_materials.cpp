@@ -7,7 +7,9 @@
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "scene/link_stiffness.h"
+#include "scene/path.h"
 #include "scene/presets.h"
+#include "scene/weigh.h"
 
 #include <QFile>
 #include <QProcess>
@@ -259,6 +261,15 @@ private slots:
                                    << "axialStiffness" << 65e3 << 0.01;
         QTest::newRow("7075 tube 0.327 kg/m") << "aluminium_42"
                                               << "linearDensity" << 0.327 << 0.002;
+        // E pi (D^4 - d^4) / 64 of 42 and 40.2 mm, 71.7 GPa
+        QTest::newRow("7075 tube EI") << "aluminium_42"
+                                      << "flexuralRigidity" << 1760.0 << 0.002;
+        QTest::newRow("P100 EI") << "skyshark_p100"
+                                 << "flexuralRigidity" << 5.09 << 1e-9;
+        // EI = E pi d^4 / 64 with E 122 GPa
+        QTest::newRow("carbon 3 mm EI")
+            << "carbon_rod_3"
+            << "flexuralRigidity" << 122e9 * std::acos(-1.0) * 81e-12 / 64 << 0.01;
         QTest::newRow("7020 I 37.3 g/m2") << "mil_7020_1"
                                           << "arealDensity" << 37.3e-3 << 1e-9;
         // (EI = 1.95 N m2, 50 GPa, 6 mm) gives a bore of 4.73 mm
@@ -306,6 +317,86 @@ private slots:
         NEAR(sum, thread * cells, 1e-12);
         (void)apply(scene, undo);
         QVERIFY(scene == before);
+    }
+
+    // Validation 3.4: c = (B / (rho g))^(1/3), mm, as it says for each.
+    void bendingLengths_data()
+    {
+        QTest::addColumn<double>("expected");
+        QTest::newRow("gray_interlock") << 23.3;
+        QTest::newRow("navy_sparkle_sweat") << 30.0;
+        QTest::newRow("camel_ponte_roma") << 23.5;
+        QTest::newRow("ivory_rib_knit") << 25.8;
+        QTest::newRow("white_swim_solid") << 31.1;
+        QTest::newRow("tango_red_jet_set") << 23.4;
+        QTest::newRow("pink_ribbon_brown") << 37.4;
+        QTest::newRow("denim_11oz") << 27.2;
+        QTest::newRow("white_dots_on_black") << 34.5;
+        QTest::newRow("royal_target") << 38.7;
+    }
+    void bendingLengths()
+    {
+        QFETCH(double, expected);
+        Scene scene = *build(*findBuilder("cloth"), sheet(2, 2, 0.3));
+        const std::vector<Id> materials = materialsOf(scene);
+        const auto made = presetEdit(scene, **findPreset(QTest::currentDataTag()), materials);
+        (void)apply(scene, made->edit);
+        const Material& material = *findItem<Material>(scene, materials.front());
+        const double length =
+            1e3 * std::cbrt(material.bendingStiffness / (*material.arealDensity * gravity));
+        QVERIFY2(isNear(length, expected, 0.06), told(length, expected));
+    }
+
+    void anotherDensityWeighsAnew()
+    {
+        Scene scene = *build(*findBuilder("cloth"), sheet(6, 2, 0.3));
+        const auto mass = [&] {
+            double sum = 0.0;
+            for (const Particle& particle : partOf(scene).particles)
+                sum += particle.mass;
+            return sum;
+        };
+        partOf(scene).particles[5].mass += 1.0; // what somebody hung there
+        const Scene before = scene;
+        const Edit undo = apply(scene, *assignment(scene, "cloth.arealDensity=0.04"));
+        NEAR(mass(), 1.04, 1e-12);
+        NEAR(partOf(scene).particles[24].mass, 0.04 / 36.0, 1e-12); // a whole cell's, inside
+        (void)apply(scene, undo);
+        QVERIFY(scene == before);
+        // of unknown density it is only noted
+        (void)apply(scene, *assignment(scene, "cloth.arealDensity="));
+        (void)apply(scene, *assignment(scene, "cloth.arealDensity=0.04"));
+        NEAR(mass(), density + 1.0, 1e-12);
+        // and a density that the particles cannot have had is refused
+        for (Particle& particle : partOf(scene).particles)
+            particle.mass = 1e-5;
+        QVERIFY(assignment(scene, "cloth.arealDensity=0.01").message().find("weighs less")
+                != std::string::npos);
+    }
+
+    void weighingTakesTheDensities_data() { addResolutions(); }
+    void weighingTakesTheDensities()
+    {
+        QFETCH(int, cells);
+        Scene scene = *build(*findBuilder("cloth"), sheet(cells, 2, 0.3));
+        const Part before = partOf(scene);
+        Part& part = partOf(scene);
+        part.particles.push_back({takeId(scene), Vec3(5.0, 5.0, 5.0)}); // of nothing
+        for (Particle& particle : part.particles)
+            particle.mass = 0.7;
+        (void)apply(scene, weighing(scene));
+        NEAR(part.particles.back().mass, 0.7, 1e-12);
+        double sum = 0.0;
+        for (std::size_t i = 0; i + 1 < part.particles.size(); ++i) {
+            NEAR(part.particles[i].mass, before.particles[i].mass, 1e-12);
+            sum += part.particles[i].mass;
+        }
+        NEAR(sum, density, 1e-12);
+        Scene rope = *build(*findBuilder("rope"), {{"segments", cells}, {"density", 0.05}});
+        for (Particle& particle : partOf(rope).particles)
+            particle.mass = 3.0;
+        (void)apply(rope, weighing(rope));
+        NEAR(partOf(rope).particles.front().mass, 0.05 / cells, 1e-9); // 2 m, half a segment
     }
 
     void particlesOfUnknownDensityKeepTheirMass()

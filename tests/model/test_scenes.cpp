@@ -71,9 +71,9 @@ private slots:
     {
         const QStringList names = sampleNames();
         for (const char* name :
-             {"cloth", "delta_kite", "flag", "glider_over_hills", "glider_polar", "hang_glider",
-              "heavy_load", "parachute", "pendulum", "rope", "self_contact", "sheet_on_boxes",
-              "sheet_on_terrain", "stiffened_rod", "tear_test", "torn_sheet"})
+             {"bending_test", "cloth", "delta_kite", "flag", "glider_over_hills", "glider_polar",
+              "hang_glider", "heavy_load", "parachute", "pendulum", "rope", "self_contact",
+              "sheet_on_boxes", "sheet_on_terrain", "stiffened_rod", "tear_test", "torn_sheet"})
             QVERIFY2(names.contains(name), name);
     }
 
@@ -336,6 +336,19 @@ private slots:
                      qPrintable(QString("%1 and not %2 m/s").arg(rate).arg(predicted)));
         }
         QVERIFY(probe(simulation, "height") > 0.0);
+    }
+
+    // Peirce 1930: whatever the fabric, twice its bending length droops to 41.5 degrees; the heavy
+    // elastica says 41.49.
+    void stripsDroopToTheRamps()
+    {
+        Simulation simulation = started("bending_test");
+        QVERIFY(simulation.runUntil(6.0));
+        for (const char* fabric : {"gray_interlock", "denim_11oz", "royal_target"}) {
+            const double slope = -probe(simulation, fabric);
+            QVERIFY2(std::abs(slope - 41.49) < 0.5,
+                     qPrintable(QString("%1: %2 degrees").arg(fabric).arg(slope)));
+        }
     }
 
     // Springs break above a strain of 0.3 and nowhere below; the first one that breaks is at the
