@@ -161,7 +161,7 @@ void printTable(const Json& info)
                           + (chosen ? ": " + info["solver_choice"].get<std::string>() : ""));
     if (!info["stable_time_step"].is_null())
         row("stable up to", shortNumber(info["stable_time_step"])
-                                + " s, for the springs and at this number of substeps");
+                                + " s, for springs and bending at this number of substeps");
     for (const Json& part : info["parts"])
         row("part " + part["name"].get<std::string>(),
             std::to_string(part["particles"].get<long>()) + " particles, "
