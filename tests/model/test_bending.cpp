@@ -153,7 +153,9 @@ private slots:
         net.panels[0].bending = {}; // limp
         QVERIFY(bendsOf(net).empty());
         net = sheet(1, 1, 0.1);
-        net.panels.push_back(net.panels[0]); // three on one side
+        net.position.push_back({0.1, 0.1, 0.0});
+        net.pinned.push_back(0);
+        net.panels.push_back({{0, 3, 4}, net.panels[0].bending}); // the third on the diagonal
         QVERIFY(bendsOf(net).empty());
         net = sheet(1, 1, 0.1);
         net.pinned.assign(4, 1);
@@ -201,18 +203,24 @@ private slots:
                  told(energyOf(bendsOf(net), x), expected));
     }
 
-    // M9, without the cloth paper's springs alone: 1e4 steps at half the limit
+    // M9: 1e4 steps at half the limit, from a bump
     void energyIsKept()
     {
         System system = looseSheet(6, 4);
         finish(system);
         system.timeStep = 0.5 * bendStepLimit(system);
         State state = system.start;
-        crumple(state, 0.002, 0.1);
+        for (PaddedVec3& x : state.position)
+            x.y() += 0.005 * std::cos(std::numbers::pi * x.x() / 0.06)
+                     * std::cos(std::numbers::pi * x.z() / 0.04);
         const double before = energies(system, state).total();
-        state = run(system, state, 10000);
-        const double after = energies(system, state).total();
-        QVERIFY2(isNear(after, before, 0.01 * before), told(after, before));
+        double furthest = 0.0;
+        for (int i = 0; i < 100; ++i) {
+            state = run(system, state, 100);
+            furthest = std::max(furthest, std::abs(energies(system, state).total() - before));
+        }
+        QVERIFY2(furthest < 0.01 * before, told(furthest, 0.0));
+        QVERIFY(momentum(system, state).norm() < 1e-12);
     }
 
     void stepLimitIsSafeAndNear()
