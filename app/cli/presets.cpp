@@ -74,7 +74,7 @@ void printNotes(const Scene& scene, const PresetEdit& made)
                      "the new one is not known.\n";
     const std::optional<StepLimit> limit = stepLimit(scene);
     const Settings& settings = scene.settings;
-    if (limit && settings.timeStep / settings.substeps > limit->timeStep)
+    if (limit && exceeds(settings, *limit))
         std::cout << "The springs need shorter substeps now: settings.substeps="
                   << int(std::ceil(1.2 * settings.timeStep / limit->timeStep)) << '\n';
 }

@@ -106,10 +106,10 @@ private:
     std::vector<Id> m_nodes;
 };
 
-void addBox(Scene& scene, const char* name, const Vec3& position, const Vec3& size, double angle)
+void addBox(Scene& scene, std::string name, const Vec3& position, const Vec3& size, double angle)
 {
     Collider box;
-    box.name = name;
+    box.name = std::move(name);
     box.shape = ColliderShape::Box;
     box.position = position;
     box.size = size;
@@ -118,14 +118,15 @@ void addBox(Scene& scene, const char* name, const Vec3& position, const Vec3& si
 }
 
 // Its upper side goes down from the edge.
-void addRamp(Scene& scene, double angle, double length, double from, double width)
+void addRamp(Scene& scene, int number, double angle, double length, double from, double width)
 {
     const double a = angle * degrees;
     const Vec3 along(std::cos(a), -std::sin(a), 0.0);
     const Vec3 under(-std::sin(a), -std::cos(a), 0.0);
     const Vec3 edge(0.0, level, from + 0.5 * width);
-    addBox(scene, "ramp", edge + 0.5 * length * along + 0.5 * thickness * under,
-           {length, thickness, width}, -angle);
+    addBox(scene, "ramp " + std::to_string(number),
+           edge + 0.5 * length * along + 0.5 * thickness * under, {length, thickness, width},
+           -angle);
 }
 
 Scene buildBendingTest(const Parameters& p)
@@ -168,13 +169,13 @@ Scene buildBendingTest(const Parameters& p)
     // strips lie on the table, not in it
     addBox(scene, "table", {-0.5 * depth, 0.5 * level - 5e-4, 0.5 * (z + gap)},
            {depth, level - 1e-3, z + gap}, 0.0);
-    for (const double ramp : ramps)
-        addRamp(scene, p.at("angle"), longest, ramp + 0.25 * gap, 0.5 * gap);
+    for (std::size_t i = 0; i < ramps.size(); ++i)
+        addRamp(scene, int(i) + 1, p.at("angle"), longest, ramps[i] + 0.25 * gap, 0.5 * gap);
 
     (void)network.finish("bending_test", p);
     (void)apply(scene, weighing(scene));
     for (const Tip& tip : tips)
-        addProbe(scene, tip.name, Quantity::Elevation, tip.tip, tip.edge);
+        addProbe(scene, tip.name + " slope", Quantity::Elevation, tip.tip, tip.edge);
 
     // small cells need short substeps; a fifth to spare
     if (const std::optional<StepLimit> limit = stepLimit(scene))

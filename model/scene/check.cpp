@@ -56,6 +56,7 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
         }
     });
     const std::vector<double> bends = bendSumsOf(scene, index);
+    const bool bend = std::any_of(bends.begin(), bends.end(), [](double sum) { return sum > 0.0; });
     for (std::size_t k = 0; k < bends.size(); ++k) {
         at[k].stiffness += bends[k];
         at[k].forces |= bends[k] > 0.0;
@@ -69,7 +70,7 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
                 continue;
             const double h = springStepLimit(particle.mass, sums.stiffness, sums.damping);
             if (std::isfinite(h) && (!limit || h < limit->timeStep))
-                limit = StepLimit{h, particle.id};
+                limit = StepLimit{h, particle.id, bend};
         }
     });
     return limit;
@@ -369,9 +370,9 @@ private:
     void stability()
     {
         const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
-        const double h = m_scene.settings.timeStep / m_scene.settings.substeps;
-        if (!limit || h <= limit->timeStep)
+        if (!limit || !exceeds(m_scene.settings, *limit))
             return;
+        const double h = m_scene.settings.timeStep / m_scene.settings.substeps;
         char text[200];
         std::snprintf(
             text, sizeof text,
@@ -422,6 +423,12 @@ bool hasErrors(const std::vector<Problem>& problems)
 {
     return std::any_of(problems.begin(), problems.end(),
                        [](const Problem& p) { return p.severity == Severity::Error; });
+}
+
+bool exceeds(const Settings& settings, const StepLimit& limit)
+{
+    return settings.timeStep / settings.substeps > limit.timeStep
+           && !(limit.bends && settings.solver == Solver::Auto);
 }
 
 std::optional<StepLimit> stepLimit(const Scene& scene)

@@ -31,14 +31,16 @@ std::optional<Problem> firstErrorOfItems(const Scene& scene, const ElementIndex&
 // Whether an element has no error of its own: what is left to check when only its values changed.
 bool isSound(const ConstRef& element, const ElementIndex& index);
 
-// The longest substep at which the springs of a scene are sure to be stable, and the particle that
-// asks for it (base/step_limit.h). Nothing when there are no springs.
+// The longest substep at which springs and bending of a scene are sure to be stable, and the
+// particle that asks for it (base/step_limit.h). Nothing when there are neither.
 struct StepLimit
 {
     double timeStep; // s
     Id particle;
+    bool bends = false; // something resists bending, so that Solver::Auto keeps to the limit
 };
 std::optional<StepLimit> stepLimit(const Scene& scene);
+bool exceeds(const Settings& settings, const StepLimit& limit);
 
 bool hasErrors(const std::vector<Problem>& problems);
 

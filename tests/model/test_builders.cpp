@@ -161,7 +161,7 @@ private slots:
              {Parameters{{"segments", 8.5}}, {{"segments", -1}}, {{"span", 1e9}}, {{"span", NAN}}})
             QVERIFY(!build(kite, wrong));
         QVERIFY(findBuilder("no_such_thing") == nullptr);
-        QCOMPARE(allBuilders().size(), std::size_t(6));
+        QCOMPARE(allBuilders().size(), std::size_t(7));
     }
 
     // 1.5: 14 + 2 line nodes; the last node and the hand are pinned at one place.

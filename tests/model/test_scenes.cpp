@@ -345,7 +345,7 @@ private slots:
         Simulation simulation = started("bending_test");
         QVERIFY(simulation.runUntil(6.0));
         for (const char* fabric : {"gray_interlock", "denim_11oz", "royal_target"}) {
-            const double slope = -probe(simulation, fabric);
+            const double slope = -probe(simulation, std::string(fabric) + " slope");
             QVERIFY2(std::abs(slope - 41.49) < 0.5,
                      qPrintable(QString("%1: %2 degrees").arg(fabric).arg(slope)));
         }
