@@ -7,9 +7,7 @@
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "scene/link_stiffness.h"
-#include "scene/path.h"
 #include "scene/presets.h"
-#include "scene/weigh.h"
 
 #include <QFile>
 #include <QProcess>
@@ -345,59 +343,6 @@ private slots:
         const double length =
             1e3 * std::cbrt(material.bendingStiffness / (*material.arealDensity * gravity));
         QVERIFY2(isNear(length, expected, 0.06), told(length, expected));
-    }
-
-    void anotherDensityWeighsAnew()
-    {
-        Scene scene = *build(*findBuilder("cloth"), sheet(6, 2, 0.3));
-        const auto mass = [&] {
-            double sum = 0.0;
-            for (const Particle& particle : partOf(scene).particles)
-                sum += particle.mass;
-            return sum;
-        };
-        partOf(scene).particles[5].mass += 1.0; // what somebody hung there
-        Scene before = scene;
-        const Edit undo = apply(scene, *assignment(scene, "cloth.arealDensity=0.04"));
-        NEAR(mass(), 1.04, 1e-12);
-        NEAR(partOf(scene).particles[24].mass, partOf(before).particles[24].mass * 0.04 / density,
-             1e-12);
-        (void)apply(scene, undo);
-        QVERIFY(scene == before);
-        // of unknown density it is only noted
-        (void)apply(scene, *assignment(scene, "cloth.arealDensity="));
-        (void)apply(scene, *assignment(scene, "cloth.arealDensity=0.04"));
-        NEAR(mass(), density + 1.0, 1e-12);
-        // and a density that the particles cannot have had is refused
-        for (Particle& particle : partOf(scene).particles)
-            particle.mass = 1e-5;
-        QVERIFY(assignment(scene, "cloth.arealDensity=0.01").message().find("weighs less")
-                != std::string::npos);
-    }
-
-    void weighingTakesTheDensities_data() { addResolutions(); }
-    void weighingTakesTheDensities()
-    {
-        QFETCH(int, cells);
-        Scene scene = *build(*findBuilder("cloth"), sheet(cells, 2, 0.3));
-        const Part before = partOf(scene);
-        Part& part = partOf(scene);
-        part.particles.push_back({takeId(scene), Vec3(5.0, 5.0, 5.0)}); // of nothing
-        for (Particle& particle : part.particles)
-            particle.mass = 0.7;
-        (void)apply(scene, weighing(scene));
-        NEAR(part.particles.back().mass, 0.7, 1e-12);
-        double sum = 0.0;
-        for (std::size_t i = 0; i + 1 < part.particles.size(); ++i) {
-            NEAR(part.particles[i].mass, before.particles[i].mass, 1e-12);
-            sum += part.particles[i].mass;
-        }
-        NEAR(sum, density, 1e-12);
-        Scene rope = *build(*findBuilder("rope"), {{"segments", cells}, {"density", 0.05}});
-        for (Particle& particle : partOf(rope).particles)
-            particle.mass = 3.0;
-        (void)apply(rope, weighing(rope));
-        NEAR(partOf(rope).particles.front().mass, 0.05 / cells, 1e-9); // 2 m, half a segment
     }
 
     void particlesOfUnknownDensityKeepTheirMass()
