@@ -348,7 +348,7 @@ struct System
     std::vector<Bend> bends;              // where what bends stiffly can bend
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]
-    std::vector<WingStrips> wings;          // pieces of fabric with the vortex law
+    std::vector<WingStrips> wings;    // pieces of fabric with the vortex law
     std::vector<LinkPlace> links;     // in the author's order
     std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
     std::vector<int> springLink;      // [springs] index into links
