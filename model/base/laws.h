@@ -57,7 +57,9 @@ enum class Quantity {
     PotentialEnergy,
     ElasticEnergy,
     TotalEnergy,
-    TornLinks
+    TornLinks,
+    CanopyPressure,
+    CanopyVolume
 };
 
 template <typename E>
@@ -93,10 +95,11 @@ inline constexpr std::array<std::string_view, 3> choiceNames<Response>{"stop", "
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<ControlKind>{"move", "weight_shift"};
 template <>
-inline constexpr std::array<std::string_view, 19> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 21> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
-    "potential_energy", "elastic_energy", "total_energy",     "torn_links"};
+    "potential_energy", "elastic_energy", "total_energy",     "torn_links",  "canopy_pressure",
+    "canopy_volume"};
 
 } // namespace ripstop

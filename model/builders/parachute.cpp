@@ -9,6 +9,11 @@
 // The air law's coefficient is chosen such that the drag is that of the wanted coefficient CD0 on
 // the nominal area: Cn sum(A ny^2) = CD0 pi D0^2 / 4. The payload then sinks at
 // v = sqrt(2 m g / (rho CD0 S0)) (Knacke 1991, page 5-128).
+//
+// With `pressure` the canopy is cut as it is sewn, a flat disc of cloth whose threads resist
+// tension only, so that it can fold, and holds the air that comes in by its mouth
+// (sim/canopy_air.h). It starts full, in the shape of above, or as a tube in folds with a round
+// crown.
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
@@ -39,6 +44,10 @@ constexpr Parameter parameters[]{
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
     {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start."},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
+    {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself."},
+    {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full."},
+    {"porosity",      "",       0,      0, 0.5,   false, "Porosity of the cloth; about 0.03 for parachute nylon."},
+    {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
 };
 // clang-format on
 
@@ -54,6 +63,7 @@ Materials addMaterials(Scene& scene, const Parameters& p)
 {
     Material material;
     material.skinFriction = p.at("friction");
+    material.porosity = p.at("porosity");
     const auto add = [&](const char* name, const char* color, bool shown) {
         material.name = name;
         material.color = color;
@@ -86,17 +96,31 @@ public:
     {
         const double angle = capAngle(p.at("fullness"));
         const double radius = 0.5 * p.at("diameter") / angle;
+        const bool folded = p.at("pressure") > 0.0;
         for (int ring = 0; ring <= m_rings; ++ring)
             for (int sector = 0; sector < (ring ? m_sectors : 1); ++sector) {
                 const double polar = angle * ring / m_rings;
                 const double turn = 2.0 * pi * sector / m_sectors;
                 const Vec3 out(std::cos(turn), 0.0, std::sin(turn));
-                const Id node = network.particle(
-                    radius * (std::sin(polar) * out + std::cos(polar) * Vec3::UnitY()));
                 const double reach = 0.5 * ring / m_rings;
+                const double along = reach * p.at("diameter");
+                const Vec3 full =
+                    radius * (std::sin(polar) * out + std::cos(polar) * Vec3::UnitY());
+                const Id node = network.particle(folded ? Vec3(along * out) : full);
                 network.texture(node, 0.5 + reach * out.x(), 0.5 + reach * out.z());
                 m_nodes.push_back(node);
+                m_start.push_back(p.at("mouth") > 0.0
+                                      ? tube(0.5 * p.at("mouth") * p.at("diameter"), along, out)
+                                      : full);
             }
+        m_resists = folded ? Resists::Tension : Resists::Both;
+    }
+
+    // From where it is cut to where it starts.
+    void shape(Network& network) const
+    {
+        for (std::size_t i = 0; i < m_nodes.size(); ++i)
+            network.row(m_nodes[i]).position = m_start[i];
     }
 
     Id at(int ring, int sector) const
@@ -116,24 +140,35 @@ public:
                 const Id b = at(ring, sector + 1);
                 const Id c = at(ring - 1, sector);
                 const Id d = at(ring - 1, sector + 1);
-                network.rod(a, c, materials.seams);
-                network.rod(a, b, materials.seams);
+                network.rod(a, c, materials.seams, m_resists);
+                network.rod(a, b, materials.seams, m_resists);
                 if (ring == 1) {
                     network.panel(c, b, a, cloth);
                     continue;
                 }
                 // diagonals lean to and fro, or the canopy would turn like a screw
                 const bool leanRight = (ring + sector) % 2 == 0;
-                network.rod(leanRight ? a : b, leanRight ? d : c, materials.seams);
+                network.rod(leanRight ? a : b, leanRight ? d : c, materials.seams, m_resists);
                 network.panel(c, leanRight ? d : b, a, cloth);
                 network.panel(leanRight ? a : c, d, b, cloth);
             }
     }
 
 private:
+    // A place `along` a gore from the apex, m, of a tube with a round crown.
+    static Vec3 tube(double radius, double along, const Vec3& out)
+    {
+        const double polar = along / radius;
+        if (polar < 0.5 * pi)
+            return radius * (std::sin(polar) * out + std::cos(polar) * Vec3::UnitY());
+        return radius * out - (along - 0.5 * pi * radius) * Vec3::UnitY();
+    }
+
     int m_rings;
     int m_sectors;
+    Resists m_resists;
     std::vector<Id> m_nodes;
+    std::vector<Vec3> m_start; // [nodes] m
 };
 
 // The normal force coefficient that gives the wanted drag when the canopy sinks upright. Skin
@@ -190,24 +225,31 @@ Scene buildParachute(const Parameters& p)
     const Canopy canopy(network, p);
     canopy.weave(network, materials);
     network.addFabricMass(p.at("fabric"));
-    const double coefficient = normalCoefficient(scene, network, materials, p);
-    for (const Id id : materials.cloth)
-        std::get<Material>(*findItem(scene, id)).normalCoefficient = coefficient;
+    const bool holdsAir = p.at("pressure") > 0.0;
+    if (holdsAir) {
+        canopy.shape(network);
+    } else {
+        const double coefficient = normalCoefficient(scene, network, materials, p);
+        for (const Id id : materials.cloth)
+            std::get<Material>(*findItem(scene, id)).normalCoefficient = coefficient;
+    }
 
     const std::size_t firstLineRod = network.part().links.size();
     const Id payload = addPayload(network, canopy.skirt(), p, materials);
     const Id lineRod = network.part().links[firstLineRod].id;
     std::vector<Id> hubs;
-    if (p.at("hoop") > 0.0)
+    if (p.at("hoop") > 0.0 && !holdsAir)
         hubs = addHoop(network, canopy.skirt(), p, materials);
     network.place(Eigen::Matrix3d::Identity(),
-                  {0.0, p.at("altitude") - network.position(payload).y(), 0.0}, Vec3::Zero());
+                  {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
+                  {0.0, -p.at("speed"), 0.0});
 
     addGroup(scene, "canopy", canopy.nodes());
     addGroup(scene, "skirt", canopy.skirt());
     addGroup(scene, "rigidity", hubs);
     addGroup(scene, "payload", {payload});
     const Id part = network.finish("parachute", p);
+    std::get<Part>(*findItem(scene, part)).canopyPressure = p.at("pressure");
     addProbe(scene, "height", Quantity::PositionY, payload);
     addProbe(scene, "sink rate", Quantity::SinkRate, part);
     addProbe(scene, "air force", Quantity::AirForce, part);
@@ -216,6 +258,10 @@ Scene buildParachute(const Parameters& p)
 
     scene.settings.title = "Round parachute";
     scene.settings.notes = "The payload sinks at sqrt(2 m g / (rho CD0 S0)).";
+    if (holdsAir) {
+        addProbe(scene, "canopy pressure", Quantity::CanopyPressure, part);
+        scene.settings.notes = "Air fills the canopy through its mouth and holds it open.";
+    }
     return scene;
 }
 

@@ -118,6 +118,7 @@ void compileSound(const Scene& scene, const ElementIndex& index, System& system)
     takeWinds(windsOf(scene), system);
     system.obstacles = obstaclesOf(scene);
     system.fabricLayer = fabricLayersOf(scene);
+    system.canopies = canopiesOf(scene, index);
     system.inputs = inputsOf(scene, index);
     system.probes = probesOf(scene, index);
     finishOrdered(system, std::move(order));

@@ -13,7 +13,17 @@ bool isStructure(const Property& property)
     const auto is = [&](auto... keys) { return ((property.key == keys) || ...); };
     return (property.kind == Kind::Link && is("from", "to", "kind"))
            || (property.kind == Kind::Wind && is("kind")) // the states of gusts
-           || (property.kind == Kind::Panel && is("a", "b", "c"));
+           || (property.kind == Kind::Panel && is("a", "b", "c"))
+           || (property.kind == Kind::Part && is("canopyPressure")); // the states of its air
+}
+
+// Whether some fabric holds air. Its shape hangs on where particles start and on rest lengths, so
+// it is found anew rather than patched.
+bool hasCanopies(const Scene& scene)
+{
+    bool some = false;
+    forEachPart(scene, [&](Id, const Part& part) { some |= part.canopyPressure > 0.0; });
+    return some;
 }
 
 void add(std::vector<Id>& list, const std::vector<Id>& ids)
@@ -61,7 +71,9 @@ void LiveSystem::note(const SetValues& change)
     // names and the like; those of probes stand in the system
     if (property.effect == Effect::DisplayOnly && property.kind != Kind::Probe)
         return;
-    if (isStructure(property))
+    const bool shapes = property.kind == Kind::Particle || property.kind == Kind::Link
+                        || property.kind == Kind::Part;
+    if (isStructure(property) || (shapes && hasCanopies(m_scene)))
         m_noted.structure = true;
     if (m_noted.structure)
         return;

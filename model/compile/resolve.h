@@ -45,6 +45,7 @@ Winds windsOf(const Scene& scene);
 void takeWinds(const Winds& winds, System& system);
 std::vector<Obstacle> obstaclesOf(const Scene& scene);
 std::vector<FabricLayer> fabricLayersOf(const Scene& scene);
+std::vector<Canopy> canopiesOf(const Scene& scene, const ElementIndex& index);
 std::vector<Input> inputsOf(const Scene& scene, const ElementIndex& index);
 std::vector<ProbeSpec> probesOf(const Scene& scene, const ElementIndex& index);
 

@@ -1,6 +1,7 @@
 #include "measure/diagnostics.h"
 
 #include "sim/bend_force.h"
+#include "sim/canopy_air.h"
 #include "sim/inputs.h"
 #include "sim/line_drag.h"
 #include "sim/panel_load.h"
@@ -164,6 +165,7 @@ std::vector<Vec3> panelLoads(const System& system, const State& state)
     Crew alone(1);
     fillPanelLoads(system, state, alone, load);
     WingLoads().add(system, state, load);
+    addCanopyLoads(system, state, alone, load);
     return {load.begin(), load.end()};
 }
 

@@ -76,6 +76,10 @@ std::string_view unitOf(Quantity quantity)
     case Quantity::ElasticEnergy:
     case Quantity::TotalEnergy:
         return "J";
+    case Quantity::CanopyPressure:
+        return "Pa";
+    case Quantity::CanopyVolume:
+        return "m\u00b3";
     case Quantity::Strain:
     case Quantity::MaxStrain:
     case Quantity::GlideRatio:
@@ -185,6 +189,21 @@ double Readings::value(const ProbeSpec& probe)
         return energy().total();
     case Quantity::TornLinks:
         return tornCount(probe, system, state);
+    case Quantity::CanopyPressure:
+    case Quantity::CanopyVolume: {
+        // the volumes of all canopies add up; of their pressures it is the highest
+        double reading = nothing;
+        for (std::size_t i = 0; i < system.canopies.size(); ++i) {
+            const int panel = system.canopies[i].facets.front().panel;
+            if (std::find(probe.panels.begin(), probe.panels.end(), panel) == probe.panels.end())
+                continue;
+            const CanopyAir& air = state.canopies[i];
+            const double before = std::isnan(reading) ? 0.0 : reading;
+            reading = probe.quantity == Quantity::CanopyVolume ? before + air.volume
+                                                               : std::max(before, air.pressure);
+        }
+        return reading;
+    }
     }
     return nothing;
 }

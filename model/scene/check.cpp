@@ -2,6 +2,7 @@
 
 #include "base/step_limit.h"
 #include "scene/bending.h"
+#include "scene/canopy_shape.h"
 #include "scene/collider_shape.h"
 #include "scene/element_index.h"
 #include "scene/link_stiffness.h"
@@ -233,6 +234,9 @@ private:
     void shapes()
     {
         for (const Entry& entry : m_scene.items) {
+            if (const Part* part = std::get_if<Part>(&entry.item); part && part->canopyPressure > 0)
+                if (auto pieces = canopyPieces(*part); !pieces)
+                    add("canopy", Severity::Error, pieces.message(), entry.id);
             if (const Collider* collider = std::get_if<Collider>(&entry.item))
                 if (auto error = colliderError(m_scene, *collider))
                     add("collider", Severity::Error, std::move(*error), entry.id);

@@ -73,9 +73,12 @@ struct Part
 {
     std::string name = "part";
     bool shown = true;
-    double selfContact = 0.0;  // m, distance that fabric keeps from fabric; 0 lets it through
-    double selfFriction = 0.3; // 1
-    std::string builder;       // empty when drawn by hand
+    double selfContact = 0.0;     // m, distance that fabric keeps from fabric; 0 lets it through
+    double selfFriction = 0.3;    // 1
+    double canopyPressure = 0.0;  // 1, over the dynamic pressure; 0 holds no air
+    double fillEfficiency = 0.07; // 1, of a canopy
+    double addedMass = 1.0;       // 1, of a canopy, over the air in a hemisphere on its mouth
+    std::string builder;          // empty when drawn by hand
     std::map<std::string, double> parameters; // of the builder
     std::vector<Particle> particles;
     std::vector<Link> links;

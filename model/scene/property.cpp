@@ -144,6 +144,9 @@ std::span<const Property> allProperties()
         property<&Part::shown>           ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
         property<&Part::selfContact>     ("selfContact", "Self-contact", "m",       Recompile,   "Distance that particles of this part keep from its own panels and from those of other parts with self-contact; 0 lets fabric pass through fabric.", notNegative),
         property<&Part::selfFriction>    ("selfFriction", "Self-friction", "",      Recompile,   "Coulomb coefficient of fabric on fabric.", notNegative),
+        property<&Part::canopyPressure>  ("canopyPressure", "Canopy pressure", "",  Recompile,   "Fills the fabric with air through its mouth, up to this pressure over the dynamic pressure of the wind that meets the mouth; 1.68 for round parachutes, 0 leaves each panel to meet the wind by itself.", {0.0, 4.0}),
+        property<&Part::fillEfficiency>  ("fillEfficiency", "Fill efficiency", "",  Recompile,   "Speed at which air fills a canopy, over that of the wind times the square root of mouth over cloth area; 0.07 for round parachutes, only with canopy pressure.", {0.0, 1.0, true}),
+        property<&Part::addedMass>       ("addedMass",   "Added mass",   "",        Recompile,   "Mass of the air that moves with a canopy over that in a hemisphere on its mouth; only with canopy pressure.", notNegative),
         property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand."),
 
         property<&Material::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),

@@ -114,6 +114,12 @@ State carryOver(const System& from, const State& state, const System& to, State 
     for (std::size_t j = 0; j < to.gusts.size(); ++j)
         if (const int match = gustsOf(to.gusts[j].key); match >= 0)
             carried.gusts[j] = state.gusts[std::size_t(match)];
+
+    for (std::size_t j = 0; j < to.canopies.size(); ++j) // of which there are few
+        for (std::size_t i = 0; i < from.canopies.size(); ++i)
+            if (from.canopies[i].part == to.canopies[j].part
+                && from.canopies[i].piece == to.canopies[j].piece)
+                carried.canopies[j] = state.canopies[i];
     return carried;
 }
 

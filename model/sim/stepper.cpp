@@ -69,6 +69,7 @@ void Stepper::prepare(const System& system, State& state)
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size());
+    m_canopies.prepare(system);
     m_tears = state.tears.size();
     if (m_serial != system.serial || m_valuesSerial != system.valuesSerial)
         fillRestLengths(system, state, m_restLength);
@@ -143,6 +144,7 @@ void Stepper::substep(RodTask& task, State& state)
     }
     endMoves(system, state, state.time, m_placed);
     m_clock.lap(StepStage::Controls);
+    m_canopies.advance(system, state, h);
     fillAccelerations(system, state);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
@@ -179,6 +181,7 @@ void Stepper::fillAccelerations(const System& system, const State& state)
     m_clock.lap(StepStage::Springs);
     fillPanelLoads(system, state, m_crew, m_panelLoad);
     m_wings.add(system, state, m_panelLoad);
+    addCanopyLoads(system, state, m_crew, m_panelLoad);
     fillLineDrags(system, state, m_crew, m_lineDrag);
     m_clock.lap(StepStage::Air);
     m_crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {

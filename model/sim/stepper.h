@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/canopy_air.h"
 #include "sim/crew.h"
 #include "sim/fabric_contact.h"
 #include "sim/obstacle_motion.h"
@@ -57,6 +58,7 @@ private:
     PlanFor m_planFor;
     FabricContact m_fabric;
     WingLoads m_wings;
+    CanopyFiller m_canopies;
     std::vector<PaddedVec3> m_springForce;   // [springs] N, on end `a`
     std::vector<std::uint8_t> m_springIsAtB; // [springsAt.items]
     std::vector<PaddedVec3> m_panelLoad;     // [panels] N

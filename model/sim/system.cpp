@@ -151,7 +151,7 @@ auto fieldsOf(S& system)
            speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
            chunkReach, direct, materialAir, bending, dragLines, bends, panels, panelKey, wings,
            links, linkStuff, springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt,
-           panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles, fabricLayer, inputs,
+           panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles, fabricLayer, canopies, inputs,
            shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
@@ -159,7 +159,7 @@ auto fieldsOf(S& system)
                     chunkReach, direct, materialAir, bending, dragLines, bends, panels, panelKey,
                     wings, links, linkStuff, springLink, rodLink, tearableSprings, tearableRods,
                     springsAt, rodsAt, panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles,
-                    fabricLayer, inputs, shiftedRods, probes, start);
+                    fabricLayer, canopies, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>
@@ -167,10 +167,10 @@ requires std::is_same_v<std::remove_const_t<S>, State>
 auto fieldsOf(S& state)
 {
     auto& [time, step, substep, substeps, driftSubstep, position, velocity, drift, inputCommand,
-           inputValue, gusts, springTorn, rodTorn, panelGone, rodTension, tears] = state;
+           inputValue, gusts, canopies, springTorn, rodTorn, panelGone, rodTension, tears] = state;
     return std::tie(time, step, substep, substeps, driftSubstep, position, velocity, drift,
-                    inputCommand, inputValue, gusts, springTorn, rodTorn, panelGone, rodTension,
-                    tears);
+                    inputCommand, inputValue, gusts, canopies, springTorn, rodTorn, panelGone,
+                    rodTension, tears);
 }
 
 // Arrays are emptied and keep their memory; anything else starts as `fresh` does.
@@ -265,6 +265,7 @@ void finishOrdered(System& system, RodOrder order)
     fill(start.inputCommand, system.inputs.size(), 0.0);
     fill(start.inputValue, system.inputs.size(), 0.0);
     startGusts(system);
+    fill(start.canopies, system.canopies.size(), CanopyAir());
     fill(start.springTorn, system.springs.size(), std::uint8_t(0));
     fill(start.rodTorn, system.rods.size(), std::uint8_t(0));
     fill(start.panelGone, system.panels.size(), std::uint8_t(0));

@@ -2,6 +2,7 @@
 #include "verify/reference_sections.h"
 
 #include "measure/diagnostics.h"
+#include "verify/opening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,48 @@ double projectedRatio(double hoop)
     return 2.0 * mean / 5.0; // the builder's D0 is 5 m
 }
 
+// The C-9 of the builder, thrown down at 60 m/s or as it sinks, without a hoop.
+Flight flightOfC9(bool opens)
+{
+    Chute chute;
+    chute.parameters = sizeOfC9();
+    chute.gravity = 9.80665;
+    chute.speed = opens ? 60.0 : 6.0;
+    chute.until = opens ? 1.5 : 25.0;
+    return fly(chute);
+}
+
+Flight heldC9(double speed)
+{
+    Chute chute;
+    chute.parameters = sizeOfC9();
+    chute.held = true;
+    chute.speed = speed;
+    chute.until = 12.0 * 8.53 / speed;
+    return fly(chute);
+}
+
+void addOpenings(std::vector<Reference>& references)
+{
+    const std::string section = "Parachutes";
+    const std::string note = "no hoop, air in the canopy; as the builder has it";
+    const std::string c9 = "C-9, canopy pressure, ";
+    references.push_back({section, c9 + "CD0 as it sinks with 100 kg", 0.75, 0.80, "",
+                          "Knacke 1991, table 5-1, flat circular", note,
+                          [] { return flightOfC9(false).drag; }});
+    references.push_back({section, c9 + "projected over nominal diameter", 0.67, 0.70, "",
+                          "Knacke 1991, table 5-1", note, [] { return flightOfC9(false).width; }});
+    references.push_back({section, c9 + "fill constant at 60 m/s", 8.0, 8.0, "",
+                          "Knacke 1991, table 5-6, flat circular", note + ", payload held",
+                          [] { return heldC9(60.0).filled; }});
+    references.push_back({section, c9 + "exponent of the drag area's growth", 2.0, 2.0, "",
+                          "Knacke 1991, figure 5-51, solid cloth", note + ", payload held",
+                          [] { return heldC9(60.0).growth; }});
+    references.push_back({section, c9 + "opening load, 100 kg down at 60 m/s", 9278.7, 9278.7, "N",
+                          "drag area as (t / tf)^2 with CD0 0.775 and n = 8, integrated", note,
+                          [] { return flightOfC9(true).highest; }});
+}
+
 } // namespace
 
 std::vector<Reference> parachuteReferences()
@@ -94,6 +137,7 @@ std::vector<Reference> parachuteReferences()
              0.67, 0.70, "", "Knacke 1991, table 5-1",
              hoop ? "the hoop is given that width" : "starts open; lines and air alone keep it so",
              [=] { return projectedRatio(hoop); }});
+    addOpenings(references);
     return references;
 }
 

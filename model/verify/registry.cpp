@@ -32,6 +32,7 @@ const Section sections[] = {
     {"Wings", wingCases},
     {"Wind", windCases},
     {"Flight", flightCases},
+    {"Canopies", canopyCases},
     {"Counts", countCases},
 };
 

@@ -31,6 +31,7 @@ std::vector<Case> airLawCases();
 std::vector<Case> wingCases();
 std::vector<Case> windCases();
 std::vector<Case> flightCases();
+std::vector<Case> canopyCases();
 std::vector<Case> countCases();
 
 template <typename E>

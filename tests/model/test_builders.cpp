@@ -90,6 +90,7 @@ private slots:
             0, 132);
         row("parachute, 28 sectors of the C-9", "parachute", {{"sectors", 28}, {"hoop", 0}},
             169 + 84 + 1, 476 + 112, 0, 308);
+        row("parachute that holds air", "parachute", {{"pressure", 1.68}}, 218, 504, 0, 264);
         row("rod of the papers", "stiffened_rod", {}, 6, 11, 0, 0);
         row("rope", "rope", {{"segments", 14}}, 15, 14, 0, 0);
         row("rope with second neighbours", "rope", {{"segments", 14}, {"stiffened", 1}}, 15, 27, 0,
@@ -225,7 +226,9 @@ private:
         for (const Link& link : part.links) {
             const Vec3& a = findRow(part.particles, link.from)->position;
             const Vec3& b = findRow(part.particles, link.to)->position;
-            QVERIFY2(std::abs((b - a).norm() - link.restLength) < 1e-9, qPrintable(what));
+            const double stretch = (b - a).norm() - link.restLength;
+            const bool slack = link.resists == Resists::Tension && stretch < 0.0; // cloth in folds
+            QVERIFY2(slack || std::abs(stretch) < 1e-9, qPrintable(what));
         }
     }
 };

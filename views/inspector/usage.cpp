@@ -12,6 +12,8 @@ bool uses(const Settings& settings, std::string_view key)
 
 bool uses(const Part& part, std::string_view key)
 {
+    if (key == "fillEfficiency" || key == "addedMass")
+        return part.canopyPressure > 0.0;
     return key != "selfFriction" || part.selfContact > 0.0;
 }
 
