@@ -242,7 +242,7 @@ Scene buildParachute(const Parameters& p)
         hubs = addHoop(network, canopy.skirt(), p, materials);
     network.place(Eigen::Matrix3d::Identity(),
                   {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
-                  {0.0, -p.at("speed"), 0.0});
+                  {0.0, 0.0 - p.at("speed"), 0.0}); // no -0 in files
 
     addGroup(scene, "canopy", canopy.nodes());
     addGroup(scene, "skirt", canopy.skirt());

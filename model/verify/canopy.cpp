@@ -139,7 +139,7 @@ Chute underEvenPressure()
                         {"friction", 0.0},    {"pressure", 1.68},   {"payload", 10.0}};
     chute.speed = 10.0;
     chute.held = true;
-    chute.until = 6.0;
+    chute.until = 3.0;
     chute.viscosity = 2.0;
     return chute;
 }

@@ -12,6 +12,7 @@
 #include "sim/carry_over.h"
 #include "verify/opening.h"
 
+#include <Eigen/Geometry>
 #include <QtTest>
 
 #include <algorithm>

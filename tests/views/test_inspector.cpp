@@ -132,6 +132,7 @@ private slots:
         QTest::newRow("sweeps of the automatic solver") << Kind::Settings << "sweeps" << false;
         QTest::newRow("its wanted strain") << Kind::Settings << "strainGoal" << true;
         QTest::newRow("friction without self-contact") << Kind::Part << "selfFriction" << false;
+        QTest::newRow("added mass without canopy pressure") << Kind::Part << "addedMass" << false;
         QTest::newRow("place of a collider that stays") << Kind::Collider << "position" << true;
     }
     void rowsWithoutEffect()
