@@ -145,6 +145,7 @@ void Stepper::substep(RodTask& task, State& state)
     endMoves(system, state, state.time, m_placed);
     m_clock.lap(StepStage::Controls);
     m_canopies.advance(system, state, h);
+    m_clock.lap(StepStage::Air);
     fillAccelerations(system, state);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
