@@ -5,6 +5,7 @@
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "io/scene_file.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "scene/canopy_shape.h"
@@ -64,6 +65,15 @@ std::uint64_t hashAfter(const Scene& scene, double time, int threads)
 {
     Simulation simulation(*compile(scene), threads);
     return simulation.runUntil(time) ? stateHash(simulation.state()) : 0;
+}
+
+double probe(const Simulation& simulation, std::string_view name)
+{
+    const auto frame = simulation.frame();
+    for (std::size_t i = 0; i < frame->probe.size(); ++i)
+        if (frame->layout->probes[i].name == name)
+            return frame->probe[i];
+    qFatal("no such probe");
 }
 
 Part& partOf(Scene& scene)
@@ -280,6 +290,34 @@ private slots:
             widest = std::max(widest, width);
         }
         qInfo("mouth %.3f of D0", widest);
+    }
+
+    // It starts shut at 20 m/s, opens within some 8 D0 = 40 m (Knacke 1991, n of flat circular
+    // canopies), stays open without a hoop and sinks with CD0 of 0.65 to 0.85 (validation 4.8).
+    void canopyOpensWithoutHoop()
+    {
+        const auto scene = readScene(SCENES_DIR "/parachute_opening.ripstop.json");
+        QVERIFY(bool(scene));
+        Simulation simulation(*compile(*scene));
+        const double mass = totalMass(simulation.system());
+        const auto sinkRate = [&](double drag) {
+            return std::sqrt(2.0 * mass * 9.80665 / (1.225 * drag * 0.25 * M_PI * 25.0));
+        };
+        const double from = probe(simulation, "height");
+        QVERIFY(probe(simulation, "canopy pressure") == 0.0);
+        while (simulation.state().canopies[0].fullness < 0.9)
+            QVERIFY(simulation.step() && simulation.state().time < 5.0);
+        const double way = from - probe(simulation, "height");
+        qInfo("full after %.2f s and %.1f m", simulation.state().time, way);
+        QVERIFY(way > 5.0 * 5.0 && way < 11.0 * 5.0);
+        for (double time = 10.0; time <= 20.0; time += 1.0) {
+            QVERIFY(simulation.runUntil(time));
+            const double rate = probe(simulation, "sink rate");
+            QVERIFY2(rate > sinkRate(0.85) && rate < sinkRate(0.65),
+                     qPrintable(QString::number(rate)));
+            QVERIFY(simulation.state().canopies[0].fullness > 0.9);
+        }
+        QVERIFY(probe(simulation, "height") > 0.0);
     }
 
     void sameBitsAtAnyThreadCount()
