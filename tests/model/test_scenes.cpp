@@ -73,7 +73,8 @@ private slots:
         for (const char* name :
              {"bending_test", "cloth", "delta_kite", "flag", "glider_over_hills", "glider_polar",
               "hang_glider", "heavy_load", "parachute", "pendulum", "rope", "self_contact",
-              "sheet_on_boxes", "sheet_on_terrain", "stiffened_rod", "tear_test", "torn_sheet"})
+              "sheet_on_boxes", "sheet_on_terrain", "split_sheet", "stiffened_rod", "tear_test",
+              "torn_sheet"})
             QVERIFY2(names.contains(name), name);
     }
 
