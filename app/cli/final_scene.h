@@ -6,7 +6,7 @@
 namespace ripstop {
 
 // The scene as the simulation has left it: particles where they are and as fast as they are, torn
-// links and gone panels removed.
+// links and gone panels removed, and what tears have doubled as rows of their own.
 Scene finalScene(Scene scene, const Simulation& simulation);
 
 } // namespace ripstop

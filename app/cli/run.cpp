@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <set>
 
 namespace ripstop {
 namespace {
@@ -69,6 +70,18 @@ Json tearSummary(std::span<const Tear> tears)
     return result;
 }
 
+// Links at which the mesh has parted are whole again, and have torn all the same.
+std::size_t tornLinks(const Frame& frame)
+{
+    std::set<std::uint32_t> torn;
+    for (std::size_t i = 0; i < frame.torn.size(); ++i)
+        if (frame.torn[i])
+            torn.insert(frame.layout->links[i].id);
+    for (const Tear& tear : frame.tears)
+        torn.insert(tear.link);
+    return torn.size();
+}
+
 Json report(const Simulation& simulation, double wallSeconds)
 {
     const std::shared_ptr<const Frame> frame = simulation.frame();
@@ -83,7 +96,7 @@ Json report(const Simulation& simulation, double wallSeconds)
     result["wall_seconds"] = wallSeconds;
     result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
     result["hash"] = hashText(stateHash(state));
-    result["torn"] = std::count(frame->torn.begin(), frame->torn.end(), std::uint8_t(1));
+    result["torn"] = tornLinks(*frame);
     result["max_strain"] = largest == frame->strain.end() ? 0.0 : *largest;
     result["energy"] = energy.total();
     result["energies"] = {

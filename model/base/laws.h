@@ -31,6 +31,7 @@ enum class LinkRole : std::uint8_t {
                                                    // its threads or across its cells
 enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
 enum class TearRule { Never, Length, Strain, Force };
+enum class TearMesh { Vanish, Split }; // what panels do beside a link that tears
 enum class AirLaw { None, Paper, LinearNormal, LiftDrag, Vortex };
 enum class WindKind { Uniform, PowerLaw, LogLaw, Gusts, Jet };
 enum class ColliderShape { Plane, Sphere, Box, HeightField, Mesh };
@@ -81,6 +82,8 @@ inline constexpr std::array<std::string_view, 3> choiceNames<Resists>{"both", "t
 template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", "length", "strain",
                                                                        "force"};
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<TearMesh>{"vanish", "split"};
 template <>
 inline constexpr std::array<std::string_view, 5> choiceNames<AirLaw>{
     "none", "paper", "linear_normal", "lift_drag", "vortex"};

@@ -1,4 +1,4 @@
-// Logarithm and exponential that have the same bits on every machine, unlike those of the
+// Logarithm, exponential and angle that have the same bits on every machine, unlike those of the
 // mathematical libraries; exact to two units in the last place. Sums and products only.
 #pragma once
 
@@ -39,6 +39,22 @@ inline double portableExp(double x)
     for (int k = 15; k >= 1; --k)
         sum = 1.0 + r * sum / k;
     return std::ldexp(sum, int(n));
+}
+
+// Angle of (x, y) from the x axis, 0 to pi, for y >= 0. Halved four times, tan a/2 =
+// tan a / (1 + sqrt(1 + tan^2 a)), and then the series of the arc tangent.
+inline double portableAngle(double x, double y)
+{
+    if (!(y > 0.0))
+        return x < 0.0 ? 3.14159265358979323846 : 0.0;
+    const double r = std::sqrt(x * x + y * y);
+    double t = x > 0.0 ? y / (r + x) : (r - x) / y;
+    for (int halvings = 1; halvings < 4; ++halvings)
+        t /= 1.0 + std::sqrt(1.0 + t * t);
+    double sum = 0.0;
+    for (int k = 25; k >= 3; k -= 2)
+        sum = t * t * (1.0 / k - sum);
+    return 16.0 * t * (1.0 - sum);
 }
 
 } // namespace ripstop

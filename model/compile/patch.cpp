@@ -53,13 +53,13 @@ public:
         items(patch);
         if (m_dragLines)
             listDragLines(m_system);
-        if (!patch.materials.empty() || !patch.particles.empty() || !patch.panels.empty()
-            || patch.winds)
-            listWings(m_system);
         if (m_bending || (!m_system.bending.empty() && touchesBends(patch))) {
             listBends(m_system);
             m_allRods = true; // the choice of Solver::Auto hangs on bends
         }
+        if (!patch.materials.empty() || !patch.particles.empty() || !patch.panels.empty()
+            || patch.winds)
+            listWings(m_system);
         if (m_tearRules)
             listTearable(m_system);
         if (m_allRods)

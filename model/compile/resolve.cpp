@@ -140,6 +140,7 @@ void takeSettings(const Settings& settings, System& system)
     system.solver = settings.solver;
     system.strainGoal = settings.strainGoal / 100.0;
     system.tearsPerStep = settings.tearsPerStep;
+    system.tearMesh = settings.tearMesh;
     system.gravity = settings.gravity;
     system.airDensity = settings.airDensity;
     system.viscosity = settings.viscosity;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace ripstop {
 namespace {
@@ -45,8 +46,17 @@ double glideRatio(const Vec3& motion)
     return motion.y() < 0.0 ? horizontal(motion) / -motion.y() : nothing;
 }
 
+// Links that the mesh has parted at are whole again.
 double tornCount(const ProbeSpec& probe, const System& system, const State& state)
 {
+    if (!state.splits.empty()) {
+        std::set<Key> torn;
+        for (const State::Tear& tear : state.tears)
+            torn.insert(tear.link);
+        return double(std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
+            return torn.contains(system.links[std::size_t(l)].key);
+        }));
+    }
     return double(std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
         return isTorn(system.links[std::size_t(l)], state);
     }));

@@ -13,7 +13,7 @@
 namespace ripstop {
 
 // What the arrays of a frame are about, by the ids of the scene. Shared by all frames of one
-// compiled system.
+// compiled system, until a tear splits its mesh.
 struct Layout
 {
     struct Link
@@ -36,6 +36,7 @@ struct Layout
         friend bool operator==(const Probe&, const Probe&) = default;
     };
 
+    // Particles and links that a tear has doubled have the id of those that they came from.
     std::vector<std::uint32_t> particleId; // [particles]
     std::vector<std::uint8_t> pinned;      // [particles]
     std::vector<Link> links;               // in the author's order

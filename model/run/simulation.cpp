@@ -4,6 +4,8 @@
 #include "measure/probe.h"
 #include "sim/carry_over.h"
 #include "sim/obstacle_motion.h"
+#include "sim/split_system.h"
+#include "sim/tear_opening.h"
 #include "sim/wind.h"
 
 #include <algorithm>
@@ -13,17 +15,20 @@
 namespace ripstop {
 namespace {
 
-std::shared_ptr<const Layout> layoutOf(const System& system)
+std::shared_ptr<const Layout> layoutOf(const System& system, std::span<const Split> splits)
 {
     auto layout = std::make_shared<Layout>();
-    layout->particleId = system.key;
+    const TwinOrigins origins(splits);
+    layout->particleId.reserve(system.key.size());
+    for (const Key key : system.key)
+        layout->particleId.push_back(origins.particle(key));
     layout->pinned.reserve(system.inverseMass.size());
     layout->links.reserve(system.links.size());
     layout->panelCorners.reserve(system.panels.size());
     for (const double w : system.inverseMass)
         layout->pinned.push_back(w == 0.0);
     for (const LinkPlace& link : system.links)
-        layout->links.push_back({link.key, link.kind, link.a, link.b,
+        layout->links.push_back({origins.link(link.key), link.kind, link.a, link.b,
                                  link.kind == LinkKind::Rod
                                      ? system.rods[std::size_t(link.index)].restLength
                                      : system.springs[std::size_t(link.index)].restLength});
@@ -49,24 +54,55 @@ bool hasReached(double time, double until, double timeStep)
 
 Simulation::Simulation(std::shared_ptr<const System> system, int threads)
     : m_system(std::move(system))
-    , m_layout(layoutOf(*m_system))
+    , m_layout(layoutOf(*m_system, {}))
     , m_state(m_system->start)
+    , m_stepper(threads)
+{}
+
+Simulation::Simulation(std::shared_ptr<const System> system, State checkpoint, int threads)
+    : m_system(std::move(system))
+    , m_split(checkpoint.splits.empty() ? nullptr : splitSystem(*m_system, checkpoint.splits))
+    , m_layout(layoutOf(this->system(), checkpoint.splits))
+    , m_state(std::move(checkpoint))
+    , m_atStart(false)
     , m_stepper(threads)
 {}
 
 void Simulation::load(std::shared_ptr<const System> system)
 {
+    const std::shared_ptr<const System> before =
+        m_split ? std::exchange(m_split, nullptr) : m_system;
     m_atStart = system->run != m_system->run;
+    m_system = std::move(system);
     if (m_atStart) {
-        m_state = system->start;
+        m_state = m_system->start;
         m_commands.clear();
     } else {
-        m_lastGood = carryOver(*m_system, m_state, *system, std::move(m_lastGood));
-        std::swap(m_state, m_lastGood);
+        carryOn(*before);
     }
-    m_system = std::move(system);
     m_layoutIsStale = true;
     m_trouble.reset(); // the edit may have cured it
+}
+
+// The motion of the system before, in the one that the tears make of the new one.
+void Simulation::carryOn(const System& before)
+{
+    if (!m_state.splits.empty())
+        m_split = splitSystem(*m_system, m_state.splits);
+    m_lastGood = carryOver(before, m_state, system(), std::move(m_lastGood));
+    std::swap(m_state, m_lastGood);
+    m_layoutIsStale = true;
+}
+
+// The mesh opens between two steps, where links have torn in the last.
+void Simulation::followTears(std::size_t before)
+{
+    if (system().tearMesh != TearMesh::Split || m_state.tears.size() == before)
+        return;
+    if (openTears(system(), m_state)) {
+        const std::shared_ptr<const System> torn = m_split ? m_split : m_system;
+        carryOn(*torn);
+    }
 }
 
 void Simulation::load(const Update& update)
@@ -83,6 +119,8 @@ void Simulation::apply(const Patch& patch)
     System& system = ownSystem();
     m_layoutIsStale |= ripstop::apply(patch, system);
     m_trouble.reset();
+    if (m_split)
+        return applySplit(again);
     if (again)
         return reset(patch);
 
@@ -94,6 +132,18 @@ void Simulation::apply(const Patch& patch)
             m_state.drift[std::size_t(i)].setZero();
         }
     }
+}
+
+// What tears have split is made anew from what was patched.
+void Simulation::applySplit(bool again)
+{
+    const std::shared_ptr<const System> before = std::exchange(m_split, nullptr);
+    m_layoutIsStale = true;
+    m_atStart = again;
+    if (!again)
+        return carryOn(*before);
+    m_state = m_system->start;
+    m_commands.clear();
 }
 
 // A new run begins with the patch. While a design at rest is edited there is little to put back.
@@ -126,16 +176,16 @@ void Simulation::refreshLayout() const
 {
     if (!std::exchange(m_layoutIsStale, false))
         return;
-    if (auto layout = layoutOf(*m_system); *layout != *m_layout)
+    if (auto layout = layoutOf(system(), m_state.splits); *layout != *m_layout)
         m_layout = std::move(layout);
 }
 
 void Simulation::command(const Commands& commands)
 {
-    for (std::size_t i = 0; i < m_system->inputs.size(); ++i)
-        if (const auto found = commands.find(m_system->inputs[i].key);
+    for (std::size_t i = 0; i < system().inputs.size(); ++i)
+        if (const auto found = commands.find(system().inputs[i].key);
             found != commands.end() && std::isfinite(found->second)) {
-            const Input& input = m_system->inputs[i];
+            const Input& input = system().inputs[i];
             const double value = std::clamp(found->second, -input.limit, input.limit);
             if (value == m_state.inputCommand[i])
                 continue;
@@ -151,16 +201,19 @@ bool Simulation::step()
         return false;
     m_atStart = false;
     m_lastGood = m_state;
-    const int substeps = m_stepper.step(*m_system, m_state);
-    m_trouble = findTrouble(*m_system, m_lastGood, m_state, substeps);
+    const std::size_t tears = m_state.tears.size();
+    const int substeps = m_stepper.step(system(), m_state);
+    m_trouble = findTrouble(system(), m_lastGood, m_state, substeps);
     if (m_trouble)
         std::swap(m_state, m_lastGood);
+    else
+        followTears(tears);
     return !m_trouble;
 }
 
 bool Simulation::runUntil(double time)
 {
-    while (!hasReached(m_state.time, time, m_system->timeStep))
+    while (!hasReached(m_state.time, time, system().timeStep))
         if (!step())
             return false;
     return true;
@@ -170,31 +223,31 @@ std::shared_ptr<Frame> Simulation::frame() const
 {
     refreshLayout();
     auto frame = std::make_shared<Frame>();
-    frame->generation = m_system->generation;
-    frame->run = m_system->run;
+    frame->generation = system().generation;
+    frame->run = system().run;
     frame->layout = m_layout;
     frame->time = m_state.time;
     frame->step = m_state.step;
-    frame->solverChoice = m_stepper.choice(*m_system);
-    frame->substeps = m_stepper.substepsOf(*m_system, m_state);
+    frame->solverChoice = m_stepper.choice(system());
+    frame->substeps = m_stepper.substepsOf(system(), m_state);
     frame->hash = stateHash(m_state);
     frame->position.assign(m_state.position.begin(), m_state.position.end());
     frame->velocity.assign(m_state.velocity.begin(), m_state.velocity.end());
-    frame->torn.reserve(m_system->links.size());
-    for (const LinkPlace& link : m_system->links)
+    frame->torn.reserve(system().links.size());
+    for (const LinkPlace& link : system().links)
         frame->torn.push_back(isTorn(link, m_state));
     frame->gone = m_state.panelGone;
-    frame->gust = commonWind(*m_system, m_state) - m_system->wind;
-    for (std::size_t i = 0; i < m_system->obstacles.size(); ++i)
-        frame->colliderPosition.push_back(obstaclePosition(*m_system, m_state, i, m_state.time));
+    frame->gust = commonWind(system(), m_state) - system().wind;
+    for (std::size_t i = 0; i < system().obstacles.size(); ++i)
+        frame->colliderPosition.push_back(obstaclePosition(system(), m_state, i, m_state.time));
     frame->inputCommand = m_state.inputCommand;
     frame->inputValue = m_state.inputValue;
 
-    Readings readings(*m_system, m_state);
+    Readings readings(system(), m_state);
     frame->strain = readings.strain();
     frame->tension = readings.tension();
     frame->panelLoad = readings.panelLoad();
-    for (const ProbeSpec& probe : m_system->probes)
+    for (const ProbeSpec& probe : system().probes)
         frame->probe.push_back(readings.value(probe));
 
     for (const State::Tear& tear : m_state.tears)

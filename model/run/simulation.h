@@ -26,6 +26,9 @@ class Simulation
 public:
     explicit Simulation(std::shared_ptr<const System> system, int threads = 1);
 
+    // Goes on from a checkpoint: the state of a simulation of this system.
+    Simulation(std::shared_ptr<const System> system, State checkpoint, int threads = 1);
+
     // Goes on with an edited system. The motion carries over unless its run number differs.
     void load(std::shared_ptr<const System> system);
 
@@ -45,7 +48,8 @@ public:
     // Adds what each stage of the steps from now on takes; null stops that.
     void keepTimes(StepTimes* times) { m_stepper.keepTimes(times); }
 
-    const System& system() const { return *m_system; }
+    // What runs: the system that was loaded, or what tears have made of it (split_system.h).
+    const System& system() const { return m_split ? *m_split : *m_system; }
     const State& state() const { return m_state; }
     const std::optional<Trouble>& trouble() const { return m_trouble; }
 
@@ -53,11 +57,15 @@ public:
 
 private:
     void apply(const Patch& patch);
+    void applySplit(bool again);
     void reset(const Patch& patch);
     System& ownSystem();
+    void carryOn(const System& before);
+    void followTears(std::size_t before);
     void refreshLayout() const;
 
-    std::shared_ptr<const System> m_system;
+    std::shared_ptr<const System> m_system; // as compiled
+    std::shared_ptr<const System> m_split;  // m_system as the tears have split it; null when whole
     mutable std::shared_ptr<const Layout> m_layout; // of the system unless stale
     mutable bool m_layoutIsStale = false;
     State m_state;

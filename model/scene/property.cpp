@@ -110,6 +110,7 @@ std::span<const Property> allProperties()
         property<&Settings::solver>      ("solver",      "Rod solver",   "",        Recompile,   "Rule that restores the lengths of rods; the automatic one takes as many small steps as the wanted strain needs, and direct blocks for heavy loads on light lines; averaged Jacobi conserves momentum, the paper's does not."),
         property<&Settings::strainGoal>  ("strainGoal",  "Wanted strain", "%",      Recompile,   "Largest strain of rods that the automatic solver allows; smaller is stiffer and slower.", {1e-4, 100.0}),
         property<&Settings::tearsPerStep>("tearsPerStep","Tears per step", "",      Recompile,   "Most links that break in one time step, the most overloaded first, so that a tear runs on from its tip; 0 sets no limit.", {0, 1000000}),
+        property<&Settings::tearMesh>    ("tearMesh",    "Fabric at tears", "",    Recompile,   "What panels do beside a link that tears: they vanish with it, or the mesh splits, so that each panel stays whole on its side."),
         property<&Settings::gravity>     ("gravity",     "Gravity",      "m/s\u00b2", Recompile, "Acceleration of everything that falls; y is up."),
         property<&Settings::airDensity>  ("airDensity",  "Air density",  "kg/m\u00b3", Recompile, "Mass of the air per volume; 1.225 at sea level, 0 is a vacuum.", notNegative),
         property<&Settings::viscosity>   ("viscosity",   "Viscosity",    "1/s",     Recompile,   "Rate at which every velocity decays, over and above the drag of the panels.", notNegative),

@@ -48,6 +48,66 @@ void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t
     }
 }
 
+// Twins that are new stand where the particles that they came from do.
+void placeTwins(const System& to, State& carried, std::vector<std::uint8_t>& placed)
+{
+    if (carried.splits.empty())
+        return;
+    const KeyIndex particleOf = indexOf(to.key, [](Key key) { return key; });
+    for (const Split& split : carried.splits) {
+        const int from = particleOf(split.from);
+        const int twin = particleOf(split.twin);
+        if (from < 0 || twin < 0 || placed[std::size_t(twin)])
+            continue;
+        carried.position[std::size_t(twin)] = Vec3(carried.position[std::size_t(from)]);
+        carried.velocity[std::size_t(twin)] = Vec3(carried.velocity[std::size_t(from)]);
+        carried.drift[std::size_t(twin)] = Vec3(carried.drift[std::size_t(from)]);
+        placed[std::size_t(twin)] = placed[std::size_t(from)];
+    }
+}
+
+// A second link that is new takes its share of what the first holds, and waits as that does.
+void carryTwinLinks(const System& from, const System& to, State& carried)
+{
+    if (carried.splits.empty())
+        return;
+    const KeyIndex before = indexOf(from.links, [](const LinkPlace& link) { return link.key; });
+    const KeyIndex now = indexOf(to.links, [](const LinkPlace& link) { return link.key; });
+    for (const Split& split : carried.splits)
+        for (const Split::Cut& cut : split.cut) {
+            const int first = now(cut.link);
+            const int twin = now(cut.twin);
+            if (first < 0 || twin < 0 || before(cut.twin) >= 0)
+                continue;
+            const LinkPlace& place = to.links[std::size_t(first)];
+            const auto at = std::size_t(place.index);
+            const auto twinAt = std::size_t(to.links[std::size_t(twin)].index);
+            if (place.kind == LinkKind::Spring) {
+                carried.springTorn[twinAt] = std::uint8_t(carried.springTorn[at]);
+            } else {
+                carried.rodTorn[twinAt] = std::uint8_t(carried.rodTorn[at]);
+                carried.rodTension[twinAt] = cut.share * carried.rodTension[at];
+                carried.rodTension[at] *= 1.0 - cut.share;
+            }
+            const auto held =
+                std::find_if(carried.tearHolds.begin(), carried.tearHolds.end(),
+                             [&](const TearHold& hold) { return hold.link == first; });
+            if (held != carried.tearHolds.end())
+                carried.tearHolds.push_back({twin, held->ratio});
+        }
+}
+
+void carryHolds(const System& from, const State& state, const System& to, State& carried)
+{
+    carried.tearHolds.clear();
+    if (state.tearHolds.empty())
+        return;
+    const KeyIndex linkOf = indexOf(to.links, [](const LinkPlace& link) { return link.key; });
+    for (const TearHold& hold : state.tearHolds)
+        if (const int match = linkOf(from.links[std::size_t(hold.link)].key); match >= 0)
+            carried.tearHolds.push_back({match, hold.ratio});
+}
+
 void carryLinks(const System& from, const State& state, const System& to, State& carried)
 {
     const KeyIndex linkOf = indexOf(from.links, [](const LinkPlace& link) { return link.key; });
@@ -77,6 +137,7 @@ State carryOver(const System& from, const State& state, const System& to, State 
     carried.substeps = state.substeps;
     carried.tears = state.tears;
     carried.driftSubstep = state.driftSubstep;
+    carried.splits = state.splits;
 
     const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);
@@ -87,6 +148,7 @@ State carryOver(const System& from, const State& state, const System& to, State 
             carried.drift[j] = state.drift[std::size_t(match)];
             placed[j] = 1;
         }
+    placeTwins(to, carried, placed);
     followNeighbours(to, carried, placed);
     for (std::size_t j = 0; j < to.key.size(); ++j) {
         if (!placed[j]) // has no previous step to remember
@@ -97,6 +159,8 @@ State carryOver(const System& from, const State& state, const System& to, State 
         }
     }
     carryLinks(from, state, to, carried);
+    carryHolds(from, state, to, carried);
+    carryTwinLinks(from, to, carried);
 
     const KeyIndex panelOf = indexOf(from.panelKey, [](Key key) { return key; });
     for (std::size_t j = 0; j < to.panelKey.size(); ++j)

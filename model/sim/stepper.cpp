@@ -43,6 +43,7 @@ int Stepper::step(const System& system, State& state)
         }
         task.note = m_tearsByForce || s + meanOver >= substeps;
         task.shifted = s == 0;
+        m_judgesLinks = system.tearMesh == TearMesh::Vanish || s + 1 == substeps;
         substep(task, state);
         ++state.substep;
     }
@@ -164,7 +165,8 @@ void Stepper::substep(RodTask& task, State& state)
         m_fabric.resolve(system, state);
     resolveContacts(system, state, m_before, m_placed, h, m_crew);
     m_clock.lap(StepStage::Contact);
-    tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
+    if (m_judgesLinks)
+        tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
     m_clock.lap(StepStage::Tearing);
     const bool drifts =
         system.integrator == Integrator::Verlet || system.integrator == Integrator::VelocityVerlet;

@@ -77,6 +77,7 @@ private:
     std::uint64_t m_valuesSerial = 0;
     bool m_onlyGravity = false;  // accelerations of this step are known, as nothing else acts
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
+    bool m_judgesLinks = true;   // in this substep, which of them break
     bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep
 };
 

@@ -147,19 +147,19 @@ requires std::is_same_v<std::remove_const_t<S>, System>
 auto fieldsOf(S& system)
 {
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
-           solver, strainGoal, tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity,
-           speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
-           chunkReach, direct, materialAir, bending, dragLines, bends, panels, panelKey, wings,
-           links, linkStuff, springLink, rodLink, tearableSprings, tearableRods, springsAt, rodsAt,
-           panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles, fabricLayer, canopies, inputs,
-           shiftedRods, probes, start] = system;
+           solver, strainGoal, tearsPerStep, tearMesh, gravity, airDensity, wind, airflows, gusts,
+           viscosity, speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart,
+           chunkClass, chunkReach, direct, materialAir, bending, dragLines, bends, panels, panelKey,
+           wings, links, linkStuff, springLink, rodLink, tearableSprings, tearableRods, springsAt,
+           rodsAt, panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles, fabricLayer, canopies,
+           inputs, shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
-                    tearsPerStep, gravity, airDensity, wind, airflows, gusts, viscosity, speedLimit,
-                    key, mass, inverseMass, springs, rods, colorStart, chunkStart, chunkClass,
-                    chunkReach, direct, materialAir, bending, dragLines, bends, panels, panelKey,
-                    wings, links, linkStuff, springLink, rodLink, tearableSprings, tearableRods,
-                    springsAt, rodsAt, panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles,
-                    fabricLayer, canopies, inputs, shiftedRods, probes, start);
+                    tearsPerStep, tearMesh, gravity, airDensity, wind, airflows, gusts, viscosity,
+                    speedLimit, key, mass, inverseMass, springs, rods, colorStart, chunkStart,
+                    chunkClass, chunkReach, direct, materialAir, bending, dragLines, bends, panels,
+                    panelKey, wings, links, linkStuff, springLink, rodLink, tearableSprings,
+                    tearableRods, springsAt, rodsAt, panelsAt, dragLinesAt, bendsAt, panelsBeside,
+                    obstacles, fabricLayer, canopies, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>
@@ -167,10 +167,11 @@ requires std::is_same_v<std::remove_const_t<S>, State>
 auto fieldsOf(S& state)
 {
     auto& [time, step, substep, substeps, driftSubstep, position, velocity, drift, inputCommand,
-           inputValue, gusts, canopies, springTorn, rodTorn, panelGone, rodTension, tears] = state;
+           inputValue, gusts, canopies, springTorn, rodTorn, panelGone, rodTension, tears, splits,
+           tearHolds] = state;
     return std::tie(time, step, substep, substeps, driftSubstep, position, velocity, drift,
                     inputCommand, inputValue, gusts, canopies, springTorn, rodTorn, panelGone,
-                    rodTension, tears);
+                    rodTension, tears, splits, tearHolds);
 }
 
 // Arrays are emptied and keep their memory; anything else starts as `fresh` does.

@@ -290,6 +290,37 @@ struct Rows
     friend bool operator==(const Rows&, const Rows&) = default;
 };
 
+// A particle that a tear has parted (tear_opening.h). All by keys, so that it outlives edits: what
+// it names and is no longer there is passed over.
+struct Split
+{
+    struct Cut // a link along the tear: each lip has one afterwards
+    {
+        Key link;     // of the lip of `from`
+        Key twin;     // of the lip of `twin`
+        double share; // 1, of stiffness, damping and breaking force, that the twin takes
+
+        friend bool operator==(const Cut&, const Cut&) = default;
+    };
+    Key from;                // particle; keeps pins and hands, and what the torn link leaves behind
+    Key twin;                // particle; new, at the same place with the same velocity
+    double share;            // 1, of the mass, that the twin takes
+    std::vector<Key> panels; // whose corner is the twin from now on
+    std::vector<Key> links;  // whose end is
+    std::vector<Cut> cut;
+
+    friend bool operator==(const Split&, const Split&) = default;
+};
+
+// A link where the mesh has just opened: it has let go and has to be given time to shrink.
+struct TearHold
+{
+    int link;     // index into System::links
+    double ratio; // 1, over its limit, of the link that tore
+
+    friend bool operator==(const TearHold&, const TearHold&) = default;
+};
+
 // What changes while a system runs. Copying a State is a checkpoint.
 struct State
 {
@@ -328,6 +359,9 @@ struct State
     };
     std::vector<Tear> tears; // in order of time
 
+    std::vector<Split> splits; // in order of time; the system is one that was split by them
+    std::vector<TearHold> tearHolds;
+
     friend bool operator==(const State&, const State&) = default;
 };
 
@@ -361,8 +395,9 @@ struct System
     int sweeps = 8; // passes over the rods per substep
     Integrator integrator = Integrator::SemiImplicitEuler;
     Solver solver = Solver::GaussSeidel;
-    double strainGoal = 0.01;                // 1, for Solver::Auto
-    int tearsPerStep = 0;                    // links that a time step may break, 0 for any number
+    double strainGoal = 0.01; // 1, for Solver::Auto
+    int tearsPerStep = 0;     // links that a time step may break, 0 for any number
+    TearMesh tearMesh = TearMesh::Vanish;
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
     double airDensity = 1.225;               // kg/m^3
     Vec3 wind = Vec3::Zero();                // m/s, what is the same everywhere and always

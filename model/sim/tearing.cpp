@@ -1,5 +1,6 @@
 #include "sim/tearing.h"
 
+#include "sim/split_system.h"
 #include "sim/spring_force.h"
 
 #include <algorithm>
@@ -70,12 +71,14 @@ void tear(const System& system, State& state, const TearLoads& loads, int number
     } else {
         state.springTorn[index] = 1;
     }
-    for (int k = system.panelsBeside.start[l]; k < system.panelsBeside.start[l + 1]; ++k)
-        state.panelGone[std::size_t(system.panelsBeside.items[std::size_t(k)])] = 1;
+    if (system.tearMesh == TearMesh::Vanish)
+        for (int k = system.panelsBeside.start[l]; k < system.panelsBeside.start[l + 1]; ++k)
+            state.panelGone[std::size_t(system.panelsBeside.items[std::size_t(k)])] = 1;
+    const Key key = state.splits.empty() ? link.key : TwinOrigins(state.splits).link(link.key);
     const Vec3& a = state.position[std::size_t(link.a)];
     const Vec3& b = state.position[std::size_t(link.b)];
-    state.tears.push_back({state.time, link.key, load.length, load.strain(), load.force,
-                           0.5 * (a + b), releasedEnergy(system, link, load)});
+    state.tears.push_back({state.time, key, load.length, load.strain(), load.force, 0.5 * (a + b),
+                           releasedEnergy(system, link, load)});
 }
 
 // Whether a spring is far from breaking, told without a root or a quotient: that is what all but a
@@ -126,28 +129,82 @@ void findOverloads(const System& system, const State& state, const TearLoads& lo
     }
 }
 
+bool inOrder(const Overload& one, const Overload& other) { return one.link < other.link; }
+
+bool worstFirst(const Overload& one, const Overload& other)
+{
+    return one.ratio != other.ratio ? one.ratio > other.ratio : inOrder(one, other);
+}
+
+// Links that are held wait until they have been below their limit, or are far above it after all.
+void takeHeldOut(State& state, std::vector<Overload>& overloads)
+{
+    constexpr double farAbove = 1.25; // times the overload that opened the mesh
+    std::sort(overloads.begin(), overloads.end(), inOrder);
+    const auto find = [&](int link) {
+        const auto found =
+            std::lower_bound(overloads.begin(), overloads.end(), Overload{link, 0.0}, inOrder);
+        return found != overloads.end() && found->link == link ? found : overloads.end();
+    };
+    std::erase_if(state.tearHolds,
+                  [&](const TearHold& hold) { return find(hold.link) == overloads.end(); });
+    constexpr double waits = 0.0;
+    for (const TearHold& hold : state.tearHolds)
+        if (const auto found = find(hold.link); !(found->ratio > farAbove * hold.ratio))
+            found->ratio = waits;
+    std::erase_if(overloads, [](const Overload& overload) { return overload.ratio == waits; });
+}
+
+// Breaks at most `most`, and of edges of panels that share an end the worst alone: the mesh opens
+// there, and the others are about to lose their load.
+void tearApart(const System& system, State& state, const TearLoads& loads,
+               const std::vector<Overload>& overloads, std::size_t most)
+{
+    if (overloads.empty())
+        return;
+    std::vector<std::uint8_t> opens(state.position.size(), 0);
+    for (const Overload& overload : overloads) {
+        if (most == 0)
+            return;
+        const auto l = std::size_t(overload.link);
+        const LinkPlace& link = system.links[l];
+        if (system.panelsBeside.start[l] < system.panelsBeside.start[l + 1]) {
+            std::uint8_t& a = opens[std::size_t(link.a)];
+            std::uint8_t& b = opens[std::size_t(link.b)];
+            if (a || b)
+                continue;
+            a = b = 1;
+            std::erase_if(state.tearHolds,
+                          [&](const TearHold& hold) { return hold.link == overload.link; });
+            state.tearHolds.push_back({overload.link, overload.ratio});
+        }
+        tear(system, state, loads, overload.link);
+        --most;
+    }
+}
+
 } // namespace
 
 void tearLinks(const System& system, State& state, const TearLoads& loads,
                std::vector<Overload>& scratch)
 {
+    const bool splits = system.tearMesh == TearMesh::Split;
     const bool limited = system.tearsPerStep > 0;
     const std::size_t before = state.tears.size() - loads.tearsBefore; // in this time step
     if (limited && before >= std::size_t(system.tearsPerStep))
         return;
+    const std::size_t most = limited ? std::size_t(system.tearsPerStep) - before
+                                     : std::numeric_limits<std::size_t>::max();
     findOverloads(system, state, loads, scratch);
-    const auto inOrder = [](const Overload& one, const Overload& other) {
-        return one.link < other.link;
-    };
-    const auto worstFirst = [&](const Overload& one, const Overload& other) {
-        return one.ratio != other.ratio ? one.ratio > other.ratio : inOrder(one, other);
-    };
-    if (limited) {
+    if (splits)
+        takeHeldOut(state, scratch);
+    if (limited || splits)
         std::sort(scratch.begin(), scratch.end(), worstFirst);
-        scratch.resize(std::min(scratch.size(), std::size_t(system.tearsPerStep) - before));
-    } else {
+    else
         std::sort(scratch.begin(), scratch.end(), inOrder);
-    }
+    if (splits)
+        return tearApart(system, state, loads, scratch, most);
+    scratch.resize(std::min(scratch.size(), most));
     for (const Overload& overload : scratch)
         tear(system, state, loads, overload.link);
 }

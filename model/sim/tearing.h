@@ -1,4 +1,4 @@
-// Tearing: links that break, and the panels beside them that go with them.
+// Tearing: links that break, and the panels beside them that go with them or part.
 #pragma once
 
 #include "sim/system.h"
@@ -29,6 +29,12 @@ struct Overload
 // Without System::tearsPerStep all of them break, in the order of the links. With it, the most
 // overloaded break first and of equals the first in the order of the links; who is left over is
 // judged again in the next substep, when the breaks have moved the load.
+//
+// Where the mesh is to split instead of losing panels (TearMesh::Split), links are judged once in a
+// time step, after its last substep. The worst break first, and of those that share an end only
+// one; a link that is the edge of a panel is noted in State::tearHolds, for openTears() to part the
+// mesh there (tear_opening.h). A link that is held is let be until it has been below its limit, or
+// is a quarter farther above it than the one that tore there was.
 //
 // A break releases what the link held: k s^2 / 2 of a spring stretched by s, T^2 alpha / 2 of a rod
 // of compliance alpha under the tension T, nothing of a stiff rod.

@@ -1,6 +1,7 @@
 #include "sim/watchdog.h"
 
 #include "base/step_limit.h"
+#include "sim/split_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +78,9 @@ std::optional<Trouble> findTrouble(const System& system, const State& before, co
         const bool finite = std::isfinite(speed) && after.position[i].allFinite();
         if (finite && speed <= system.speedLimit)
             continue;
-        Trouble trouble{after.time, system.key[i], {}};
-        trouble.message = "particle " + std::to_string(system.key[i])
+        const Key key = TwinOrigins(after.splits).particle(system.key[i]);
+        Trouble trouble{after.time, key, {}};
+        trouble.message = "particle " + std::to_string(key)
                           + (finite ? format(" reached %.3g m/s, above the limit of %.3g m/s,",
                                              speed, system.speedLimit)
                                     : " left the range of numbers")

@@ -2,6 +2,7 @@
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
+#include "verify/tear_sheets.h"
 
 #include <algorithm>
 
@@ -260,6 +261,49 @@ void addRodBreaks(std::vector<Case>& cases)
                          }});
 }
 
+// 6 x 5 cells that split along a row of seven particles.
+void addSplits(std::vector<Case>& cases)
+{
+    for (const LinkKind kind : {LinkKind::Spring, LinkKind::Rod}) {
+        const std::string by = "sheet that splits, " + nameOf(kind) + "s, ";
+        struct Torn
+        {
+            double twins, secondLinks, panelsGone, pieces;
+        };
+        const auto torn = shared([=] {
+            const auto whole = std::make_shared<const System>(tearSheet(6, 5, 2, kind));
+            Simulation simulation(whole);
+            simulation.runUntil(1.5);
+            const System& system = simulation.system();
+            const auto& gone = simulation.state().panelGone;
+            return Torn{double(system.key.size() - whole->key.size()),
+                        double(system.links.size() - whole->links.size()),
+                        double(std::count(gone.begin(), gone.end(), 1)),
+                        double(piecesOf(system, simulation.state()))};
+        });
+        cases.push_back({"T-T5", by + "twins of particles", 7, exactly, "", "one for each",
+                         [=] { return torn().twins; }});
+        cases.push_back({"T-T5", by + "second links along the lips", 6, exactly, "", "one for each",
+                         [=] { return torn().secondLinks; }});
+        cases.push_back({"T-T5", by + "panels that go", 0, exactly, "", "each stays on its side",
+                         [=] { return torn().panelsGone; }});
+        cases.push_back({"T-T5", by + "pieces", 2, exactly, "", "a cut from hem to hem",
+                         [=] { return torn().pieces; }});
+        const auto changes =
+            shared([=] { return changesAtPartings(tearSheet(6, 5, 2, kind), 360); });
+        cases.push_back({"T-T5", by + "largest change of mass at an opening", 0.0, within(1e-12),
+                         "kg", "shared out", [=] { return changes().mass; }});
+        cases.push_back({"T-T5", by + "of the centre of mass", 0.0, within(1e-12), "m",
+                         "twins are in place", [=] { return changes().centre; }});
+        cases.push_back({"T-T5", by + "of momentum", 0.0, within(1e-12), "kg m/s",
+                         "twins are as fast", [=] { return changes().momentum; }});
+        cases.push_back({"T-T5", by + "of angular momentum", 0.0, within(1e-12), "kg m^2/s",
+                         "twins are as fast", [=] { return changes().spin; }});
+        cases.push_back({"T-T5", by + "of energy", 0.0, within(1e-12), "J",
+                         "halves of a link hold what it held", [=] { return changes().energy; }});
+    }
+}
+
 } // namespace
 
 std::vector<Case> tearingCases()
@@ -269,6 +313,7 @@ std::vector<Case> tearingCases()
     addMeshes(cases);
     addBookkeeping(cases);
     addRodBreaks(cases);
+    addSplits(cases);
     return cases;
 }
 

@@ -1,4 +1,6 @@
 // ripstop-cli, called as scripts call it: exit codes, what goes to which stream, and its fields.
+#include "model/cli_call.h"
+
 #include "io/scene_file.h"
 #include "scene/property.h"
 
@@ -6,9 +8,6 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -18,25 +17,6 @@
 using namespace ripstop;
 
 namespace {
-
-struct Outcome
-{
-    int exitCode = -1;
-    QByteArray out;
-    QString error;
-
-    QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-};
-
-Outcome call(const QStringList& arguments)
-{
-    QProcess process;
-    process.start(CLI_PROGRAM, arguments);
-    if (!process.waitForFinished(120000))
-        return {-1, {}, process.errorString()};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
-            process.readAllStandardOutput(), QString(process.readAllStandardError())};
-}
 
 QString scene(const char* name) { return QString(SCENES_DIR "/%1.ripstop.json").arg(name); }
 
@@ -136,7 +116,8 @@ private slots:
         QVERIFY2(outcome.error.contains(fragment), qPrintable(outcome.error));
         QCOMPARE(outcome.exitCode, exitCode);
         const bool flown = arguments.contains("--final") || arguments.contains("--tears");
-        QCOMPARE(outcome.out.startsWith('{'), flown); // a run is reported whatever cannot be written
+        QCOMPARE(outcome.out.startsWith('{'),
+                 flown); // a run is reported whatever cannot be written
     }
 
     void helpTeaches_data()
@@ -421,47 +402,6 @@ private slots:
                  QString(contentOf(SOURCE_DIR "/resources/help/properties.md")));
         const QJsonArray rows = call({"properties", "--json"}).json()["properties"].toArray();
         QCOMPARE(std::size_t(rows.size()), allProperties().size());
-    }
-
-    void benchMeasuresProjections()
-    {
-        const Outcome outcome = call({"bench", "--race", "projection", "--filter", "glider",
-                                      "--seconds", "0.02", "--threads", "2", "--json"});
-        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
-        const QJsonObject all = outcome.json();
-        QVERIFY(!all["machine"].toObject()["compiler"].toString().isEmpty());
-        const QJsonArray rows = all["projection"].toArray();
-        QCOMPARE(rows.size(), 2); // one thread, and two
-        const QJsonObject row = rows.first().toObject();
-        QCOMPARE(row["particles"].toInt(), 49);
-        QCOMPARE(row["rods"].toInt(), 198);
-        // the definition, from the other figures
-        const double projections = row["steps_per_second"].toObject()["median"].toDouble()
-                                   * row["substeps"].toDouble() * row["sweeps"].toDouble() * 198.0;
-        const QJsonObject cost = row["ns_per_projection"].toObject();
-        QVERIFY(std::abs(cost["median"].toDouble() * projections - 1e9) < 1.0);
-        QVERIFY(cost["quiet"].toDouble() <= cost["median"].toDouble());
-        QVERIFY(cost["median"].toDouble() <= cost["slow"].toDouble());
-        QCOMPARE(all["whole_steps"].toArray().first().toObject()["panels"].toInt(), 64);
-        QVERIFY(!all["targets"].toArray().isEmpty());
-    }
-
-    // Every effort that is reported keeps the strain below its limit and the path within 50 mm.
-    void benchFindsEfforts()
-    {
-        const Outcome outcome = call({"bench", "--race", "quality", "--filter", "cloth_10",
-                                      "--quick", "--seconds", "0.2", "--json"});
-        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
-        int reached = 0;
-        for (const QJsonValue& value : outcome.json()["quality"].toArray()) {
-            const QJsonObject row = value.toObject();
-            if (!row["reached"].toBool())
-                continue;
-            ++reached;
-            QVERIFY(row["strain"].toDouble() < row["limit"].toDouble());
-            QVERIFY(row["path_error_m"].toDouble() < 0.05 || !row["path_counts"].toBool());
-        }
-        QVERIFY(reached > 0);
     }
 
     void interruptEndsARunCleanly()

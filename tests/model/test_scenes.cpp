@@ -1,83 +1,26 @@
-// The sample scenes: each loads, is what its builder makes, and runs 20 s; the craft fly.
-#include "builders/builder.h"
-#include "compile/compile.h"
-#include "io/scene_file.h"
-#include "run/simulation.h"
-#include "scene/check.h"
+// The sample scenes: each loads, is what its builder makes, runs 20 s, and shows what it is for.
+// Those that fly are in test_craft.cpp.
+#include "model/sample_scenes.h"
 
-#include <Eigen/Geometry>
-#include <QDir>
+#include "builders/builder.h"
+#include "measure/diagnostics.h"
+#include "scene/check.h"
+#include "verify/tear_sheets.h"
+
+#include <QFile>
+#include <QRegularExpression>
 #include <QtTest>
 
-#include <numbers>
-#include <set>
-
 #include <cmath>
+#include <numbers>
 
 using namespace ripstop;
-
-namespace {
-
-Scene sample(const QString& name)
-{
-    const Result<Scene> scene =
-        readScene((QStringLiteral(SCENES_DIR) + "/" + name + ".ripstop.json").toStdString());
-    if (!scene)
-        qFatal("%s", scene.message().c_str());
-    return *scene;
-}
-
-Simulation started(const QString& name)
-{
-    const auto system = compile(sample(name));
-    if (!system)
-        qFatal("%s", system.message().c_str());
-    return Simulation(*system);
-}
-
-double probe(const Simulation& simulation, std::string_view name)
-{
-    const auto frame = simulation.frame();
-    for (std::size_t i = 0; i < frame->probe.size(); ++i)
-        if (frame->layout->probes[i].name == name)
-            return frame->probe[i];
-    qFatal("no such probe");
-}
-
-const Part& partOf(const Scene& scene)
-{
-    const Part* found = nullptr;
-    forEachPart(scene, [&](Id, const Part& part) { found = &part; });
-    return *found;
-}
-
-QStringList sampleNames()
-{
-    QStringList names;
-    const QDir folder(QStringLiteral(SCENES_DIR));
-    for (const QString& file : folder.entryList({"*.ripstop.json"}, QDir::Files, QDir::Name))
-        names << file.chopped(int(sceneExtension.size()));
-    return names;
-}
-
-} // namespace
 
 class TestScenes : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void allAreThere()
-    {
-        const QStringList names = sampleNames();
-        for (const char* name :
-             {"bending_test", "cloth", "delta_kite", "flag", "glider_over_hills", "glider_polar",
-              "hang_glider", "heavy_load", "parachute", "parachute_opening", "pendulum", "rope",
-              "self_contact", "sheet_on_boxes", "sheet_on_terrain", "stiffened_rod", "tear_test",
-              "torn_sheet"})
-            QVERIFY2(names.contains(name), name);
-    }
-
     void runs_data()
     {
         QTest::addColumn<QString>("name");
@@ -162,183 +105,6 @@ private slots:
         QTEST(int(partOf(scene).panels.size()), "panels");
     }
 
-    // It starts at 35 degrees, climbs, and stays above 60 % of its line at 45 to 80 degrees.
-    void kiteClimbsAndHolds()
-    {
-        Simulation simulation = started("delta_kite");
-        QVERIFY(probe(simulation, "line angle") < 36.0);
-        const double length = partOf(sample("delta_kite")).parameters.at("line_length");
-        const double hand = partOf(sample("delta_kite")).parameters.at("hand_height");
-        double lowest = 90.0;
-        double highest = 0.0;
-        for (double time = 10.0; time <= 20.0; time += 0.5) {
-            QVERIFY(simulation.runUntil(time));
-            const double angle = probe(simulation, "line angle");
-            lowest = std::min(lowest, angle);
-            highest = std::max(highest, angle);
-            QVERIFY(probe(simulation, "height") - hand > 0.6 * length);
-            QVERIFY(probe(simulation, "line tension") > 0.0);
-        }
-        qInfo("line angle %.1f to %.1f degrees", lowest, highest);
-        QVERIFY(lowest > 45.0 && highest < 80.0);
-        QVERIFY(highest - lowest < 2.0);
-    }
-
-    // T-F1: tan(beta) = (L - W) / D and T = sqrt((L - W)^2 + D^2) of the line where it is tied to
-    // the steady kite; lift and drag are summed up over the panels.
-    void kitePullsAsStaticsSay()
-    {
-        const Scene scene = sample("delta_kite");
-        Simulation simulation = started("delta_kite");
-        QVERIFY(simulation.runUntil(20.0));
-        const Part& part = partOf(scene);
-        const auto isLine = [&](const Link& link) {
-            return findItem<Material>(scene, link.material)->name.starts_with("line");
-        };
-        const Id tow = std::find_if(part.links.begin(), part.links.end(), isLine)->from;
-        std::set<Id> onLine;
-        for (const Link& link : part.links)
-            if (isLine(link))
-                onLine.insert({link.from, link.to});
-        onLine.erase(tow);
-        double weight = 0.0;
-        for (const Particle& particle : part.particles)
-            weight += onLine.contains(particle.id) ? 0.0 : particle.mass * 9.80665;
-
-        constexpr int steps = 480;
-        Vec3 force = Vec3::Zero(); // means over the steps, as is the pull of the line on the kite
-        Vec3 pull = Vec3::Zero();
-        for (int step = 0; step < steps; ++step) {
-            QVERIFY(simulation.step());
-            const auto frame = simulation.frame();
-            for (const Vec3& load : frame->panelLoad)
-                force += load / steps;
-            for (std::size_t i = 0; i < part.links.size(); ++i)
-                if (isLine(part.links[i]) && part.links[i].from == tow) {
-                    const auto& place = frame->layout->links[i];
-                    const Vec3 along = frame->position[std::size_t(place.b)]
-                                       - frame->position[std::size_t(place.a)];
-                    pull += frame->tension[i] / steps * along.normalized();
-                }
-        }
-        const double up = force.y() - weight;
-        const double beta = std::atan2(up, force.x());
-        const double line = std::atan2(-pull.y(), -pull.x());
-        qInfo("line at the kite %.2f degrees, statics %.2f; pull %.2f N, statics %.2f",
-              line * 180.0 / std::numbers::pi, beta * 180.0 / std::numbers::pi, pull.norm(),
-              std::hypot(up, force.x()));
-        QVERIFY(std::abs(line - beta) < 0.01);
-        QVERIFY(std::abs(pull.norm() / std::hypot(up, force.x()) - 1.0) < 0.02);
-    }
-
-    // The gusts of light turbulence shake the pull, and the kite stays up.
-    void kiteFliesInGusts()
-    {
-        Simulation simulation = started("kite_in_gusts");
-        double least = 1e9;
-        double most = 0.0;
-        for (double time = 5.0; time <= 20.0; time += 0.1) {
-            QVERIFY(simulation.runUntil(time));
-            least = std::min(least, probe(simulation, "line tension"));
-            most = std::max(most, probe(simulation, "line tension"));
-            QVERIFY(probe(simulation, "height") > 10.0);
-        }
-        qInfo("pull %.1f to %.1f N", least, most);
-        QVERIFY(most > 1.3 * least);
-    }
-
-    // Glide ratio above 2 and steady; the linear-normal law allows some 3.5 (validation 4.7).
-    void gliderGlides()
-    {
-        Simulation simulation = started("hang_glider");
-        double lowest = 1e9;
-        double highest = 0.0;
-        for (double time = 5.0; time <= 20.0; time += 0.5) {
-            QVERIFY(simulation.runUntil(time));
-            lowest = std::min(lowest, probe(simulation, "glide ratio"));
-            highest = std::max(highest, probe(simulation, "glide ratio"));
-        }
-        qInfo("glide ratio %.2f to %.2f", lowest, highest);
-        QVERIFY(lowest > 2.0);
-        QVERIFY(highest / lowest < 1.1);
-        QVERIFY(probe(simulation, "mean glide ratio") > 2.0);
-        QVERIFY(probe(simulation, "distance flown") > 100.0);
-        QVERIFY(probe(simulation, "height") > 10.0); // still in the air
-    }
-
-    // Within 20 % of the best glide of modern wings, 13.4 (USHPA-4 of XCSoar's PolarStore),
-    // steadily.
-    void gliderWithInducedFlowGlidesFar()
-    {
-        Simulation simulation = started("glider_polar");
-        QVERIFY(simulation.runUntil(20.0)); // it starts with a swing
-        const double from = probe(simulation, "distance flown");
-        const double high = probe(simulation, "height");
-        QVERIFY(simulation.runUntil(54.0));
-        const double glide =
-            (probe(simulation, "distance flown") - from) / (high - probe(simulation, "height"));
-        qInfo("glide ratio %.2f", glide);
-        QVERIFY(std::abs(glide / 13.4 - 1.0) < 0.2);
-    }
-
-    // T-F2: weight shift forward flies faster, to the right turns right, and let go it recovers.
-    void gliderObeysThePilot()
-    {
-        const Scene scene = sample("hang_glider");
-        std::uint32_t pitch = 0;
-        std::uint32_t roll = 0;
-        for (const Entry& entry : scene.items)
-            if (std::holds_alternative<Control>(entry.item))
-                (nameOf(entry.item) == "pitch" ? pitch : roll) = std::uint32_t(entry.id);
-
-        Simulation diver = started("hang_glider");
-        diver.command({{pitch, 0.2}});
-        QVERIFY(diver.runUntil(8.0));
-        QVERIFY(probe(diver, "speed") > 12.0);
-
-        Simulation turner = started("hang_glider");
-        turner.command({{roll, 0.3}});
-        QVERIFY(turner.runUntil(5.0));
-        turner.command({{roll, 0.0}});
-        QVERIFY(turner.runUntil(12.0));
-        Vec3 velocity = Vec3::Zero();
-        for (const Vec3& v : turner.state().velocity)
-            velocity += v / double(turner.state().velocity.size());
-        QVERIFY(velocity.z() > 2.0); // right of +x
-        QVERIFY(probe(turner, "glide ratio") > 2.0);
-    }
-
-    // Descent 3.1: v = sqrt(2 m g / (rho C sum(A ny^2))), tolerance 3 %. Skin friction carries a
-    // little, too; it is 0.02 against a normal force coefficient above 1.
-    void parachuteSinksAsItsDragPredicts()
-    {
-        const Scene scene = sample("parachute");
-        const Part& part = partOf(scene);
-        double mass = 0.0;
-        for (const Particle& particle : part.particles)
-            mass += particle.mass;
-        double dragArea = 0.0; // m^2
-        for (const Panel& panel : part.panels) {
-            const Vec3 a = findRow(part.particles, panel.a)->position;
-            const Vec3 b = findRow(part.particles, panel.b)->position;
-            const Vec3 c = findRow(part.particles, panel.c)->position;
-            const Vec3 doubled = (b - a).cross(c - a);
-            const double up = doubled.normalized().y();
-            dragArea += findItem<Material>(scene, panel.material)->normalCoefficient * 0.5
-                        * doubled.norm() * up * up;
-        }
-        const double predicted = std::sqrt(2.0 * mass * 9.80665 / (1.225 * dragArea));
-
-        Simulation simulation = started("parachute");
-        for (double time = 10.0; time <= 20.0; time += 1.0) {
-            QVERIFY(simulation.runUntil(time));
-            const double rate = probe(simulation, "sink rate");
-            QVERIFY2(std::abs(rate / predicted - 1.0) < 0.03,
-                     qPrintable(QString("%1 and not %2 m/s").arg(rate).arg(predicted)));
-        }
-        QVERIFY(probe(simulation, "height") > 0.0);
-    }
-
     // Peirce 1930: whatever the fabric, twice its bending length droops to 41.5 degrees; the heavy
     // elastica says 41.49.
     void stripsDroopToTheRamps()
@@ -369,6 +135,26 @@ private slots:
         const Parameters& made = partOf(scene).parameters;
         const double slitEnd = made.at("level") - made.at("height") * (1.0 - made.at("slit"));
         QVERIFY(std::abs(tears.front().place.y() - slitEnd) < 0.1 * made.at("height"));
+    }
+
+    // It breaks where the sheet of panels that vanish does, and has all its panels afterwards, each
+    // of its area but for what the springs give way, in pieces.
+    void sheetSplits()
+    {
+        Simulation simulation = started("split_sheet");
+        const std::size_t particles = simulation.system().key.size();
+        const double mass = totalMass(simulation.system());
+        const double area = fabricArea(simulation.system(), simulation.state());
+        QVERIFY(simulation.runUntil(20.0));
+        const System& system = simulation.system();
+        const State& state = simulation.state();
+        QVERIFY(state.tears.front().time > 1.0);
+        QVERIFY(state.splits.size() >= 10); // rows above the slit
+        QCOMPARE(system.key.size(), particles + state.splits.size());
+        QCOMPARE(std::count(state.panelGone.begin(), state.panelGone.end(), 1), 0);
+        QVERIFY(std::abs(totalMass(system) - mass) < 1e-12);
+        QVERIFY(std::abs(fabricArea(system, state) / area - 1.0) < 0.05);
+        QVERIFY(piecesOf(system, state) >= 2);
     }
 
     // Threads of 0.5 m, of springs of 0.025 m and 100 N/m, drawn at v = 0.05 m/s to a strain of

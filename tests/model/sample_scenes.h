@@ -1,0 +1,56 @@
+// The sample scenes, for tests that fly them.
+#pragma once
+
+#include "compile/compile.h"
+#include "io/scene_file.h"
+#include "run/simulation.h"
+
+#include <QDir>
+#include <QString>
+#include <QtGlobal>
+
+namespace ripstop {
+
+inline Scene sample(const QString& name)
+{
+    const Result<Scene> scene =
+        readScene((QStringLiteral(SCENES_DIR) + "/" + name + ".ripstop.json").toStdString());
+    if (!scene)
+        qFatal("%s", scene.message().c_str());
+    return *scene;
+}
+
+inline Simulation started(const QString& name)
+{
+    const auto system = compile(sample(name));
+    if (!system)
+        qFatal("%s", system.message().c_str());
+    return Simulation(*system);
+}
+
+inline double probe(const Simulation& simulation, std::string_view name)
+{
+    const auto frame = simulation.frame();
+    for (std::size_t i = 0; i < frame->probe.size(); ++i)
+        if (frame->layout->probes[i].name == name)
+            return frame->probe[i];
+    qFatal("no such probe");
+}
+
+inline const Part& partOf(const Scene& scene)
+{
+    const Part* found = nullptr;
+    forEachPart(scene, [&](Id, const Part& part) { found = &part; });
+    return *found;
+}
+
+inline QStringList sampleNames()
+{
+    QStringList names;
+    const QDir folder(QStringLiteral(SCENES_DIR));
+    for (const QString& file : folder.entryList({"*.ripstop.json"}, QDir::Files, QDir::Name))
+        names << file.chopped(int(sceneExtension.size()));
+    return names;
+}
+
+} // namespace ripstop
