@@ -291,14 +291,14 @@ void addStrips(std::vector<Case>& cases)
                          tip, relative(0.02), "m", "w L^4 / (8 B)", [=] {
                              return droopByWeight({along, 2});
                          }});
-    cases.push_back({"M6", "the same with all diagonals one way", tip, relative(0.02), "m",
-                     "w L^4 / (8 B)", [] {
+    cases.push_back({"M6", "strip droops by its weight, all diagonals one way", tip, relative(0.02),
+                     "m", "w L^4 / (8 B)", [] {
                          return droopByWeight({20, 3, Weave::OneWay});
                      }});
-    cases.push_back(
-        {"M6", "the same with equilateral cells", tip, relative(0.03), "m", "w L^4 / (8 B)", [] {
-             return droopByWeight({20, 6, Weave::Equilateral});
-         }});
+    cases.push_back({"M6", "strip droops by its weight, equilateral cells", tip, relative(0.03),
+                     "m", "w L^4 / (8 B)", [] {
+                         return droopByWeight({20, 6, Weave::Equilateral});
+                     }});
     cases.push_back({"M6", "strip clamped at both ends",
                      weight * std::pow(length, 4) / (384.0 * usual.stiffness), relative(0.025), "m",
                      "w L^4 / (384 B)", [] {
@@ -312,8 +312,8 @@ void addStrips(std::vector<Case>& cases)
     cases.push_back({"M6", "Peirce: slope of a strip twice its bending length", 41.4873,
                      within(0.5), "deg", "heavy elastica; Peirce 1930: 41.5",
                      [] { return peirceAngle(Weave::Alternating, 2); }});
-    cases.push_back({"M6", "the same with equilateral cells", 41.4873, within(0.5), "deg",
-                     "heavy elastica; Peirce 1930: 41.5",
+    cases.push_back({"M6", "Peirce: slope of that strip with equilateral cells", 41.4873,
+                     within(0.5), "deg", "heavy elastica; Peirce 1930: 41.5",
                      [] { return peirceAngle(Weave::Equilateral, 12); }});
 }
 

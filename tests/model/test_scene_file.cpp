@@ -57,7 +57,8 @@ std::vector<Value> valuesFor(const Property& property)
     else if (std::holds_alternative<int>(initial))
         values = {1, 2, 99};
     else if (std::holds_alternative<double>(initial))
-        values = {0.0, -0.0, 0.1, 1.0 / 3.0, 5e-324, 1e22, 1.7976931348623157e308, 0.05, 1e-5};
+        values = {0.0,  -0.0, 0.1,       1.0 / 3.0, 5e-324, 1e22, 1.7976931348623157e308,
+                  0.05, 1e-5, 10.0 / 3.0};
     else if (std::holds_alternative<Vec3>(initial))
         values = {Vec3(0.1, -0.0, 1e-300), Vec3(-1.0 / 3.0, 2.0, 123456789.0)};
     else if (std::holds_alternative<NumberRows>(initial))
