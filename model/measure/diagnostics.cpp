@@ -5,8 +5,8 @@
 #include "sim/inputs.h"
 #include "sim/line_drag.h"
 #include "sim/panel_load.h"
-#include "sim/wing_load.h"
 #include "sim/spring_force.h"
+#include "sim/wing_load.h"
 
 #include <Eigen/Geometry>
 

@@ -210,8 +210,8 @@ struct Settings
     int sweeps = 8;
     Integrator integrator = Integrator::SemiImplicitEuler;
     Solver solver = Solver::Auto;
-    double strainGoal = 1.0;                 // %, largest strain of rods that Solver::Auto aims at
-    int tearsPerStep = 0;                    // links that a time step may break, 0 for any number
+    double strainGoal = 1.0; // %, largest strain of rods that Solver::Auto aims at
+    int tearsPerStep = 0;    // links that a time step may break, 0 for any number
     TearMesh tearMesh = TearMesh::Vanish;
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
     double airDensity = 1.225;               // kg/m^3

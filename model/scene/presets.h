@@ -1,7 +1,8 @@
 // Materials that one can buy, with where their numbers come from.
 //
 // A preset sets the physical numbers of a material and leaves its name, colour, air law and damping
-// alone; what another preset would have set and this one does not know gets its default. Where the material says what density its particles were given, they are weighed anew.
+// alone; what another preset would have set and this one does not know gets its default. Where the
+// material says what density its particles were given, they are weighed anew.
 #pragma once
 
 #include "base/result.h"

@@ -9,17 +9,11 @@
 namespace ripstop {
 namespace {
 
-bool isTorn(const System& system, const State& state, int link)
-{
-    const LinkPlace& place = system.links[std::size_t(link)];
-    return place.kind == LinkKind::Rod ? state.rodTorn[std::size_t(place.index)]
-                                       : state.springTorn[std::size_t(place.index)];
-}
-
 bool isGone(const System& system, const State& state, const Bend& bend)
 {
     if (bend.ofSpar)
-        return isTorn(system, state, bend.of[0]) || isTorn(system, state, bend.of[1]);
+        return isTorn(system.links[std::size_t(bend.of[0])], state)
+               || isTorn(system.links[std::size_t(bend.of[1])], state);
     return state.panelGone[std::size_t(bend.of[0])] || state.panelGone[std::size_t(bend.of[1])];
 }
 

@@ -116,8 +116,7 @@ void carryLinks(const System& from, const State& state, const System& to, State&
         if (match < 0)
             continue;
         const LinkPlace& old = from.links[std::size_t(match)];
-        const bool torn = old.kind == LinkKind::Rod ? state.rodTorn[std::size_t(old.index)]
-                                                    : state.springTorn[std::size_t(old.index)];
+        const bool torn = isTorn(old, state);
         (link.kind == LinkKind::Rod ? carried.rodTorn
                                     : carried.springTorn)[std::size_t(link.index)] = torn;
         if (link.kind == LinkKind::Rod && old.kind == LinkKind::Rod)

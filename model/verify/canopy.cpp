@@ -111,16 +111,6 @@ double addedMassOfCup()
 
 // --- parachutes of the builder
 
-Chute heldC9(double speed)
-{
-    Chute chute;
-    chute.parameters = sizeOfC9();
-    chute.speed = speed;
-    chute.held = true;
-    chute.until = 12.0 * 8.53 / speed;
-    return chute;
-}
-
 Chute thrownC9()
 {
     Chute chute;

@@ -143,4 +143,14 @@ Parameters sizeOfC9()
             {"mouth", 0.05},      {"pressure", 1.68},   {"altitude", 1000.0}};
 }
 
+Chute heldC9(double speed)
+{
+    Chute chute;
+    chute.parameters = sizeOfC9();
+    chute.speed = speed;
+    chute.held = true;
+    chute.until = 12.0 * 8.53 / speed;
+    return chute;
+}
+
 } // namespace ripstop

@@ -41,4 +41,7 @@ Flight fly(const Chute& chute);
 // D0 8.53 m, 28 gores, lines of 7.3 m, 100 kg; a mouth of 5 % of D0 at the start.
 Parameters sizeOfC9();
 
+// The same in wind of that speed, m/s, with its payload held, for twelve diameters to go by.
+Chute heldC9(double speed);
+
 } // namespace ripstop

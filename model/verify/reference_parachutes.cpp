@@ -3,6 +3,7 @@
 
 #include "measure/diagnostics.h"
 #include "verify/opening.h"
+#include "verify/sections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,32 +71,24 @@ Flight flightOfC9(bool opens)
     return fly(chute);
 }
 
-Flight heldC9(double speed)
-{
-    Chute chute;
-    chute.parameters = sizeOfC9();
-    chute.held = true;
-    chute.speed = speed;
-    chute.until = 12.0 * 8.53 / speed;
-    return fly(chute);
-}
-
 void addOpenings(std::vector<Reference>& references)
 {
     const std::string section = "Parachutes";
     const std::string note = "no hoop, air in the canopy; as the builder has it";
     const std::string c9 = "C-9, canopy pressure, ";
+    const auto sinking = shared([] { return flightOfC9(false); });
+    const auto held = shared([] { return fly(heldC9(60.0)); });
     references.push_back({section, c9 + "CD0 as it sinks with 100 kg", 0.75, 0.80, "",
                           "Knacke 1991, table 5-1, flat circular", note,
-                          [] { return flightOfC9(false).drag; }});
+                          [=] { return sinking().drag; }});
     references.push_back({section, c9 + "projected over nominal diameter", 0.67, 0.70, "",
-                          "Knacke 1991, table 5-1", note, [] { return flightOfC9(false).width; }});
+                          "Knacke 1991, table 5-1", note, [=] { return sinking().width; }});
     references.push_back({section, c9 + "fill constant at 60 m/s", 8.0, 8.0, "",
                           "Knacke 1991, table 5-6, flat circular", note + ", payload held",
-                          [] { return heldC9(60.0).filled; }});
+                          [=] { return held().filled; }});
     references.push_back({section, c9 + "exponent of the drag area's growth", 2.0, 2.0, "",
                           "Knacke 1991, figure 5-51, solid cloth", note + ", payload held",
-                          [] { return heldC9(60.0).growth; }});
+                          [=] { return held().growth; }});
     references.push_back({section, c9 + "opening load, 100 kg down at 60 m/s", 9278.7, 9278.7, "N",
                           "drag area as (t / tf)^2 with CD0 0.775 and n = 8, integrated", note,
                           [] { return flightOfC9(true).highest; }});

@@ -1,11 +1,10 @@
 // Polars of air laws and the published curves beside them (validation 3.6).
+#include "model/cli_call.h"
+
 #include "compile/resolve.h"
 #include "measure/polar.h"
 
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QtTest>
 
 #include <numbers>
@@ -14,26 +13,11 @@ using namespace ripstop;
 
 namespace {
 
-struct Outcome
-{
-    int exitCode;
-    QByteArray out;
-    QString error;
-};
-
-Outcome polar(const QStringList& arguments)
-{
-    QProcess process;
-    process.start(CLI_PROGRAM, QStringList{"polar"} + arguments);
-    if (!process.waitForFinished(30000))
-        qFatal("ripstop-cli does not end");
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
+Outcome polar(const QStringList& arguments) { return call(QStringList{"polar"} + arguments); }
 
 double normalAt30(const QStringList& arguments)
 {
-    const QByteArray out = polar(arguments + QStringList{"--json"}).out;
-    const QJsonArray rows = QJsonDocument::fromJson(out).object()["rows"].toArray();
+    const QJsonArray rows = polar(arguments + QStringList{"--json"}).json()["rows"].toArray();
     const QJsonObject row = rows[6].toObject();
     return row["angle"].toDouble() == 30.0 ? row["CN"].toDouble() : -1.0;
 }
