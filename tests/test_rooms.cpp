@@ -24,6 +24,7 @@ static const QList<Room> namedRooms = {
     {"model/shapes",   {"base"},                                                     {"Eigen/"},  {"png.h", "assimp/"}},
     {"model/scene",    {"base", "shapes"},                                           {"Eigen/"},  {}},
     {"model/builders", {"base", "scene"},                                            {"Eigen/"},  {}},
+    {"model/author",   {"base", "shapes", "scene", "builders"},                      {"Eigen/"},  {}},
     {"model/sim",      {"base", "shapes"},                                           {"Eigen/"},  {"oneapi/", "tbb/", "sanitizer/"}},
     {"model/measure",  {"base", "sim"},                                              {"Eigen/"},  {}},
     {"model/compile",  {"base", "shapes", "scene", "sim"},                           {"Eigen/"},  {}},
@@ -31,16 +32,17 @@ static const QList<Room> namedRooms = {
     {"model/verify",   {"base", "scene", "builders", "sim", "compile", "measure", "run"},
                                                                                      {"Eigen/"},  {}},
     {"model/io",       {"base", "scene", "run"},                                     {"Eigen/"},  json + posix},
-    {"views/document", {"base", "scene", "compile", "run", "io"},                    {"Q", "Eigen/"},        {}},
-    {"views/viewport", {"base", "shapes", "scene", "run", "document", "icons"},      {"Q", "Eigen/", "vtk"}, {}},
-    {"app/cli",        {"base", "scene", "builders", "sim", "compile", "measure", "run", "io",
-                        "verify"},
+    {"views/document", {"base", "scene", "author", "compile", "run", "io"},          {"Q", "Eigen/"},        {}},
+    {"views/viewport", {"base", "shapes", "scene", "author", "run", "document", "icons"},
+                                                                                     {"Q", "Eigen/", "vtk"}, {}},
+    {"app/cli",        {"base", "shapes", "scene", "builders", "author", "sim", "compile", "measure",
+                        "run", "io", "verify"},
                                                                                      {"Eigen/", "CLI/", "nlohmann/"}, posix},
     // clang-format on
 };
 
 // Every other room of the views, and the editor, which alone may put them together.
-static const QStringList viewsMayInclude{"base", "scene", "run", "document", "icons"};
+static const QStringList viewsMayInclude{"base", "scene", "author", "run", "document", "icons"};
 static const QHash<QString, QStringList> viewsMayAlsoInclude{
     {"start", {"builders"}}, // the gallery offers builders
     {"plots", {"io"}},       // curves are saved as tables
