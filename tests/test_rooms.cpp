@@ -46,6 +46,7 @@ static const QStringList viewsMayInclude{"base", "scene", "author", "run", "docu
 static const QHash<QString, QStringList> viewsMayAlsoInclude{
     {"start", {"builders"}}, // the gallery offers builders
     {"plots", {"io"}},       // curves are saved as tables
+    {"import", {"shapes"}},  // files of meshes are read
 };
 
 static QString relative(const QString& file) { return file.mid(int(strlen(SOURCE_DIR)) + 1); }

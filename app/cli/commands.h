@@ -14,6 +14,7 @@ using Command = std::function<int()>;
 void addInfo(CLI::App& app, Command& chosen);
 void addBuild(CLI::App& app, Command& chosen);
 void addBuilders(CLI::App& app, Command& chosen);
+void addImport(CLI::App& app, Command& chosen);
 void addRun(CLI::App& app, Command& chosen);
 void addExport(CLI::App& app, Command& chosen);
 void addPolar(CLI::App& app, Command& chosen);

@@ -39,7 +39,7 @@ int exportScene(const Options& options)
         return fail(BadInput, options.scene.file + ": " + system.message());
 
     Simulation simulation(*system, options.threads);
-    ExportRange range{options.from, 0.0, options.fps};
+    ExportRange range{options.from, 0.0, options.fps, &*loaded.scene};
     range.to = options.to.value_or(isOneMoment(options.output) ? options.from
                                                                : options.from + seriesSeconds);
     catchInterrupt();

@@ -32,6 +32,7 @@ int call(int argc, char** argv)
     app.require_subcommand(1);
     app.footer("Examples:\n"
                "  ripstop-cli build delta_kite span=1.8 wind=8 -o small.ripstop.json\n"
+               "  ripstop-cli import sail.stl --unit mm --up z -o sail.ripstop.json\n"
                "  ripstop-cli info small.ripstop.json\n"
                "  ripstop-cli run small.ripstop.json --seconds 20 --csv small.csv\n"
                "  ripstop-cli export small.ripstop.json -o small.pvd --to 10 --fps 25\n"
@@ -43,6 +44,7 @@ int call(int argc, char** argv)
     addInfo(app, chosen);
     addBuild(app, chosen);
     addBuilders(app, chosen);
+    addImport(app, chosen);
     addRun(app, chosen);
     addExport(app, chosen);
     addPolar(app, chosen);

@@ -11,14 +11,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using WriteFrame = std::optional<Failure> (*)(const Frame&, const fs::path&);
+using WriteFrame = std::function<std::optional<Failure>(const Frame&, const fs::path&)>;
 
-WriteFrame writerOfOneMoment(const std::string& extension)
+WriteFrame writerOfOneMoment(const std::string& extension, const Scene* scene)
 {
-    return extension == ".obj"   ? writeObj
-           : extension == ".ply" ? writePly
-           : extension == ".vtp" ? writeVtp
-                                 : nullptr;
+    if (extension == ".obj")
+        return [scene](const Frame& frame, const fs::path& file) {
+            return writeObj(frame, file, scene);
+        };
+    if (extension == ".ply")
+        return writePly;
+    if (extension == ".vtp")
+        return writeVtp;
+    return {};
 }
 
 const Failure cancelled{"The export was cancelled and what was written has been removed."};
@@ -47,7 +52,7 @@ Arrival advance(Simulation& simulation, double time, double begin, double end,
 }
 
 std::optional<Failure> exportMoment(Simulation& simulation, const ExportRange& range,
-                                    const fs::path& target, WriteFrame write,
+                                    const fs::path& target, const WriteFrame& write,
                                     const Progress& progress)
 {
     const double begin = simulation.state().time;
@@ -192,7 +197,7 @@ std::optional<Failure> exportRun(Simulation& simulation, const ExportRange& rang
 {
     const std::string extension = target.extension().string();
     ExportRange whole = range;
-    if (const WriteFrame write = writerOfOneMoment(extension)) {
+    if (const WriteFrame write = writerOfOneMoment(extension, range.scene)) {
         whole.from = whole.to;
         if (auto failure = wrongRange(simulation, whole))
             return failure;

@@ -6,6 +6,8 @@
 #include "io/standing.h"
 #include "io/whole_file.h"
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
@@ -19,6 +21,32 @@ void appendVector(std::string& text, const Vec3& vector)
     }
 }
 
+// A texture point for each particle; false when all of them are at 0, 0, as nobody has set them.
+bool appendTexture(std::string& text, const Layout& layout, const Scene& scene)
+{
+    std::vector<const Particle*> rows;
+    bool isSet = false;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& row : part.particles) {
+            rows.push_back(&row);
+            isSet = isSet || row.textureU != 0.0 || row.textureV != 0.0;
+        }
+    });
+    if (!isSet)
+        return false;
+    std::ranges::sort(rows, {}, &Particle::id);
+    for (const std::uint32_t id : layout.particleId) {
+        const auto row = std::ranges::lower_bound(rows, Id(id), {}, &Particle::id);
+        const bool isThere = row != rows.end() && (*row)->id == Id(id);
+        text += "vt ";
+        appendNumber(text, isThere ? (*row)->textureU : 0.0);
+        text += ' ';
+        appendNumber(text, isThere ? (*row)->textureV : 0.0);
+        text += '\n';
+    }
+    return true;
+}
+
 std::string title(const Frame& frame)
 {
     std::string text = "Ripstop " RIPSTOP_VERSION ", t = ";
@@ -28,7 +56,8 @@ std::string title(const Frame& frame)
 
 } // namespace
 
-std::optional<Failure> writeObj(const Frame& frame, const std::filesystem::path& file)
+std::optional<Failure> writeObj(const Frame& frame, const std::filesystem::path& file,
+                                const Scene* scene)
 {
     const Layout& layout = *frame.layout;
     const Standing whole = standing(frame);
@@ -38,12 +67,17 @@ std::optional<Failure> writeObj(const Frame& frame, const std::filesystem::path&
         appendVector(text, position);
         text += '\n';
     }
+    const bool isTextured = scene && appendTexture(text, layout, *scene);
     // Vertices count from 1.
     text += whole.panels.empty() ? "" : "g panels\n";
     for (const std::size_t i : whole.panels) {
         text += 'f';
         for (const int corner : layout.panelCorners[i]) {
             text += ' ';
+            appendWhole(text, std::size_t(corner) + 1);
+            if (!isTextured)
+                continue;
+            text += '/';
             appendWhole(text, std::size_t(corner) + 1);
         }
         text += '\n';

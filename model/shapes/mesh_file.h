@@ -1,13 +1,25 @@
+// Files of meshes. Assimp reads all of them but OBJ (obj_file.h), and nobody else calls it.
 #pragma once
 
+#include "base/progress.h"
 #include "base/result.h"
+#include "shapes/polygon_mesh.h"
 #include "shapes/triangle_tree.h"
 
 #include <filesystem>
 
 namespace ripstop {
 
-// See meshFromFile(), which remembers.
+// The triangles of a collider. See meshFromFile(), which remembers.
 Result<TriangleTree> readMeshFile(const std::filesystem::path& file);
+
+// A mesh as it is, to be brought in: polygons stay polygons, and nothing is joined or left out but
+// lines and single points. OBJ, STL, PLY, OFF, glTF, GLB, Collada and what else assimp reads. The
+// last two formats say their unit and their upward axis; their points come in metres with y up.
+Result<PolygonMesh> readPolygonFile(const std::filesystem::path& file,
+                                    const Progress& progress = {});
+
+// "obj", "stl", ...: what a file dialog offers.
+std::span<const std::string_view> meshExtensions();
 
 } // namespace ripstop

@@ -1,0 +1,294 @@
+#include "author/mesh_import.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr double weldOverSize = 1e-5;
+constexpr double largest = 200.0;  // m
+constexpr double smallest = 0.02;  // m
+constexpr double bendShare = 0.02; // as the cloth paper's springs have
+constexpr std::uint32_t mostIds = 0xfffffff0;
+
+struct Box
+{
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 high = -low;
+
+    void add(const Vec3& point)
+    {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    Vec3 size() const { return high - low; }
+};
+
+Box boxOf(const PolygonMesh& mesh) // of what faces use
+{
+    Box box;
+    for (const int corner : mesh.corners)
+        box.add(mesh.points[std::size_t(corner)]);
+    return box;
+}
+
+Vec3 upright(const Vec3& point, UpAxis up)
+{
+    switch (up) {
+    case UpAxis::X:
+        return {-point.y(), point.x(), point.z()};
+    case UpAxis::Z:
+        return {point.x(), point.z(), -point.y()};
+    default:
+        return point;
+    }
+}
+
+Result<PolygonMesh> inMetres(const PolygonMesh& mesh, const MeshShape& shape)
+{
+    double scale = mesh.unit.value_or(shape.scale);
+    if (shape.size) {
+        const double extent = boxOf(mesh).size().maxCoeff();
+        if (!(extent > 0.0))
+            return Failure{"All faces of the mesh lie in one point; choose another file."};
+        scale = *shape.size / extent;
+    }
+    if (!(scale > 0.0) || !std::isfinite(scale))
+        return Failure{"The scale of the mesh must be above 0."};
+    PolygonMesh metres = mesh;
+    for (Vec3& point : metres.points)
+        point = upright(scale * point, mesh.isUpright ? UpAxis::Y : shape.up);
+    const Vec3 size = boxOf(metres).size();
+    if (!(size.maxCoeff() < 1e6)) // a thousand kilometres, where forces of floats end
+        return Failure{"The mesh would be more than 1000 km wide; choose a smaller unit."};
+    return metres;
+}
+
+void turnOver(RepairedMesh& surface)
+{
+    for (auto& [a, b, c] : surface.triangles)
+        std::swap(b, c);
+    PolygonMesh& mesh = surface.mesh;
+    for (std::size_t i = 0; i < mesh.faceCount(); ++i)
+        std::reverse(mesh.corners.begin() + mesh.first[i] + 1,
+                     mesh.corners.begin() + mesh.first[i + 1]);
+}
+
+std::string freeName(std::vector<std::string>& taken, const std::string& base)
+{
+    std::string name = base;
+    for (int number = 2; std::ranges::find(taken, name) != taken.end(); ++number)
+        name = base + " " + std::to_string(number);
+    taken.push_back(name);
+    return name;
+}
+
+// Which panels came from which object of the file.
+void addGroups(Scene& scratch, const RepairedMesh& surface, Id firstPanel,
+               std::vector<std::string>& names)
+{
+    std::vector<std::vector<Id>> panels(surface.mesh.objects.size());
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const int object = surface.mesh.object[std::size_t(surface.faceOf[t])];
+        panels[std::size_t(object)].push_back(Id(std::uint32_t(firstPanel) + std::uint32_t(t)));
+    }
+    const auto isUsed = [](const std::vector<Id>& one) { return !one.empty(); };
+    if (std::ranges::count_if(panels, isUsed) < 2)
+        return;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const std::string& object = surface.mesh.objects[i];
+        if (isUsed(panels[i]))
+            addGroup(scratch, freeName(names, object.empty() ? "group" : object),
+                     std::move(panels[i]));
+    }
+}
+
+double areaOf(const RepairedMesh& surface)
+{
+    double area = 0.0;
+    for (const auto& [a, b, c] : surface.triangles) {
+        const std::vector<Vec3>& at = surface.mesh.points;
+        area += 0.5
+                * (at[std::size_t(b)] - at[std::size_t(a)])
+                      .cross(at[std::size_t(c)] - at[std::size_t(a)])
+                      .norm();
+    }
+    return area;
+}
+
+Id addBendMaterial(Scene& scratch, const MeshFabric& fabric, std::vector<std::string>& names)
+{
+    const Material& cloth = fabric.material;
+    Material bend;
+    bend.name = freeName(names, cloth.name + " bend");
+    bend.color = cloth.color;
+    bend.shown = false;
+    bend.damping = cloth.damping;
+    bend.stiffness = fabric.bendStiffness > 0.0
+                         ? fabric.bendStiffness
+                         : bendShare * cloth.membraneStiffness.value_or(cloth.stiffness);
+    bend.compliance = bend.stiffness > 0.0 ? 1.0 / bend.stiffness : 0.0;
+    return addItem(scratch, std::move(bend));
+}
+
+} // namespace
+
+std::string_view upAxisName(UpAxis axis)
+{
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    return names[std::size_t(axis)];
+}
+
+std::span<const LengthUnit> lengthUnits()
+{
+    static constexpr std::array<LengthUnit, 5> units{
+        {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}};
+    return units;
+}
+
+Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
+                              const Progress& progress)
+{
+    Result<PolygonMesh> metres = inMetres(mesh, shape);
+    if (!metres)
+        return metres.failure();
+    const std::size_t stray = std::exchange(metres->strayElements, 0);
+    PreparedMesh result;
+    result.size = boxOf(*metres).size();
+    result.weldTolerance = shape.weldTolerance.value_or(weldOverSize * result.size.norm());
+    if (!(result.weldTolerance >= 0.0) || result.weldTolerance > result.size.maxCoeff())
+        return Failure{"The weld tolerance must be 0 or more, and smaller than the mesh."};
+
+    std::vector<PolygonMesh> parts;
+    if (shape.parts == MeshParts::PerObject) {
+        std::vector<std::uint8_t> isUsed(metres->points.size());
+        for (const int corner : metres->corners)
+            isUsed[std::size_t(corner)] = 1;
+        for (std::size_t i = 0; i < isUsed.size(); ++i)
+            if (!isUsed[i])
+                result.report.add(MeshFault::LooseVertices, metres->points[i]);
+        parts = byObject(*metres);
+    } else {
+        parts.push_back(std::move(*metres));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double count = double(parts.size());
+        Result<RepairedMesh> surface =
+            repaired(std::move(parts[i]), result.weldTolerance,
+                     stageOf(progress, double(i) / count, double(i + 1) / count));
+        if (!surface)
+            return surface.failure();
+        if (shape.isFlipped)
+            turnOver(*surface);
+        result.report.add(surface->report);
+        result.surfaces.push_back(std::move(*surface));
+    }
+    if (stray > 0)
+        result.report.add(MeshFault::StrayElements, stray);
+    if (result.size.maxCoeff() > largest || result.size.maxCoeff() < smallest)
+        result.report.add(MeshFault::OddSize, 1);
+    return result;
+}
+
+Material materialFrom(const Preset& preset)
+{
+    Material material;
+    material.name = "fabric";
+    for (const auto& [key, value] : preset.values)
+        findProperty(Kind::Material, key)->set(&material, value);
+    return material;
+}
+
+Weave defaultWeave(const PreparedMesh& mesh, const Material& material)
+{
+    Weave weave;
+    bool hasCells = false;
+    for (const RepairedMesh& surface : mesh.surfaces)
+        for (std::size_t i = 0; i < surface.mesh.faceCount() && !hasCells; ++i)
+            hasCells = isCell(surface.mesh, i);
+    weave.shear = !hasCells                 ? LinkStyle::None
+                  : material.shearStiffness ? LinkStyle::Rods
+                                            : LinkStyle::Springs;
+    return weave;
+}
+
+Weave weaveOf(const PreparedMesh& mesh, const MeshFabric& fabric)
+{
+    Weave weave = defaultWeave(mesh, fabric.material);
+    weave.structural = fabric.structural.value_or(weave.structural);
+    weave.shear = fabric.shear.value_or(weave.shear);
+    weave.bend = fabric.bend.value_or(weave.bend);
+    return weave;
+}
+
+Surroundings surroundingsOf(const Scene& scene)
+{
+    Surroundings surroundings{scene.nextId, scene.items.size(), {}};
+    for (const Entry& entry : scene.items)
+        surroundings.names.push_back(nameOf(entry.item));
+    return surroundings;
+}
+
+Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
+                            const std::string& name, const Surroundings& surroundings,
+                            const Progress& progress)
+{
+    const std::optional<double> density =
+        fabric.material.arealDensity ? fabric.material.arealDensity : fabric.density;
+    if (!density || !(*density > 0.0) || !std::isfinite(*density))
+        return Failure{"The material " + fabric.material.name
+                       + " has no mass per area; give one above 0 kg/m^2, or choose a preset."};
+    std::size_t triangles = 0;
+    for (const RepairedMesh& surface : mesh.surfaces)
+        triangles += surface.triangles.size();
+    // a triangle has at most 3 threads, 3 shear, 3 bend links, 3 particles and itself
+    if (13.0 * double(triangles) + std::uint32_t(surroundings.nextId) > mostIds)
+        return Failure{"The mesh has too many triangles; make it coarser in a mesh program."};
+
+    std::vector<std::string> names = surroundings.names;
+    Scene scratch;
+    scratch.nextId = surroundings.nextId;
+    const Weave weave = weaveOf(mesh, fabric);
+    WeaveMaterials materials{fabric.existing, noId};
+    if (fabric.existing == noId) {
+        Material material = fabric.material;
+        material.name = freeName(names, material.name);
+        material.arealDensity = density;
+        materials.fabric = addItem(scratch, std::move(material));
+    }
+    if (weave.bend != LinkStyle::None)
+        materials.bend = addBendMaterial(scratch, fabric, names);
+
+    MeshImport result;
+    for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+        const RepairedMesh& surface = mesh.surfaces[i];
+        const double count = double(mesh.surfaces.size());
+        const bool isOnly = mesh.surfaces.size() == 1;
+        const std::string& object = surface.mesh.objects.front();
+        Network network(scratch, freeName(names, isOnly || object.empty() ? name : object));
+        if (!weaveInto(network, surface, weave, materials, *density,
+                       stageOf(progress, double(i) / count, double(i + 1) / count)))
+            return Failure{"The import was cancelled."};
+        const Part& part = network.part();
+        result.particles += part.particles.size();
+        result.panels += part.panels.size();
+        for (const Link& link : part.links)
+            ++(link.kind == LinkKind::Rod ? result.rods : result.springs);
+        for (const Particle& particle : part.particles)
+            result.mass += particle.mass;
+        result.area += areaOf(surface);
+        const Id firstPanel = part.panels.front().id;
+        result.parts.push_back(network.finish({}, {}));
+        addGroups(scratch, surface, firstPanel, names);
+    }
+    result.edit.label = "Import " + name;
+    for (std::size_t i = 0; i < scratch.items.size(); ++i)
+        result.edit.changes.push_back(
+            AddItem{surroundings.itemCount + i, std::move(scratch.items[i])});
+    return result;
+}
+
+} // namespace ripstop

@@ -1,0 +1,101 @@
+// A mesh brought in as fabric: the file's polygons, in metres with y up, repaired, woven and
+// weighed.
+//
+// In two stages, as a dialog shows the first while the choices of the second are still made:
+// prepared() makes a sound surface of what was read, and fabricOf() makes parts and materials of
+// that and the edit which adds them.
+#pragma once
+
+#include "author/mesh_network.h"
+#include "author/mesh_repair.h"
+#include "scene/edit.h"
+#include "scene/presets.h"
+
+#include <optional>
+
+namespace ripstop {
+
+enum class UpAxis { X, Y, Z };
+std::string_view upAxisName(UpAxis axis); // "x", "y", "z"
+
+struct LengthUnit
+{
+    std::string_view name; // "mm"
+    double metres;
+};
+std::span<const LengthUnit> lengthUnits(); // mm, cm, m, in, ft
+
+enum class MeshParts { One, PerObject };
+
+struct MeshShape
+{
+    double scale = 1.0;         // m per unit of the file
+    std::optional<double> size; // m, wanted for the longest side of the box around it; wins
+    UpAxis up = UpAxis::Y;      // of the file; in Ripstop, y is up
+    std::optional<double> weldTolerance; // m; absent: 1e-5 of the diagonal of the box
+    bool isFlipped = false;              // all faces turned over in the end
+    MeshParts parts = MeshParts::One;
+
+    friend bool operator==(const MeshShape&, const MeshShape&) = default;
+};
+
+struct PreparedMesh
+{
+    std::vector<RepairedMesh> surfaces; // one for each part
+    MeshReport report;                  // of all of them
+    Vec3 size = Vec3::Zero();           // m
+    double weldTolerance = 0.0;         // m, as used
+};
+
+// The file's own unit and axis win over those of `shape`.
+Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
+                              const Progress& progress = {});
+
+// A material of the scene, or a new one.
+struct MeshFabric
+{
+    Id existing{};                       // noId for the new one
+    Material material;                   // as it is in the scene, or is to be
+    std::optional<double> density;       // kg/m^2, where the material does not say
+    double bendStiffness = 0.0;          // N/m, of bend links; 0: 0.02 of the fabric's stiffness
+    std::optional<LinkStyle> structural; // absent: defaultWeave()
+    std::optional<LinkStyle> shear;
+    std::optional<LinkStyle> bend;
+};
+
+// A new material called "fabric", with the numbers of the preset.
+Material materialFrom(const Preset& preset);
+
+// Rods along edges, which no stiffness makes unstable, and shear links where there are quads:
+// triangles resist shear as they are. Without a shear stiffness these are springs, so that they
+// give. No bend links: a material has a bending stiffness for that.
+Weave defaultWeave(const PreparedMesh& mesh, const Material& material);
+Weave weaveOf(const PreparedMesh& mesh, const MeshFabric& fabric); // what is chosen, and the rest
+
+// What of a scene an import needs to know, so that another thread can make the edit.
+struct Surroundings
+{
+    Id nextId{1};
+    std::size_t itemCount = 0;
+    std::vector<std::string> names; // of items
+};
+Surroundings surroundingsOf(const Scene& scene);
+
+struct MeshImport
+{
+    Edit edit; // adds material, parts, and groups by object
+    std::vector<Id> parts;
+    std::size_t particles = 0;
+    std::size_t springs = 0;
+    std::size_t rods = 0;
+    std::size_t panels = 0;
+    double area = 0.0; // m^2
+    double mass = 0.0; // kg
+};
+
+// `name` is that of the part, or in front of those of several.
+Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
+                            const std::string& name, const Surroundings& surroundings,
+                            const Progress& progress = {});
+
+} // namespace ripstop

@@ -1,0 +1,240 @@
+#include "author/mesh_network.h"
+
+#include "scene/link_stiffness.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace ripstop {
+namespace {
+
+constexpr double straightest = 0.70710678; // cosine of the turn over which a bend link goes
+constexpr std::size_t mostEdges = 64;      // of a particle whose edges are looked at in pairs
+constexpr int betweenReports = 8192;
+
+struct Thread
+{
+    int a; // point indices, a < b
+    int b;
+    double area;                 // m^2, that it stands for
+    std::array<int, 2> opposite; // corners of the triangles beside it; -1 for those of cells
+    int sides;                   // faces beside it
+};
+
+class Weaver
+{
+public:
+    Weaver(Network& network, const RepairedMesh& mesh, const Progress& progress)
+        : m_network(network)
+        , m_mesh(mesh)
+        , m_progress(progress)
+    {
+        for (std::size_t i = 0; i < mesh.mesh.faceCount(); ++i)
+            m_isCell.push_back(isCell(mesh.mesh, i) ? 1 : 0);
+        findThreads();
+    }
+
+    bool weave(const Weave& styles, const WeaveMaterials& materials, double density)
+    {
+        addParticles();
+        const bool isDone =
+            (styles.structural == LinkStyle::None
+             || addThreads(styles.structural, materials.fabric))
+            && (styles.shear == LinkStyle::None
+                || (addDiagonals(styles.shear, materials.fabric)
+                    && addAcross(styles.shear, materials.fabric)))
+            && (styles.bend == LinkStyle::None || addBends(styles.bend, materials.bend));
+        if (!isDone || !goesOn(m_progress, 0.8))
+            return false;
+        for (const auto& [a, b, c] : m_mesh.triangles)
+            m_network.panel(particle(a), particle(b), particle(c), materials.fabric);
+        m_network.addFabricMass(density);
+        return goesOn(m_progress, 1.0);
+    }
+
+private:
+    const Vec3& at(int point) const { return m_mesh.mesh.points[std::size_t(point)]; }
+    Id particle(int point) const { return m_particles[std::size_t(point)]; }
+
+    void addParticles()
+    {
+        for (std::size_t i = 0; i < m_mesh.mesh.points.size(); ++i) {
+            m_particles.push_back(m_network.particle(m_mesh.mesh.points[i]));
+            if (!m_mesh.texture.empty())
+                m_network.texture(m_particles.back(), m_mesh.texture[i][0], m_mesh.texture[i][1]);
+        }
+    }
+
+    void findThreads()
+    {
+        std::vector<Thread> sides;
+        const auto add = [&](int a, int b, double area, int opposite) {
+            sides.push_back({std::min(a, b), std::max(a, b), area, {opposite, -1}, 1});
+        };
+        for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t) {
+            if (m_isCell[std::size_t(m_mesh.faceOf[t])])
+                continue;
+            const auto& [a, b, c] = m_mesh.triangles[t];
+            const double area = 0.5 * (at(b) - at(a)).cross(at(c) - at(a)).norm();
+            add(a, b, area, c);
+            add(b, c, area, a);
+            add(c, a, area, b);
+        }
+        for (std::size_t i = 0; i < m_isCell.size(); ++i) {
+            if (!m_isCell[i])
+                continue;
+            const std::span<const int> corners = m_mesh.mesh.face(i);
+            const double half = 0.25 * doubleArea(corners, m_mesh.mesh.points).norm();
+            for (std::size_t c = 0; c < 4; ++c)
+                add(corners[c], corners[(c + 1) % 4], half, -1);
+        }
+        std::ranges::stable_sort(sides, [](const Thread& s, const Thread& t) {
+            return std::pair(s.a, s.b) < std::pair(t.a, t.b);
+        });
+        for (const Thread& side : sides) {
+            if (m_threads.empty() || m_threads.back().a != side.a || m_threads.back().b != side.b) {
+                m_threads.push_back(side);
+                continue;
+            }
+            Thread& thread = m_threads.back();
+            thread.area += side.area;
+            if (thread.sides++ == 1)
+                thread.opposite[1] = side.opposite[0];
+        }
+    }
+
+    // False when these two are tied already.
+    bool tie(int a, int b, LinkStyle style, Id material)
+    {
+        const std::uint64_t key =
+            std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
+        if (a == b || !m_tied.insert(key).second)
+            return false;
+        if (style == LinkStyle::Rods)
+            m_network.rod(particle(a), particle(b), material);
+        else
+            m_network.spring(particle(a), particle(b), material);
+        return true;
+    }
+
+    bool addThreads(LinkStyle style, Id material)
+    {
+        for (std::size_t i = 0; i < m_threads.size(); ++i) {
+            if (i % betweenReports == 0
+                && !goesOn(m_progress, 0.3 * double(i) / double(m_threads.size())))
+                return false;
+            const Thread& thread = m_threads[i];
+            if (tie(thread.a, thread.b, style, material))
+                m_network.asFabric(LinkRole::Thread,
+                                   thread.area / (at(thread.b) - at(thread.a)).norm());
+        }
+        return true;
+    }
+
+    bool addDiagonals(LinkStyle style, Id material)
+    {
+        for (std::size_t i = 0; i < m_isCell.size(); ++i) {
+            if (!m_isCell[i])
+                continue;
+            const std::span<const int> corner = m_mesh.mesh.face(i);
+            const auto side = [&](int k) {
+                return (at(corner[std::size_t((k + 1) % 4)]) - at(corner[std::size_t(k)])).norm();
+            };
+            const double width = biasWidth(0.5 * (side(0) + side(2)), 0.5 * (side(1) + side(3)));
+            for (const std::size_t from : {0u, 1u})
+                if (tie(corner[from], corner[from + 2], style, material))
+                    m_network.asFabric(LinkRole::Bias, width);
+        }
+        return goesOn(m_progress, 0.4);
+    }
+
+    bool addAcross(LinkStyle style, Id material)
+    {
+        for (std::size_t i = 0; i < m_threads.size(); ++i) {
+            if (i % betweenReports == 0
+                && !goesOn(m_progress, 0.4 + 0.2 * double(i) / double(m_threads.size())))
+                return false;
+            const Thread& thread = m_threads[i];
+            const auto [from, to] = thread.opposite;
+            if (thread.sides != 2 || from < 0 || to < 0 || !tie(from, to, style, material))
+                continue;
+            m_network.asFabric(LinkRole::Bias,
+                               8.0 / 3.0 * thread.area / (at(to) - at(from)).norm());
+        }
+        return true;
+    }
+
+    bool addBends(LinkStyle style, Id material)
+    {
+        std::vector<std::vector<int>> beside(m_mesh.mesh.points.size());
+        for (const Thread& thread : m_threads) {
+            beside[std::size_t(thread.a)].push_back(thread.b);
+            beside[std::size_t(thread.b)].push_back(thread.a);
+        }
+        for (std::size_t i = 0; i < beside.size(); ++i) {
+            if (i % betweenReports == 0
+                && !goesOn(m_progress, 0.6 + 0.2 * double(i) / double(beside.size())))
+                return false;
+            if (beside[i].size() <= mostEdges)
+                addBendsAt(int(i), beside[i], style, material);
+        }
+        return true;
+    }
+
+    void addBendsAt(int middle, const std::vector<int>& ends, LinkStyle style, Id material)
+    {
+        struct Pair
+        {
+            double cosine;
+            std::size_t i;
+            std::size_t k;
+        };
+        std::vector<Pair> pairs;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            for (std::size_t k = i + 1; k < ends.size(); ++k) {
+                const Vec3 in = (at(middle) - at(ends[i])).normalized();
+                const Vec3 out = (at(ends[k]) - at(middle)).normalized();
+                if (in.dot(out) > straightest)
+                    pairs.push_back({in.dot(out), i, k});
+            }
+        std::ranges::stable_sort(pairs, std::greater(), &Pair::cosine);
+        std::vector<std::uint8_t> isTaken(ends.size());
+        for (const Pair& pair : pairs) {
+            if (isTaken[pair.i] || isTaken[pair.k])
+                continue;
+            isTaken[pair.i] = isTaken[pair.k] = 1;
+            tie(ends[pair.i], ends[pair.k], style, material);
+        }
+    }
+
+    Network& m_network;
+    const RepairedMesh& m_mesh;
+    const Progress& m_progress;
+    std::vector<std::uint8_t> m_isCell; // [faces]
+    std::vector<Thread> m_threads;      // ascending by a, then b
+    std::vector<Id> m_particles;        // [points]
+    std::unordered_set<std::uint64_t> m_tied;
+};
+
+} // namespace
+
+std::string_view linkStyleName(LinkStyle style)
+{
+    constexpr std::array<std::string_view, 3> names{"none", "springs", "rods"};
+    return names[std::size_t(style)];
+}
+
+bool isCell(const PolygonMesh& mesh, std::size_t face)
+{
+    return isConvexQuad(mesh.face(face), mesh.points);
+}
+
+bool weaveInto(Network& network, const RepairedMesh& mesh, const Weave& weave,
+               const WeaveMaterials& materials, double density, const Progress& progress)
+{
+    return Weaver(network, mesh, progress).weave(weave, materials, density);
+}
+
+} // namespace ripstop

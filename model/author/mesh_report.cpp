@@ -1,0 +1,100 @@
+#include "author/mesh_report.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ripstop {
+namespace {
+
+struct Words
+{
+    std::string_view name;
+    MeshGravity gravity;
+    std::string_view one; // "%" stands for the number
+    std::string_view many;
+};
+
+// clang-format off
+constexpr std::array<Words, meshFaultCount> table{{
+    {"loose_vertices",     MeshGravity::Repaired, "1 vertex belongs to no face: left out.", "% vertices belong to no face: left out."},
+    {"duplicate_vertices", MeshGravity::Repaired, "1 vertex lies on another one: joined.", "% vertices lie on another one: joined."},
+    {"degenerate_faces",   MeshGravity::Repaired, "1 face has no area: left out.", "% faces have no area: left out."},
+    {"duplicate_faces",    MeshGravity::Repaired, "1 face has the corners of another one: left out.", "% faces have the corners of another one: left out."},
+    {"non_manifold_edges", MeshGravity::Warning,  "1 edge belongs to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.", "% edges belong to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there."},
+    {"flipped_faces",      MeshGravity::Repaired, "1 face was wound against its neighbours: turned over.", "% faces were wound against their neighbours: turned over."},
+    {"inside_out_shells",  MeshGravity::Repaired, "1 closed piece was inside out: turned over.", "% closed pieces were inside out: turned over."},
+    {"one_sided_edges",    MeshGravity::Warning,  "1 edge has no outside: the surface turns over itself like a Moebius strip.", "% edges have no outside: the surface turns over itself like a Moebius strip."},
+    {"several_shells",     MeshGravity::Note,     "The mesh is one piece.", "The mesh is % pieces that nothing joins. A larger weld tolerance may join them."},
+    {"open_edges",         MeshGravity::Note,     "1 edge belongs to one face only: the rim of the fabric.", "% edges belong to one face only: the rim of the fabric"},
+    {"split_polygons",     MeshGravity::Repaired, "1 polygon of more than three corners became triangles.", "% polygons of more than three corners became triangles."},
+    {"texture_seams",      MeshGravity::Note,     "1 vertex lies on a seam of the texture: the first of its texture points was kept.", "% vertices lie on a seam of the texture: the first of their texture points was kept."},
+    {"stray_elements",     MeshGravity::Note,     "1 line or single point of the file was left out.", "% lines and single points of the file were left out."},
+    {"odd_size",           MeshGravity::Warning,  "The mesh is larger than 200 m or smaller than 2 cm: check its unit.", "The mesh is larger than 200 m or smaller than 2 cm: check its unit."},
+}};
+// clang-format on
+
+const Words& wordsOf(MeshFault fault) { return table[std::size_t(fault)]; }
+
+// The grave ones first, then what was repaired, then notes.
+int rank(const MeshFinding& finding) { return -int(gravityOf(finding.fault)); }
+
+} // namespace
+
+std::string_view meshFaultName(MeshFault fault) { return wordsOf(fault).name; }
+
+MeshGravity gravityOf(MeshFault fault) { return wordsOf(fault).gravity; }
+
+std::string MeshFinding::text() const
+{
+    std::string text(count == 1 ? wordsOf(fault).one : wordsOf(fault).many);
+    if (const std::size_t mark = text.find('%'); mark != std::string::npos)
+        text.replace(mark, 1, std::to_string(count));
+    if (fault == MeshFault::OpenEdges && count > 1)
+        text += of == 1 ? "." : ", in " + std::to_string(of) + " rims.";
+    return text;
+}
+
+std::vector<MeshFinding> MeshReport::none()
+{
+    std::vector<MeshFinding> findings;
+    for (int i = 0; i < meshFaultCount; ++i)
+        findings.push_back({MeshFault(i), 0, 0, {}});
+    return findings;
+}
+
+void MeshReport::add(MeshFault fault, const Vec3& place, std::size_t count)
+{
+    MeshFinding& finding = m_findings[std::size_t(fault)];
+    finding.count += count;
+    if (finding.places.size() < MeshFinding::mostPlaces)
+        finding.places.push_back(place);
+}
+
+void MeshReport::add(MeshFault fault, std::size_t count)
+{
+    m_findings[std::size_t(fault)].count += count;
+}
+
+void MeshReport::add(const MeshReport& other)
+{
+    for (std::size_t i = 0; i < m_findings.size(); ++i) {
+        MeshFinding& finding = m_findings[i];
+        finding.count += other.m_findings[i].count;
+        finding.of += other.m_findings[i].of;
+        for (const Vec3& place : other.m_findings[i].places)
+            if (finding.places.size() < MeshFinding::mostPlaces)
+                finding.places.push_back(place);
+    }
+}
+
+std::vector<MeshFinding> MeshReport::findings() const
+{
+    std::vector<MeshFinding> found;
+    for (const MeshFinding& finding : m_findings)
+        if (finding.count > 0 && !(finding.fault == MeshFault::SeveralShells && finding.count == 1))
+            found.push_back(finding);
+    std::ranges::stable_sort(found, {}, rank);
+    return found;
+}
+
+} // namespace ripstop

@@ -1,0 +1,69 @@
+// What is wrong with a mesh, and what was done about it.
+#pragma once
+
+#include "base/vec3.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ripstop {
+
+enum class MeshFault {
+    LooseVertices,     // no face uses them: left out
+    DuplicateVertices, // within the weld tolerance of another one: joined
+    DegenerateFaces,   // without area: left out
+    DuplicateFaces,    // with the corners of another one: left out
+    NonManifoldEdges,  // of more than two faces: kept, as where a keel meets a sail
+    FlippedFaces,      // wound against their neighbours: turned over
+    InsideOutShells,   // closed, and wound inwards: turned over
+    OneSidedEdges,     // where no turning over helps, as on a Moebius strip: kept
+    SeveralShells,     // pieces that nothing joins: kept
+    OpenEdges,         // of one face: kept, as every sail has them
+    SplitPolygons,     // of more than three corners: made triangles
+    TextureSeams,      // vertices with several texture points: the first one is kept
+    StrayElements,     // lines and single points of the file: left out
+    OddSize            // larger than a hangar or smaller than a coin: a wrong unit?
+};
+inline constexpr int meshFaultCount = 14;
+
+// "loose_vertices", ...: as scripts know them.
+std::string_view meshFaultName(MeshFault fault);
+
+enum class MeshGravity { Note, Repaired, Warning };
+MeshGravity gravityOf(MeshFault fault);
+
+struct MeshFinding
+{
+    static constexpr std::size_t mostPlaces = 5;
+
+    MeshFault fault;
+    std::size_t count = 0;    // of what the fault names
+    std::size_t of = 0;       // rims of open edges, pieces; for others 0
+    std::vector<Vec3> places; // m, of the first few, after scale and axes
+
+    // "28 vertices lie on another one: joined."
+    std::string text() const;
+};
+
+class MeshReport
+{
+public:
+    void add(MeshFault fault, const Vec3& place, std::size_t count = 1);
+    void add(MeshFault fault, std::size_t count);
+    void add(const MeshReport& other); // of another object of the same file
+    void setOf(MeshFault fault, std::size_t of) { m_findings[std::size_t(fault)].of = of; }
+
+    // How often; 0 for what is not wrong.
+    std::size_t count(MeshFault fault) const { return m_findings[std::size_t(fault)].count; }
+
+    // Those that count something, the grave ones first.
+    std::vector<MeshFinding> findings() const;
+
+private:
+    std::vector<MeshFinding> m_findings = none();
+    static std::vector<MeshFinding> none();
+};
+
+} // namespace ripstop

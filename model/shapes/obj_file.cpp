@@ -1,0 +1,268 @@
+#include "shapes/obj_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace ripstop {
+namespace {
+
+constexpr int linesBetweenReports = 20000;
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// The next word of a line, which gets shorter.
+std::string_view takeWord(std::string_view& line)
+{
+    std::size_t begin = 0;
+    while (begin < line.size() && isBlank(line[begin]))
+        ++begin;
+    std::size_t end = begin;
+    while (end < line.size() && !isBlank(line[end]))
+        ++end;
+    const std::string_view word = line.substr(begin, end - begin);
+    line.remove_prefix(end);
+    return word;
+}
+
+// What stands after the keyword, without blanks around it: names may have blanks inside.
+std::string rest(std::string_view line)
+{
+    while (!line.empty() && isBlank(line.front()))
+        line.remove_prefix(1);
+    while (!line.empty() && isBlank(line.back()))
+        line.remove_suffix(1);
+    return std::string(line);
+}
+
+template <typename Number>
+bool readNumber(std::string_view word, Number& number)
+{
+    if (!word.empty() && word.front() == '+')
+        word.remove_prefix(1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return !word.empty() && error == std::errc() && end == word.data() + word.size();
+}
+
+// The next line, and what a backslash at its end goes on with.
+std::string_view takeLine(std::string_view& text, int& number, std::string& joined)
+{
+    joined.clear();
+    for (;;) {
+        const std::size_t end = text.find('\n');
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        ++number;
+        if (!line.empty() && line.back() == '\r')
+            line.remove_suffix(1);
+        const bool goesOn = !line.empty() && line.back() == '\\' && !text.empty();
+        if (!goesOn && joined.empty())
+            return line;
+        if (goesOn)
+            line.remove_suffix(1);
+        joined.append(line).push_back(' ');
+        if (!goesOn)
+            return joined;
+    }
+}
+
+class ObjReader
+{
+public:
+    explicit ObjReader(const std::string& name)
+        : m_name(name)
+    {}
+
+    Result<PolygonMesh> read(std::string_view text, const Progress& progress)
+    {
+        const double size = double(text.size());
+        std::string joined;
+        while (!text.empty()) {
+            if (m_line % linesBetweenReports == 0
+                && !goesOn(progress, 1.0 - double(text.size()) / size))
+                return Failure{"The import was cancelled."};
+            std::string_view line = takeLine(text, m_line, joined);
+            readLine(takeWord(line), line);
+            if (m_failure)
+                return *m_failure;
+        }
+        checkFaces();
+        if (m_failure)
+            return *m_failure;
+        if (!m_hasTexture)
+            m_mesh.texture.clear();
+        return std::move(m_mesh);
+    }
+
+private:
+    void readLine(std::string_view keyword, std::string_view line)
+    {
+        if (keyword == "v")
+            addPoint(line);
+        else if (keyword == "vt")
+            addTexture(line);
+        else if (keyword == "f")
+            addFace(line);
+        else if (keyword == "l" || keyword == "p")
+            ++m_mesh.strayElements;
+        else if (keyword == "o" || keyword == "g")
+            startObject(keyword == "o", rest(line));
+        else if (keyword == "usemtl")
+            useMaterial(rest(line));
+    }
+
+    void addPoint(std::string_view line)
+    {
+        Vec3 point;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!readNumber(takeWord(line), point[axis]))
+                return refuse("a vertex needs three numbers");
+        if (!point.allFinite())
+            return refuse("a vertex is not finite");
+        m_mesh.points.push_back(point);
+    }
+
+    void addTexture(std::string_view line)
+    {
+        PolygonMesh::TexturePoint point{};
+        const bool hasU = readNumber(takeWord(line), point[0]);
+        const std::string_view second = takeWord(line); // may be absent
+        if (!hasU || (!second.empty() && !readNumber(second, point[1])) || !std::isfinite(point[0])
+            || !std::isfinite(point[1]))
+            return refuse("a texture point needs two finite numbers");
+        m_texture.push_back(point);
+    }
+
+    // Corners are "7", "7/3", "7//2" or "7/3/2".
+    void addFace(std::string_view line)
+    {
+        const std::size_t before = m_mesh.corners.size();
+        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+            const std::size_t slash = word.find('/');
+            const std::string_view point = word.substr(0, slash);
+            std::string_view texture;
+            if (slash != std::string_view::npos)
+                texture = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
+            int index = 0;
+            if (!readNumber(point, index) || index == 0)
+                return refuseCorner(word);
+            m_mesh.corners.push_back(index > 0 ? index - 1 : int(m_mesh.points.size()) + index);
+            int at = 0;
+            if (!texture.empty() && !readNumber(texture, at))
+                return refuseCorner(word);
+            m_textureAt.push_back(at > 0 ? at - 1 : at < 0 ? int(m_texture.size()) + at : -1);
+        }
+        if (m_mesh.corners.size() - before < 3)
+            return refuse("a face needs three corners");
+        if (m_objects.empty())
+            startObject(false, {});
+        if (m_mesh.materials.empty())
+            useMaterial({});
+        m_mesh.endFace(m_object, m_material);
+        m_faceLine.push_back(m_line);
+    }
+
+    // A file with objects has groups inside of them, which are left alone.
+    void startObject(bool isObject, const std::string& name)
+    {
+        if (m_hasObjects && !isObject)
+            return;
+        m_hasObjects = m_hasObjects || isObject;
+        const auto [place, isNew] = m_objects.emplace(name, int(m_mesh.objects.size()));
+        if (isNew)
+            m_mesh.objects.push_back(name);
+        m_object = place->second;
+    }
+
+    void useMaterial(const std::string& name)
+    {
+        const auto [place, isNew] = m_materials.emplace(name, int(m_mesh.materials.size()));
+        if (isNew)
+            m_mesh.materials.push_back({name, {}});
+        m_material = place->second;
+    }
+
+    // Indices may point forward, so they are looked at in the end.
+    void checkFaces()
+    {
+        const int points = int(m_mesh.points.size());
+        m_mesh.texture.resize(m_mesh.corners.size());
+        for (std::size_t i = 0; i < m_mesh.faceCount(); ++i)
+            for (int c = m_mesh.first[i]; c < m_mesh.first[i + 1]; ++c) {
+                const int corner = m_mesh.corners[std::size_t(c)];
+                if (corner < 0 || corner >= points) {
+                    m_line = m_faceLine[i];
+                    return refuse("a face names vertex " + std::to_string(corner + 1) + " of "
+                                  + std::to_string(points));
+                }
+                const int at = m_textureAt[std::size_t(c)];
+                if (at < 0 || at >= int(m_texture.size()))
+                    continue;
+                m_mesh.texture[std::size_t(c)] = m_texture[std::size_t(at)];
+                m_hasTexture = true;
+            }
+    }
+
+    void refuseCorner(std::string_view word)
+    {
+        std::string what(1, '"');
+        refuse(what.append(word).append("\" is not a corner of a face"));
+    }
+
+    void refuse(const std::string& what)
+    {
+        m_failure = Failure{"The mesh " + m_name + ", line " + std::to_string(m_line) + ": " + what
+                            + ". The file may be cut off; save it again."};
+    }
+
+    const std::string& m_name;
+    PolygonMesh m_mesh;
+    std::vector<PolygonMesh::TexturePoint> m_texture;
+    std::vector<int> m_textureAt; // [corners] index into m_texture, or -1
+    std::vector<int> m_faceLine;  // [faces]
+    std::map<std::string, int, std::less<>> m_objects;
+    std::map<std::string, int, std::less<>> m_materials;
+    std::optional<Failure> m_failure;
+    int m_object = 0;
+    int m_material = 0;
+    int m_line = 0;
+    bool m_hasObjects = false; // "o" stands in the file
+    bool m_hasTexture = false;
+};
+
+} // namespace
+
+Result<PolygonMesh> readObj(std::string_view text, const std::string& name,
+                            const Progress& progress)
+{
+    return ObjReader(name).read(text, progress);
+}
+
+void readMtlColors(std::string_view text, PolygonMesh& mesh)
+{
+    PolygonMesh::Material* current = nullptr;
+    std::string joined;
+    for (int number = 0; !text.empty();) {
+        std::string_view line = takeLine(text, number, joined);
+        const std::string_view keyword = takeWord(line);
+        if (keyword == "newmtl") {
+            const std::string name = rest(line);
+            const auto found =
+                std::ranges::find(mesh.materials, name, &PolygonMesh::Material::name);
+            current = found == mesh.materials.end() ? nullptr : &*found;
+        } else if (keyword == "Kd" && current) {
+            std::array<double, 3> parts{};
+            for (double& part : parts)
+                if (!readNumber(takeWord(line), part) || !(part >= 0.0 && part <= 1.0))
+                    return;
+            char color[8];
+            std::snprintf(color, sizeof color, "#%02x%02x%02x", int(std::lround(255.0 * parts[0])),
+                          int(std::lround(255.0 * parts[1])), int(std::lround(255.0 * parts[2])));
+            current->color = color;
+        }
+    }
+}
+
+} // namespace ripstop

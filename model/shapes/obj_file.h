@@ -1,0 +1,24 @@
+// Wavefront OBJ, read by ourselves: assimp gives each corner of a face a vertex of its own, and
+// which vertices of the file were one, double or used by nobody is lost. Whoever wants a report on
+// a mesh needs to know.
+#pragma once
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "shapes/polygon_mesh.h"
+
+#include <string>
+#include <string_view>
+
+namespace ripstop {
+
+// Vertices (v, vt), faces (f, with negative indices too), objects (o, or g where there is no o)
+// and names of materials (usemtl). Normals, curves and smoothing groups are passed over. `name` is
+// what messages call the file; they say the line.
+Result<PolygonMesh> readObj(std::string_view text, const std::string& name,
+                            const Progress& progress = {});
+
+// Colours of the materials of a .mtl file (Kd), given to those of the mesh by their name.
+void readMtlColors(std::string_view text, PolygonMesh& mesh);
+
+} // namespace ripstop

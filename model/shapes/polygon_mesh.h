@@ -1,0 +1,51 @@
+// A mesh as its file has it: polygons, what they are called, and what the file says of units.
+#pragma once
+
+#include "base/vec3.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+struct PolygonMesh
+{
+    using TexturePoint = std::array<double, 2>; // u, v
+
+    struct Material
+    {
+        std::string name;
+        std::string color; // "#rrggbb", or empty when the file does not say
+    };
+
+    std::vector<Vec3> points;          // [points] in the unit of the file
+    std::vector<int> first{0};         // [faces + 1] where the corners of each face begin
+    std::vector<int> corners;          // [corners] indices of points
+    std::vector<TexturePoint> texture; // [corners], or empty
+    std::vector<int> object;           // [faces] index into `objects`
+    std::vector<int> material;         // [faces] index into `materials`
+    std::vector<std::string> objects;  // names
+    std::vector<Material> materials;   //
+    std::optional<double> unit;        // m, when the format or the file says
+    bool isUpright = false;            // y is up, because the format or the file says so
+    std::size_t strayElements = 0;     // lines and single points, which are left out
+
+    std::size_t faceCount() const { return first.size() - 1; }
+    std::span<const int> face(std::size_t i) const
+    {
+        return {corners.data() + first[i], std::size_t(first[i + 1] - first[i])};
+    }
+
+    // Ends the face whose corners have been added last.
+    void endFace(int ofObject, int ofMaterial)
+    {
+        first.push_back(int(corners.size()));
+        object.push_back(ofObject);
+        material.push_back(ofMaterial);
+    }
+};
+
+} // namespace ripstop

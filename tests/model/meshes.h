@@ -1,0 +1,147 @@
+// Meshes for tests, and short ways from the text of a file to fabric.
+//
+// Expected numbers are those of the shapes: a cube has 8 corners and 6 sides, so 12 triangles and,
+// by Euler (corners - edges + faces = 2), 18 edges of triangles or 12 of squares.
+#pragma once
+
+#include "author/mesh_import.h"
+#include "shapes/obj_file.h"
+
+#include <Eigen/Geometry>
+
+#include <QByteArray>
+#include <QFile>
+#include <QString>
+#include <QtGlobal>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+
+inline const char* const cubeOfQuads = "o cube\n"
+                                       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                       "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                                       "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\n"
+                                       "f 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+// The same as twelve separate triangles; bottom and top swapped when `isInsideOut`.
+inline QByteArray cubeAsStl(bool isInsideOut = false)
+{
+    const auto cube = readObj(cubeOfQuads, "cube");
+    QByteArray text = "solid cube\n";
+    for (std::size_t i = 0; i < cube->faceCount(); ++i) {
+        const auto quad = cube->face(i);
+        for (std::array<int, 3> corner : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+            if (isInsideOut)
+                std::swap(corner[1], corner[2]);
+            text += "facet normal 0 0 0\nouter loop\n";
+            for (const int c : corner) {
+                const Vec3& p = cube->points[std::size_t(quad[std::size_t(c)])];
+                text +=
+                    QStringLiteral("vertex %1 %2 %3\n").arg(p.x()).arg(p.y()).arg(p.z()).toUtf8();
+            }
+            text += "endloop\nendfacet\n";
+        }
+    }
+    return text + "endsolid cube\n";
+}
+
+inline PolygonMesh meshOf(const char* obj)
+{
+    Result<PolygonMesh> mesh = readObj(obj, "test");
+    if (!mesh)
+        qFatal("%s", mesh.message().c_str());
+    return *mesh;
+}
+
+inline PreparedMesh preparedOf(const PolygonMesh& mesh, const MeshShape& shape = {})
+{
+    Result<PreparedMesh> result = prepared(mesh, shape);
+    if (!result)
+        qFatal("%s", result.message().c_str());
+    return *result;
+}
+
+// Nothing given: rods along edges.
+inline MeshFabric plainFabric(double density = 0.1)
+{
+    MeshFabric fabric;
+    fabric.material.membraneStiffness = 1000.0;
+    fabric.material.shearStiffness = 100.0;
+    fabric.material.arealDensity = density;
+    return fabric;
+}
+
+inline MeshImport importOf(const PreparedMesh& mesh, const MeshFabric& fabric = plainFabric(),
+                           const Scene& scene = {})
+{
+    Result<MeshImport> result = fabricOf(mesh, fabric, "sail", surroundingsOf(scene));
+    if (!result)
+        qFatal("%s", result.message().c_str());
+    return *result;
+}
+
+inline Scene sceneOf(const PreparedMesh& mesh, const MeshFabric& fabric = plainFabric())
+{
+    Scene scene;
+    (void)apply(scene, importOf(mesh, fabric).edit);
+    return scene;
+}
+
+inline Part firstPart(const Scene& scene)
+{
+    for (const Entry& entry : scene.items)
+        if (const Part* part = std::get_if<Part>(&entry.item))
+            return *part;
+    qFatal("no part");
+}
+
+inline std::size_t countOf(const Part& part, LinkRole role)
+{
+    return std::size_t(std::ranges::count(part.links, role, &Link::role));
+}
+
+// A sheet of n x n squares of this size, in the plane z = 0, as quads or as triangles.
+inline std::string sheet(int n, double size, bool quads)
+{
+    std::string text;
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) {
+            text += "v " + std::to_string(size * i) + " " + std::to_string(size * j) + " 0\n";
+            text +=
+                "vt " + std::to_string(double(i) / n) + " " + std::to_string(double(j) / n) + "\n";
+        }
+    const auto corner = [n](int i, int j) {
+        const std::string at = std::to_string(j * (n + 1) + i + 1);
+        return " " + at + "/" + at;
+    };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const std::string a = corner(i, j);
+            const std::string b = corner(i + 1, j);
+            const std::string c = corner(i + 1, j + 1);
+            const std::string d = corner(i, j + 1);
+            text += quads ? "f" + a + b + c + d + "\n" : "f" + a + b + c + "\nf" + a + c + d + "\n";
+        }
+    return text;
+}
+
+inline double areaOfTriangles(const RepairedMesh& surface)
+{
+    double area = 0.0;
+    for (const auto& triangle : surface.triangles)
+        area += 0.5 * doubleArea(triangle, surface.mesh.points).norm();
+    return area;
+}
+
+// Writes a file and answers its path.
+inline QString writeFile(const QString& path, const QByteArray& content)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+        qFatal("cannot write %s", qPrintable(path));
+    return path;
+}
+
+} // namespace ripstop

@@ -1,0 +1,222 @@
+// Files of meshes: formats, refusals, and the command line that brings them in.
+#include "model/cli_call.h"
+#include "model/meshes.h"
+#include "shapes/mesh_file.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+class TestMeshFiles : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    QString write(const QString& name, const QByteArray& content)
+    {
+        return writeFile(m_folder.filePath(name), content);
+    }
+
+    PolygonMesh fileOf(const QString& name, const QByteArray& content)
+    {
+        Result<PolygonMesh> mesh = readPolygonFile(write(name, content).toStdString());
+        if (!mesh)
+            qFatal("%s", mesh.message().c_str());
+        return *mesh;
+    }
+
+private slots:
+    // --- files
+    // --------------------------------------------------------------------------------------
+
+    void otherFormats_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("content");
+        QByteArray off = "OFF\n8 6 0\n";
+        QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
+                         "property float y\nproperty float z\nelement face 6\n"
+                         "property list uchar int vertex_indices\nend_header\n";
+        const PolygonMesh cube = meshOf(cubeOfQuads);
+        for (const Vec3& p : cube.points) {
+            const QByteArray line =
+                QStringLiteral("%1 %2 %3\n").arg(p.x()).arg(p.y()).arg(p.z()).toUtf8();
+            off += line;
+            ply += line;
+        }
+        for (std::size_t i = 0; i < cube.faceCount(); ++i) {
+            QByteArray line = "4";
+            for (const int corner : cube.face(i))
+                line += " " + QByteArray::number(corner);
+            off += line + "\n";
+            ply += line + "\n";
+        }
+        QTest::newRow("OFF") << "cube.off" << off;
+        QTest::newRow("PLY") << "cube.ply" << ply;
+        QTest::newRow("STL") << "cube.stl" << cubeAsStl();
+    }
+
+    void otherFormats()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, content);
+        const PreparedMesh mesh = preparedOf(fileOf(name, content));
+        QCOMPARE(mesh.surfaces.front().mesh.points.size(), 8u);
+        QCOMPARE(mesh.surfaces.front().triangles.size(), 12u);
+        QCOMPARE(mesh.report.count(MeshFault::OpenEdges), 0u);
+    }
+
+    // A file that says centimetres and z up: the sail is 2 m high whatever the options say.
+    void colladaSaysItsUnit()
+    {
+        const QByteArray text =
+            "<?xml version=\"1.0\"?>"
+            "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">"
+            "<asset><unit name=\"centimeter\" meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset>"
+            "<library_geometries><geometry id=\"g\" name=\"sail\"><mesh>"
+            "<source id=\"p\"><float_array id=\"a\" count=\"9\">0 0 0 100 0 0 0 0 200</float_array>"
+            "<technique_common><accessor source=\"#a\" count=\"3\" stride=\"3\"><param name=\"X\" "
+            "type=\"float\"/>"
+            "<param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+            "type=\"float\"/></accessor></technique_common></source>"
+            "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+            "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 "
+            "2</p></triangles>"
+            "</mesh></geometry></library_geometries>"
+            "<library_visual_scenes><visual_scene id=\"s\"><node id=\"n\" "
+            "name=\"sail\"><instance_geometry url=\"#g\"/>"
+            "</node></visual_scene></library_visual_scenes>"
+            "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+        MeshShape shape;
+        shape.scale = 1e-3;
+        shape.up = UpAxis::X;
+        const PreparedMesh mesh = preparedOf(fileOf("sail.dae", text), shape);
+        QVERIFY((mesh.size - Vec3(1.0, 2.0, 0.0)).norm() < 1e-6);
+    }
+
+    void refusals_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("empty") << "empty.obj" << QByteArray() << "is empty";
+        QTest::newRow("no faces") << "points.obj" << QByteArray("v 0 0 0\n") << "no faces";
+        QTest::newRow("no such format") << "mesh.docx" << QByteArray("x") << "no known format";
+        QTest::newRow("cut off in a vertex")
+            << "cut.obj" << QByteArray("v 0 0 0\nv 1 0") << "line 2: a vertex needs three numbers";
+        QTest::newRow("cut off before its vertices")
+            << "short.obj" << QByteArray("v 0 0 0\nv 1 0 0\nf 1 2 3\n")
+            << "line 3: a face names vertex 3 of 2";
+        QTest::newRow("cut off in a face")
+            << "face.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2")
+            << "line 4: a face needs three corners";
+        QTest::newRow("not a number")
+            << "nan.obj" << QByteArray("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n") << "line 2";
+        QTest::newRow("infinite") << "inf.obj" << QByteArray("v 0 0 0\nv inf 0 0\nf 1 2 1\n")
+                                  << "not finite";
+        QTest::newRow("a word for a corner")
+            << "word.obj" << QByteArray("v 0 0 0\nf 1 a 1\n") << "\"a\" is not a corner";
+        QTest::newRow("nonsense") << "bad.ply" << QByteArray("plyff nonsense") << "cannot be read";
+        QTest::newRow("binary STL, cut off")
+            << "cut.stl" << QByteArray(80, 'x') + QByteArray("\x09\x00\x00\x00", 4) + "abc"
+            << "cannot be read";
+    }
+
+    void refusals()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, content);
+        QFETCH(QString, says);
+        const Result<PolygonMesh> refused =
+            readPolygonFile(write("refused_" + name, content).toStdString());
+        QVERIFY(!refused);
+        const QString message = QString::fromStdString(refused.message());
+        QVERIFY2(message.contains(says), qPrintable(message));
+        QVERIFY2(message.contains(name), qPrintable(message));
+    }
+
+    void missingFilesAndFolders()
+    {
+        const Result<PolygonMesh> missing = readPolygonFile("no/such/mesh.obj");
+        QVERIFY(!missing);
+        QVERIFY(missing.message().find("does not exist") != std::string::npos);
+        const Result<PolygonMesh> folder = readPolygonFile(m_folder.path().toStdString());
+        QVERIFY(!folder);
+        QVERIFY(folder.message().find("is a folder") != std::string::npos);
+    }
+
+    // --- the command line
+    // -------------------------------------------------------------------------
+
+    void commandLine()
+    {
+        const QString mesh = write("cli.stl", cubeAsStl());
+        const QString scene = m_folder.filePath("cli.ripstop.json");
+        const Outcome made =
+            call({"import", mesh, "--unit", "cm", "--up", "z", "--json", "-o", scene});
+        QCOMPARE(made.error, QString());
+        QCOMPARE(made.exitCode, 0);
+        const QJsonObject first = made.json()["meshes"].toArray().first().toObject();
+        QCOMPARE(first["particles"].toInt(), 8);
+        QCOMPARE(first["panels"].toInt(), 12);
+        QCOMPARE(first["links"].toInt(), 18);
+        // 6 cm^2 of kite cloth of 47 g/m^2
+        QVERIFY(std::abs(first["mass"].toDouble() - 6e-4 * 0.047) < 1e-9);
+        const QJsonArray report = first["report"].toArray();
+        QCOMPARE(report.first().toObject()["fault"].toString(), "odd_size"); // 1 cm
+        const Outcome info = call({"info", scene, "--json"});
+        QCOMPARE(info.json()["particles"].toInt(), 8);
+        QCOMPARE(info.json()["panels"].toInt(), 12);
+
+        // once more, into that scene, of the same material and as key=value
+        const Outcome more = call({"import", mesh, "scale=0.5", "shear=springs", "--into", scene,
+                                   "--material", "fabric", "-o", scene});
+        QCOMPARE(more.error, QString());
+        QVERIFY(more.out.contains("28 vertices lie on another one: joined."));
+        const QJsonObject both = call({"info", scene, "--json"}).json();
+        QCOMPARE(both["particles"].toInt(), 16);
+        QCOMPARE(both["parts"].toArray().size(), 2);
+    }
+
+    void commandLineRefuses()
+    {
+        const QString out = m_folder.filePath("refused.ripstop.json");
+        const QString mesh = write("good.stl", cubeAsStl());
+        const Outcome missing = call({"import", "nowhere.obj", "-o", out});
+        QCOMPARE(missing.exitCode, 1);
+        QVERIFY(missing.error.contains("nowhere.obj"));
+        QVERIFY(!QFile::exists(out));
+        QCOMPARE(call({"import", mesh, "--up", "w", "-o", out}).exitCode, 2);
+        QCOMPARE(call({"import", mesh, "size=large", "-o", out}).exitCode, 2);
+        QCOMPARE(call({"import", mesh, "wight=1", "-o", out}).exitCode, 2);
+        QCOMPARE(call({"import", mesh, "--preset", "liros_ltc80", "-o", out}).exitCode, 2);
+        QCOMPARE(call({"import", "-o", out}).exitCode, 2);
+        QVERIFY(!QFile::exists(out));
+    }
+
+    // What flies can be brought in again: same vertices, faces and texture.
+    void thereAndBack()
+    {
+        const QString mesh = write("sheet.obj", QByteArray::fromStdString(sheet(5, 0.2, false)));
+        const QString scene = m_folder.filePath("sheet.ripstop.json");
+        const QString exported = m_folder.filePath("exported.obj");
+        QCOMPARE(call({"import", mesh, "-o", scene}).exitCode, 0);
+        QCOMPARE(call({"export", scene, "-o", exported}).exitCode, 0);
+        const PreparedMesh before = preparedOf(*readPolygonFile(mesh.toStdString()));
+        const PreparedMesh after = preparedOf(*readPolygonFile(exported.toStdString()));
+        const RepairedMesh& a = before.surfaces.front();
+        const RepairedMesh& b = after.surfaces.front();
+        QCOMPARE(b.mesh.points.size(), 36u);
+        for (std::size_t i = 0; i < 36; ++i)
+            QVERIFY((a.mesh.points[i] - b.mesh.points[i]).norm() < 1e-12);
+        QCOMPARE(b.triangles, a.triangles);
+        QCOMPARE(b.texture, a.texture);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMeshFiles)
+#include "test_mesh_files.moc"

@@ -1,0 +1,216 @@
+// Meshes brought in: what fabric comes out, and where it is.
+#include "model/meshes.h"
+#include "scene/check.h"
+#include "shapes/mesh_file.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+class TestMeshImport : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    QString write(const QString& name, const QByteArray& content)
+    {
+        return writeFile(m_folder.filePath(name), content);
+    }
+
+    PolygonMesh fileOf(const QString& name, const QByteArray& content)
+    {
+        Result<PolygonMesh> mesh = readPolygonFile(write(name, content).toStdString());
+        if (!mesh)
+            qFatal("%s", mesh.message().c_str());
+        return *mesh;
+    }
+
+private slots:
+    // --- the network of a cube ------------------------------------------------------------------
+
+    void cubeOfQuadsBecomesFabric()
+    {
+        const PreparedMesh mesh = preparedOf(fileOf("cube.obj", cubeOfQuads));
+        const Scene scene = sceneOf(mesh);
+        const Part& part = firstPart(scene);
+        QCOMPARE(part.particles.size(), 8u);
+        QCOMPARE(part.panels.size(), 12u);
+        QCOMPARE(countOf(part, LinkRole::Thread), 12u); // edges of squares
+        QCOMPARE(countOf(part, LinkRole::Bias), 12u);   // two diagonals of each side
+        QCOMPARE(part.links.size(), 24u);
+        for (const Link& link : part.links) {
+            QCOMPARE(link.kind, LinkKind::Rod);
+            const bool isThread = link.role == LinkRole::Thread;
+            // half a square from either side; biasWidth() of a unit square is sqrt 2
+            QVERIFY(std::abs(link.width - (isThread ? 1.0 : std::sqrt(2.0))) < 1e-12);
+            QVERIFY(std::abs(link.restLength - (isThread ? 1.0 : std::sqrt(2.0))) < 1e-12);
+        }
+        QVERIFY(problemsOf(scene).empty());
+        QCOMPARE(mesh.report.count(MeshFault::SplitPolygons), 6u);
+        QCOMPARE(mesh.report.count(MeshFault::DuplicateVertices), 0u);
+        QCOMPARE(mesh.report.count(MeshFault::OpenEdges), 0u);
+        QCOMPARE(mesh.report.count(MeshFault::FlippedFaces), 0u);
+        QCOMPARE(mesh.report.count(MeshFault::InsideOutShells), 0u);
+    }
+
+    void looseTrianglesOfAnStlAreJoined()
+    {
+        const PolygonMesh read = fileOf("cube.stl", cubeAsStl());
+        QCOMPARE(read.points.size(), 36u);
+        const PreparedMesh mesh = preparedOf(read);
+        QCOMPARE(mesh.report.count(MeshFault::DuplicateVertices), 28u);
+        const Part& part = firstPart(sceneOf(mesh));
+        QCOMPARE(part.particles.size(), 8u);
+        QCOMPARE(part.panels.size(), 12u);
+        QCOMPARE(part.links.size(), 18u); // triangles resist shear without more
+        double widths = 0.0;              // each triangle stands at its three edges
+        for (const Link& link : part.links)
+            widths += link.width * link.restLength;
+        QVERIFY(std::abs(widths - 3.0 * 6.0) < 1e-9);
+    }
+
+    void massIsThatOfTheArea()
+    {
+        const MeshImport made = importOf(preparedOf(meshOf(cubeOfQuads)), plainFabric(0.25));
+        QVERIFY(std::abs(made.area - 6.0) < 1e-12);
+        QVERIFY(std::abs(made.mass - 1.5) < 1e-12);
+        QCOMPARE(made.particles, 8u);
+        QCOMPARE(made.rods, 24u);
+        QCOMPARE(made.springs, 0u);
+        QCOMPARE(made.panels, 12u);
+    }
+
+    void styles()
+    {
+        MeshFabric fabric = plainFabric();
+        fabric.structural = LinkStyle::Springs;
+        fabric.shear = LinkStyle::None;
+        fabric.bend = LinkStyle::Springs;
+        // 4 x 4 squares: 2 (4 x 5) edges; over two edges 3 in each of 5 rows and 5 columns
+        const Scene scene = sceneOf(preparedOf(meshOf(sheet(4, 0.25, true).c_str())), fabric);
+        const Part& part = firstPart(scene);
+        QCOMPARE(countOf(part, LinkRole::Thread), 40u);
+        QCOMPARE(countOf(part, LinkRole::Bias), 0u);
+        QCOMPARE(countOf(part, LinkRole::Line), 30u);
+        for (const Link& link : part.links) {
+            QCOMPARE(link.kind, LinkKind::Spring);
+            if (link.role == LinkRole::Line)
+                QVERIFY(std::abs(link.restLength - 0.5) < 1e-9);
+        }
+    }
+
+    void shearAcrossTriangles()
+    {
+        MeshFabric fabric = plainFabric();
+        fabric.shear = LinkStyle::Rods;
+        const char* const kite = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+        const Part& part = firstPart(sceneOf(preparedOf(meshOf(kite)), fabric));
+        QCOMPARE(countOf(part, LinkRole::Thread), 5u);
+        QCOMPARE(countOf(part, LinkRole::Bias), 1u);
+        const Link& across = part.links.back();
+        QVERIFY(std::abs(across.restLength - std::sqrt(2.0)) < 1e-12);
+        QVERIFY(std::abs(across.width - 8.0 / 3.0 / std::sqrt(2.0)) < 1e-12);
+    }
+
+    // A lattice of equilateral triangles of side a has threads as wide as two heights of them:
+    // sqrt(3) / 2 a, with which its modulus is that of the fabric (Van Gelder 1998).
+    void widthOfAThread()
+    {
+        const char* const pair = "v 0 0 0\nv 2 0 0\nv 1 1.7320508075688772 0\n"
+                                 "v 1 -1.7320508075688772 0\nf 1 2 3\nf 2 1 4\n";
+        const Part& part = firstPart(sceneOf(preparedOf(meshOf(pair))));
+        QVERIFY(std::abs(part.links.front().width - std::sqrt(3.0)) < 1e-9);
+    }
+
+    // --- parts, groups, materials
+    // ------------------------------------------------------------------
+
+    void objectsBecomePartsOrGroups()
+    {
+        const QByteArray two =
+            QByteArray(cubeOfQuads) + "o flag\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf 9 10 11\n";
+        const PolygonMesh mesh = meshOf(two.constData());
+        MeshShape shape;
+        const Scene one = sceneOf(preparedOf(mesh, shape));
+        int groups = 0;
+        for (const Entry& entry : one.items)
+            if (const Group* group = std::get_if<Group>(&entry.item)) {
+                QCOMPARE(group->members.size(), group->name == "cube" ? 12u : 1u);
+                ++groups;
+            }
+        QCOMPARE(groups, 2);
+
+        shape.parts = MeshParts::PerObject;
+        const Scene many = sceneOf(preparedOf(mesh, shape));
+        std::vector<std::string> names;
+        forEachPart(many, [&](Id, const Part& part) { names.push_back(part.name); });
+        QCOMPARE(names, (std::vector<std::string>{"cube", "flag"}));
+        QVERIFY(problemsOf(many).empty());
+    }
+
+    void theEditIsOneStepAndBack()
+    {
+        Scene scene;
+        const Scene empty = scene;
+        const MeshImport made = importOf(preparedOf(meshOf(cubeOfQuads)), plainFabric(), scene);
+        const Edit inverse = apply(scene, made.edit);
+        QVERIFY(findItem<Part>(scene, made.parts.front()));
+        const Scene imported = scene;
+        (void)apply(scene, inverse);
+        QCOMPARE(scene.items.size(), empty.items.size());
+        // a second import finds the names taken
+        Scene twice = imported;
+        (void)apply(twice, importOf(preparedOf(meshOf(cubeOfQuads)), plainFabric(), twice).edit);
+        std::vector<std::string> names;
+        forEachPart(twice, [&](Id, const Part& part) { names.push_back(part.name); });
+        QCOMPARE(names, (std::vector<std::string>{"sail", "sail 2"}));
+    }
+
+    void aMaterialNeedsAMass()
+    {
+        MeshFabric fabric = plainFabric();
+        fabric.material.arealDensity.reset();
+        const Result<MeshImport> refused =
+            fabricOf(preparedOf(meshOf(cubeOfQuads)), fabric, "sail", {});
+        QVERIFY(!refused);
+        QVERIFY(refused.message().find("kg/m^2") != std::string::npos);
+    }
+
+    void cancelling()
+    {
+        const std::string text = sheet(120, 0.01, false);
+        for (int stops = 0; stops < 4; ++stops) {
+            int calls = 0;
+            const Progress progress = [&](double share) {
+                return share >= 0.0 && share <= 1.0 && calls++ < stops;
+            };
+            const PolygonMesh mesh = meshOf(text.c_str());
+            QVERIFY(!prepared(mesh, {}, progress));
+            calls = 0;
+            QVERIFY(!fabricOf(preparedOf(mesh), plainFabric(), "sail", {}, progress));
+        }
+    }
+
+    // 200 000 triangles in seconds, from file to edit.
+    void largeMeshesAreQuick()
+    {
+        const int n = 316; // 2 x 316^2 = 199 712
+        const QString file = write("large.obj", QByteArray::fromStdString(sheet(n, 0.01, false)));
+        QElapsedTimer timer;
+        timer.start();
+        const Result<PolygonMesh> read = readPolygonFile(file.toStdString());
+        QVERIFY(read);
+        const MeshImport made = importOf(preparedOf(*read));
+        QCOMPARE(made.panels, std::size_t(2 * n * n));
+        QCOMPARE(made.particles, std::size_t((n + 1) * (n + 1)));
+        QCOMPARE(made.rods, std::size_t(n * n + 2 * n * (n + 1)));
+        qInfo("199 712 triangles in %lld ms", timer.elapsed());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMeshImport)
+#include "test_mesh_import.moc"

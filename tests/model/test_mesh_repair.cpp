@@ -1,0 +1,235 @@
+// Meshes that are not as they should be: what is reported, what is repaired, and what scale, axes
+// and polygons become.
+#include "model/meshes.h"
+#include "shapes/mesh_file.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+class TestMeshRepair : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    QString write(const QString& name, const QByteArray& content)
+    {
+        return writeFile(m_folder.filePath(name), content);
+    }
+
+    PolygonMesh fileOf(const QString& name, const QByteArray& content)
+    {
+        Result<PolygonMesh> mesh = readPolygonFile(write(name, content).toStdString());
+        if (!mesh)
+            qFatal("%s", mesh.message().c_str());
+        return *mesh;
+    }
+
+private slots:
+    // --- the report
+    // -------------------------------------------------------------------------------
+
+    void faults_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<int>("count");
+        QTest::addColumn<int>("triangles");
+        const QByteArray cube = cubeOfQuads;
+        const QByteArray square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+        const auto row = [](const char* name, const QByteArray& text, MeshFault fault, int count,
+                            int triangles) {
+            QTest::newRow(name) << text << int(fault) << count << triangles;
+        };
+        row("two vertices that no face has", cube + "v 5 5 5\nv 6 6 6\n", MeshFault::LooseVertices,
+            2, 12);
+        row("a square with a vertex twice",
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n",
+            MeshFault::DuplicateVertices, 2, 2);
+        row("a face of one line", square + "v 2 0 0\nv 3 0 0\nf 2 5 6\n",
+            MeshFault::DegenerateFaces, 1, 2);
+        row("a face with a corner twice", square + "f 1 2 2\n", MeshFault::DegenerateFaces, 1, 2);
+        row("a face twice, once from behind", square + "f 1 4 3 2\n", MeshFault::DuplicateFaces, 1,
+            2);
+        row("a fin on an edge", square + "v 0 0 1\nv 1 0 1\nf 1 2 6 5\nv 0 0 -1\nf 1 2 7\n",
+            MeshFault::NonManifoldEdges, 1, 5);
+        row("one side of the cube from within", QByteArray(cube).replace("f 5 6 7 8", "f 5 8 7 6"),
+            MeshFault::FlippedFaces, 1, 12);
+        row("a square apart", cube + "v 5 0 0\nv 6 0 0\nv 6 1 0\nf 9 10 11\n",
+            MeshFault::SeveralShells, 2, 13);
+        row("a cube without a side", QByteArray(cube).replace("f 5 6 7 8\n", ""),
+            MeshFault::OpenEdges, 4, 10);
+        row("polygons", square, MeshFault::SplitPolygons, 1, 2);
+        row("lines", square + "l 1 2 3\nl 2 4\n", MeshFault::StrayElements, 2, 2);
+        row("a square of a thousand metres", "v 0 0 0\nv 1000 0 0\nv 1000 1000 0\nf 1 2 3\n",
+            MeshFault::OddSize, 1, 1);
+    }
+
+    void faults()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(int, fault);
+        QFETCH(int, count);
+        QFETCH(int, triangles);
+        const PreparedMesh mesh = preparedOf(meshOf(text.constData()));
+        QCOMPARE(int(mesh.report.count(MeshFault(fault))), count);
+        QCOMPARE(int(mesh.surfaces.front().triangles.size()), triangles);
+        const auto findings = mesh.report.findings();
+        const auto found = std::ranges::find(findings, MeshFault(fault), &MeshFinding::fault);
+        QVERIFY(found != findings.end());
+        QVERIFY(found->text().find('%') == std::string::npos);
+        QVERIFY(MeshFault(fault) == MeshFault::OddSize
+                || MeshFault(fault) == MeshFault::StrayElements || !found->places.empty());
+    }
+
+    void closedPiecesPointOutwards()
+    {
+        const PreparedMesh mesh = preparedOf(fileOf("inside.stl", cubeAsStl(true)));
+        QCOMPARE(mesh.report.count(MeshFault::InsideOutShells), 1u);
+        QCOMPARE(mesh.report.count(MeshFault::FlippedFaces), 0u);
+        double volume = 0.0;
+        for (const auto& [a, b, c] : mesh.surfaces.front().triangles) {
+            const auto& at = mesh.surfaces.front().mesh.points;
+            volume += at[std::size_t(a)].dot(at[std::size_t(b)].cross(at[std::size_t(c)])) / 6.0;
+        }
+        QVERIFY(std::abs(volume - 1.0) < 1e-12);
+    }
+
+    void moebiusStripHasNoOutside()
+    {
+        std::string text;
+        const int n = 12;
+        for (int i = 0; i < n; ++i) {
+            const double angle = 2.0 * M_PI * i / n;
+            for (const double out : {-0.3, 0.3}) {
+                const double r = 1.0 + out * std::cos(0.5 * angle);
+                text += "v " + std::to_string(r * std::cos(angle)) + " "
+                        + std::to_string(out * std::sin(0.5 * angle)) + " "
+                        + std::to_string(r * std::sin(angle)) + "\n";
+            }
+        }
+        for (int i = 0; i < n; ++i) {
+            const int a = 2 * i + 1;
+            const bool isLast = i == n - 1;
+            const int c = isLast ? 2 : a + 2; // the ends meet the other way round
+            const int d = isLast ? 1 : a + 3;
+            text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(d)
+                    + " " + std::to_string(c) + "\n";
+        }
+        const PreparedMesh mesh = preparedOf(meshOf(text.c_str()));
+        QCOMPARE(mesh.report.count(MeshFault::OneSidedEdges), 1u);
+    }
+
+    // --- geometry
+    // -----------------------------------------------------------------------------------
+
+    void hollowPolygonsKeepTheirArea()
+    {
+        // an L of three unit squares, an arrow head of area 1, and a comb
+        const PreparedMesh ell = preparedOf(
+            meshOf("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n"));
+        QCOMPARE(ell.surfaces.front().triangles.size(), 4u);
+        QVERIFY(std::abs(areaOfTriangles(ell.surfaces.front()) - 3.0) < 1e-12);
+        // corners (0,0), (2,-1), (0.5,0), (2,1)... by the shoelace formula: 2 (0.5 x 1) = 1.5 - 0
+        const PreparedMesh arrow =
+            preparedOf(meshOf("v 0 0 0\nv -1 -1 0\nv 2 0 0\nv -1 1 0\nf 1 2 3 4\n"));
+        QVERIFY(std::abs(areaOfTriangles(arrow.surfaces.front()) - 2.0) < 1e-12);
+        QCOMPARE(arrow.surfaces.front().triangles.size(), 2u);
+    }
+
+    void scaleAndAxes_data()
+    {
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<int>("up");
+        QTest::addColumn<double>("wanted");
+        QTest::addColumn<double>("width");
+        QTest::addColumn<double>("height");
+        QTest::addColumn<double>("depth");
+        // the box of the file: 2 along x, 3 along y, 5 along z
+        QTest::newRow("metres, y up") << 1.0 << 1 << 0.0 << 2.0 << 3.0 << 5.0;
+        QTest::newRow("millimetres, z up") << 1e-3 << 2 << 0.0 << 2e-3 << 5e-3 << 3e-3;
+        QTest::newRow("inches, x up")
+            << 0.0254 << 0 << 0.0 << 3 * 0.0254 << 2 * 0.0254 << 5 * 0.0254;
+        QTest::newRow("a wanted size") << 1.0 << 1 << 1.0 << 0.4 << 0.6 << 1.0;
+    }
+
+    void scaleAndAxes()
+    {
+        QFETCH(double, scale);
+        QFETCH(int, up);
+        QFETCH(double, wanted);
+        QFETCH(double, width);
+        QFETCH(double, height);
+        QFETCH(double, depth);
+        const PolygonMesh mesh =
+            meshOf("v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nv 2 3 5\nf 1 2 3 4\nf 2 5 3\n");
+        MeshShape shape;
+        shape.scale = scale;
+        shape.up = UpAxis(up);
+        if (wanted > 0.0)
+            shape.size = wanted;
+        const PreparedMesh result = preparedOf(mesh, shape);
+        QVERIFY((result.size - Vec3(width, height, depth)).norm() < 1e-12);
+    }
+
+    // What points up in the file points up in the scene, and left and right are not swapped.
+    void axesKeepHandedness()
+    {
+        for (const UpAxis up : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
+            MeshShape shape;
+            shape.up = up;
+            const PreparedMesh cube = preparedOf(meshOf(cubeOfQuads), shape);
+            QCOMPARE(cube.report.count(MeshFault::InsideOutShells), 0u);
+        }
+        MeshShape shape;
+        shape.up = UpAxis::Z;
+        const PreparedMesh tall = preparedOf(meshOf("v 0 0 0\nv 1 0 0\nv 0 0 7\nf 1 2 3\n"), shape);
+        const auto& points = tall.surfaces.front().mesh.points;
+        QVERIFY((points[2] - Vec3(0.0, 7.0, 0.0)).norm() < 1e-12);
+    }
+
+    void weldTolerance()
+    {
+        const PolygonMesh mesh = meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.001 0 0\nv 1.001 1 0\n"
+                                        "v 0 1 0\nf 1 2 3\nf 4 5 6\n");
+        MeshShape shape;
+        shape.weldTolerance = 0.0005;
+        QCOMPARE(preparedOf(mesh, shape).report.count(MeshFault::DuplicateVertices), 0u);
+        shape.weldTolerance = 0.002;
+        const PreparedMesh joined = preparedOf(mesh, shape);
+        QCOMPARE(joined.report.count(MeshFault::DuplicateVertices), 2u);
+        QCOMPARE(joined.surfaces.front().mesh.points.size(), 4u);
+        shape.weldTolerance = 0.0; // what is equal is joined even so
+        QCOMPARE(
+            preparedOf(fileOf("zero.stl", cubeAsStl()), shape).surfaces.front().mesh.points.size(),
+            8u);
+    }
+
+    void flippedOver()
+    {
+        const char* const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        const auto normal = [](const PreparedMesh& mesh) {
+            return doubleArea(mesh.surfaces.front().triangles.front(),
+                              mesh.surfaces.front().mesh.points);
+        };
+        MeshShape shape;
+        QVERIFY(normal(preparedOf(meshOf(triangle), shape)).z() > 0.0);
+        shape.isFlipped = true;
+        QVERIFY(normal(preparedOf(meshOf(triangle), shape)).z() < 0.0);
+    }
+
+    void textureIsKept()
+    {
+        const Part& part = firstPart(sceneOf(preparedOf(meshOf(sheet(4, 0.5, true).c_str()))));
+        for (const Particle& particle : part.particles) {
+            QVERIFY(std::abs(particle.textureU - particle.position.x() / 2.0) < 1e-6);
+            QVERIFY(std::abs(particle.textureV - particle.position.y() / 2.0) < 1e-6);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMeshRepair)
+#include "test_mesh_repair.moc"
