@@ -5,9 +5,12 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/files.h"
+#include "editor/group_menus.h"
+#include "editor/select_rows.h"
 #include "icons/icon.h"
 #include "outline/outline.h"
 #include "scene/scene.h"
+#include "viewport/pointing.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
@@ -22,35 +25,6 @@
 
 namespace ripstop {
 namespace {
-
-enum class Toggle { No, Off, On };
-
-struct MenuRow
-{
-    const char* menu;
-    const char* id; // null: a line between actions
-    QString text;
-    const char* icon;
-    QKeySequence keys;
-    QString tip;
-    std::function<void()> run;
-    Toggle toggle = Toggle::No;
-    const char* group = nullptr; // of toggles that exclude each other
-};
-
-std::vector<Id> everyElement(const Scene& scene)
-{
-    std::vector<Id> ids;
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& row : part.particles)
-            ids.push_back(row.id);
-        for (const Link& row : part.links)
-            ids.push_back(row.id);
-        for (const Panel& row : part.panels)
-            ids.push_back(row.id);
-    });
-    return ids;
-}
 
 void about(QWidget* window)
 {
@@ -86,7 +60,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
     };
     const MenuRow line{"", nullptr, {}, nullptr, {}, {}, {}};
     // clang-format off
-    return {
+    std::vector<MenuRow> rows{
         {"&File", "new",        tr("&New scene"),          "new",     QKeySequence::New,    tr("An empty scene, to draw or import into."), [&files] { files.startNew(); }},
         {"&File", "build",      tr("New from &builder…"),  "builder", QKeySequence("Ctrl+B"), tr("A kite, glider, parachute, cloth or rope from its dimensions."), [&files] { files.startFrom({}); }},
         {"&File", "open",       tr("&Open…"),              "open",    QKeySequence::Open,   tr("Open a scene file."), [&files] { files.browse(); }},
@@ -103,8 +77,6 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Edit", "redo",       tr("&Redo"),               "redo",    QKeySequence("Ctrl+Shift+Z"), tr("Make the last edit again that was taken back."), [&document] { document.history().redo(); }},
         line,
         {"&Edit", "delete",     tr("&Delete"),             "delete",  QKeySequence::Delete, tr("Remove what is selected, and all that hangs on it."), [&outline = bench.outline] { outline.removeSelected(); }},
-        {"&Edit", "selectAll",  tr("Select &all"),         "select-all", QKeySequence::SelectAll, tr("Select all particles, links and panels."), [&document, &selection] { selection.set(everyElement(document.scene())); }},
-        {"&Edit", "deselect",   tr("D&eselect"),           "deselect", QKeySequence("Esc"), tr("Select nothing; the inspector then shows the settings."), [&selection] { selection.clear(); }},
         {"&Edit", "find",       tr("&Find in outline"),    "search",  QKeySequence::Find,   tr("Search the outline by name."), [&bench = bench.outline] { bench.focusSearch(); }},
 
         {"&View", "fit",        tr("&Fit"),                "fit",     QKeySequence("Home"), tr("Show the whole scene."), [&viewport] { viewport.fit(); }},
@@ -143,6 +115,11 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Help", "about",      tr("&About Ripstop"),      "about",   {},                   tr("Version and licence."), [&window] { about(&window); }},
     };
     // clang-format on
+    const auto view = std::ranges::find_if(
+        rows, [](const MenuRow& row) { return std::string_view(row.menu) == "&View"; });
+    const std::vector<MenuRow> select = selectRows(bench, actions);
+    rows.insert(view, select.begin(), select.end());
+    return rows;
 }
 
 } // namespace
@@ -156,6 +133,8 @@ Actions::Actions(const Workbench& bench)
     connect(&m_bench.selection, &Selection::changed, this, &Actions::keepCurrent);
     connect(&m_bench.player, &Player::stateChanged, this, &Actions::keepCurrent);
     connect(&m_bench.files, &Files::recentChanged, this, &Actions::fillRecent);
+    connect(&m_bench.viewport.pointing(), &Pointing::toolLeft, this,
+            [this] { m_byId["toolPointer"]->setChecked(true); });
     fillRecent();
     keepCurrent();
     m_bench.viewport.setParticlesShown(m_byId["particles"]->isChecked());
@@ -166,15 +145,20 @@ void Actions::build()
     std::map<QString, QMenu*> menus;
     std::map<QString, QActionGroup*> groups;
     QMenu* menu = nullptr;
+    const auto open = [&](const QString& path) {
+        QMenu*& place = menus[path];
+        if (!place && path.contains('/'))
+            place = menus[path.section('/', 0, 0)]->addMenu(tr(qPrintable(path.section('/', 1))));
+        else if (!place)
+            place = m_bench.window.menuBar()->addMenu(tr(qPrintable(path)));
+        return place;
+    };
     for (const MenuRow& row : rowsOf(m_bench, *this)) {
         if (!row.id) {
-            menu->addSeparator();
+            (*row.menu ? open(row.menu) : menu)->addSeparator();
             continue;
         }
-        QMenu*& place = menus[row.menu];
-        if (!place)
-            place = m_bench.window.menuBar()->addMenu(tr(row.menu));
-        menu = place;
+        menu = open(row.menu);
         QAction* action =
             menu->addAction(row.icon ? icon(row.icon) : QIcon(), row.text, this, row.run);
         action->setShortcut(row.keys);
@@ -195,6 +179,7 @@ void Actions::build()
     m_recent = new QMenu(tr("Open &recent"), &m_bench.window);
     m_recent->setIcon(icon("recent"));
     menus["&File"]->insertMenu(m_byId["start"], m_recent);
+    addGroupMenus(*menus["&Select"], m_bench);
     m_panels = menus["&View"]->addMenu(tr("Panels and &docks"));
 }
 
@@ -210,7 +195,8 @@ void Actions::keepCurrent()
     m_byId["redo"]->setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText())
                                               : tr("&Redo"));
     m_byId["delete"]->setEnabled(!m_bench.selection.ids().empty());
-    m_byId["deselect"]->setEnabled(!m_bench.selection.ids().empty());
+    for (const char* id : actionsOnSelection)
+        m_byId[id]->setEnabled(!m_bench.selection.ids().empty());
     const bool playing = m_bench.player.isPlaying();
     m_byId["play"]->setText(playing ? tr("&Pause") : tr("&Play"));
     m_byId["play"]->setIcon(icon(playing ? "pause" : "play"));

@@ -38,6 +38,7 @@ struct Workbench
     std::function<void()> showKeys;
     std::function<void()> showVerification;
     std::function<void()> showPolar;
+    std::function<void()> showCondition;
 };
 
 class Actions final : public QObject

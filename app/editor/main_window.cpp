@@ -4,11 +4,13 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "editor/condition_dialog.h"
 #include "editor/keys_dialog.h"
 #include "editor/polar_dialog.h"
 #include "editor/result_page.h"
 #include "editor/verification_dialog.h"
 #include "inspector/inspector.h"
+#include "inspector/totals.h"
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
 #include "problems/problem_list.h"
@@ -16,6 +18,8 @@
 #include "transport/control_keys.h"
 #include "transport/control_strip.h"
 #include "transport/transport.h"
+#include "viewport/pointing.h"
+#include "viewport/tool_strip.h"
 #include "viewport/viewport.h"
 
 #include <QApplication>
@@ -111,7 +115,8 @@ void MainWindow::buildActions()
 {
     m_actions = new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline,
                              *m_files, [this] { showStartPage(); }, [this] { showKeys(); },
-                             [this] { showVerification(); }, [this] { showPolar(); }});
+                             [this] { showVerification(); }, [this] { showPolar(); },
+                             [this] { showCondition(); }});
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
 }
@@ -130,6 +135,17 @@ void MainWindow::buildToolBar()
             m_toolBar->addSeparator();
     m_toolBar->addSeparator();
     m_toolBar->addWidget(m_transport);
+
+    auto* strip = new ToolStrip(m_viewport);
+    for (const QStringList& group :
+         {QStringList{"toolPointer", "toolBox", "toolLasso"},
+          QStringList{"takeParticles", "takeLinks", "takePanels"}, QStringList{"through"}}) {
+        QList<QAction*> actions;
+        for (const QString& id : group)
+            actions << (*m_actions)[id];
+        strip->addGroup(actions);
+    }
+    strip->move(12, 12);
 }
 
 void MainWindow::buildStatusBar()
@@ -155,7 +171,16 @@ void MainWindow::connectParts()
     connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::changed, this, &MainWindow::showCounts);
     connect(&m_document, &Document::replaced, this, &MainWindow::showCounts);
-    connect(&m_selection, &Selection::changed, this, &MainWindow::showCounts);
+    m_selectedSoon.setSingleShot(true);
+    m_selectedSoon.setInterval(50); // ms; a drag may select many times
+    connect(&m_selectedSoon, &QTimer::timeout, this, &MainWindow::showSelected);
+    connect(&m_selection, &Selection::changed, this, [this] { m_selectedSoon.start(); });
+    connect(&m_viewport->pointing(), &Pointing::hoveredChanged, this, [this](Id id) {
+        if (id == noId)
+            statusBar()->clearMessage();
+        else
+            statusBar()->showMessage(describe(m_document.scene(), {id}));
+    });
     connect(m_problems, &ProblemList::countChanged, this, [this](int errors, int warnings) {
         const int count = errors + warnings;
         m_docks["problems"]->setWindowTitle(count ? tr("Problems (%1)").arg(count)
@@ -237,9 +262,17 @@ void MainWindow::showCounts()
     m_counts->setText(QStringList{counted(Kind::Particle, particles), counted(Kind::Link, links),
                                   counted(Kind::Panel, panels)}
                           .join(" · "));
+    m_selectedSoon.start();
+}
+
+void MainWindow::showSelected()
+{
     const auto& ids = m_selection.ids();
-    m_selected->setText(ids.empty() ? QString()
-                                    : tr("Selected: %1").arg(describe(m_document.scene(), ids)));
+    if (ids.empty())
+        return m_selected->clear();
+    const QString sums = totals(m_document.scene(), ids);
+    const QString what = describe(m_document.scene(), ids);
+    m_selected->setText(tr("Selected: %1").arg(sums.isEmpty() ? what : what + " · " + sums));
 }
 
 void MainWindow::showKeys()
@@ -273,6 +306,16 @@ void MainWindow::showPolar()
     m_polar->show();
     m_polar->raise();
     m_polar->activateWindow();
+}
+
+void MainWindow::showCondition()
+{
+    if (!m_condition)
+        m_condition = new ConditionDialog(
+            m_document, m_selection, [this] { return m_viewport->frame(); }, this);
+    m_condition->show();
+    m_condition->raise();
+    m_condition->activateWindow();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

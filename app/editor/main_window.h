@@ -5,6 +5,7 @@
 
 #include <QMainWindow>
 #include <QPointer>
+#include <QTimer>
 
 #include <map>
 #include <set>
@@ -24,6 +25,7 @@ class ProblemList;
 class Selection;
 class StartPage;
 class Transport;
+class ConditionDialog;
 class PolarDialog;
 class VerificationDialog;
 class Viewport;
@@ -65,6 +67,8 @@ private:
     void showKeys();
     void showVerification();
     void showPolar();
+    void showCondition();
+    void showSelected();
 
     Document& m_document;
     Selection& m_selection;
@@ -88,6 +92,8 @@ private:
     QLabel* m_selected;
     QPointer<VerificationDialog> m_verification; // while it is open
     QPointer<PolarDialog> m_polar;               // while it is open
+    ConditionDialog* m_condition = nullptr;      // once it has been asked for
+    QTimer m_selectedSoon;                       // counts what is selected
 };
 
 } // namespace ripstop

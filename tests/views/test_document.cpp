@@ -233,9 +233,9 @@ private slots:
         selection.set({Id{9}, Id{6}, Id{3}});
         QCOMPARE(changes.count(), 1); // the same
 
-        selection.toggle(Id{6});
+        selection.remove({Id{6}});
         QVERIFY(!selection.contains(Id{6}) && selection.contains(Id{3}));
-        selection.toggle(Id{6});
+        selection.add({Id{6}});
         QVERIFY(selection.contains(Id{6}));
 
         document.push(removal(document.scene(), {Id{3}})); // the link 6 hangs on it

@@ -15,6 +15,49 @@ bool removesSomething(const Edit& edit)
     });
 }
 
+// Both are in ascending order. Where many ids lie in the table it is walked along with them.
+template <typename Row>
+void mark(const std::vector<Row>& rows, const std::vector<Id>& ids, std::vector<char>& found)
+{
+    if (rows.empty())
+        return;
+    const auto first = std::lower_bound(ids.begin(), ids.end(), rows.front().id);
+    const auto last = std::upper_bound(first, ids.end(), rows.back().id);
+    const bool many = 16 * (last - first) > std::ptrdiff_t(rows.size());
+    auto row = rows.begin();
+    for (auto id = first; id != last; ++id) {
+        if (many)
+            while (row->id < *id)
+                ++row;
+        if (many ? row->id == *id : findRow(rows, *id) != nullptr)
+            found[std::size_t(id - ids.begin())] = 1;
+    }
+}
+
+// Those that are of something in the scene. `ids` are in ascending order.
+std::vector<Id> existing(const Scene& scene, const std::vector<Id>& ids)
+{
+    std::vector<char> found(ids.size(), 0);
+    const auto note = [&](Id id) {
+        const auto place = std::lower_bound(ids.begin(), ids.end(), id);
+        if (place != ids.end() && *place == id)
+            found[std::size_t(place - ids.begin())] = 1;
+    };
+    note(settingsId);
+    for (const Entry& entry : scene.items)
+        note(entry.id);
+    forEachPart(scene, [&](Id, const Part& part) {
+        mark(part.particles, ids, found);
+        mark(part.links, ids, found);
+        mark(part.panels, ids, found);
+    });
+    std::vector<Id> result;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        if (found[i])
+            result.push_back(ids[i]);
+    return result;
+}
+
 } // namespace
 
 Selection::Selection(Document& document, QObject* parent)
@@ -34,21 +77,28 @@ void Selection::set(std::vector<Id> ids)
 {
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    std::erase_if(ids, [this](Id id) { return !find(m_document.scene(), id); });
+    ids = existing(m_document.scene(), ids);
     if (ids == m_ids)
         return;
     m_ids = std::move(ids);
     emit changed();
 }
 
-void Selection::toggle(Id id)
+void Selection::add(const std::vector<Id>& ids)
 {
-    std::vector<Id> ids = m_ids;
-    if (contains(id))
-        std::erase(ids, id);
-    else
-        ids.push_back(id);
-    set(std::move(ids));
+    std::vector<Id> all = m_ids;
+    all.insert(all.end(), ids.begin(), ids.end());
+    set(std::move(all));
+}
+
+void Selection::remove(const std::vector<Id>& ids)
+{
+    std::vector<Id> out = ids;
+    std::sort(out.begin(), out.end());
+    std::vector<Id> left;
+    std::set_difference(m_ids.begin(), m_ids.end(), out.begin(), out.end(),
+                        std::back_inserter(left));
+    set(std::move(left));
 }
 
 } // namespace ripstop

@@ -23,7 +23,8 @@ public:
     bool contains(Id id) const;
 
     void set(std::vector<Id> ids);
-    void toggle(Id id);
+    void add(const std::vector<Id>& ids);
+    void remove(const std::vector<Id>& ids);
     void clear() { set({}); }
 
 signals:

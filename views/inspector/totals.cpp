@@ -1,5 +1,6 @@
 #include "inspector/totals.h"
 
+#include "author/net.h"
 #include "document/words.h"
 
 #include <Eigen/Geometry>
@@ -44,9 +45,13 @@ struct Sums
         ++(link.kind == LinkKind::Spring ? springs : rods);
         length += link.restLength;
     }
-    void add(const Scene& scene, const Part& part, const Panel& panel)
+    void add(const Vec3& a, const Vec3& b, const Vec3& c)
     {
         ++panels;
+        area += 0.5 * (b - a).cross(c - a).norm();
+    }
+    void add(const Scene& scene, const Part& part, const Panel& panel)
+    {
         const auto corner = [&](Id id) -> const Particle* {
             if (const Particle* near = findRow(part.particles, id))
                 return near;
@@ -58,7 +63,9 @@ struct Sums
         const Particle* b = corner(panel.b);
         const Particle* c = corner(panel.c);
         if (a && b && c)
-            area += 0.5 * (b->position - a->position).cross(c->position - a->position).norm();
+            add(a->position, b->position, c->position);
+        else
+            ++panels;
     }
 
     QString text() const
@@ -159,7 +166,38 @@ QString ofMaterials(const Scene& scene, const std::vector<Id>& ids)
     return words("Used by %1, %2").arg(counted(Kind::Link, links), counted(Kind::Panel, panels));
 }
 
+// The corners of many panels are found faster together than one by one.
+void addNet(Sums& sums, const Scene& scene, const std::vector<Id>& selected)
+{
+    const Net net(scene);
+    const Marks marks(net, scene, selected);
+    for (std::size_t i = 0; i < marks.particles.size(); ++i)
+        if (marks.particles[i])
+            sums.add(*net.all.particles[i]);
+    for (std::size_t i = 0; i < marks.links.size(); ++i)
+        if (marks.links[i])
+            sums.add(*net.all.links[i]);
+    const auto at = [&](int particle) -> const Vec3& {
+        return net.all.particles[std::size_t(particle)]->position;
+    };
+    for (std::size_t i = 0; i < marks.panels.size(); ++i)
+        if (const auto& corners = net.corners[i]; marks.panels[i] && net.isWhole(corners))
+            sums.add(at(corners[0]), at(corners[1]), at(corners[2]));
+}
+
 } // namespace
+
+QString totals(const Scene& scene, const std::vector<Id>& selected)
+{
+    constexpr std::size_t many = 2000;
+    const std::vector<Id> ids = elementsOf(scene, selected);
+    Sums sums;
+    if (ids.size() > many)
+        addNet(sums, scene, ids);
+    else
+        addAll(sums, scene, ids);
+    return sums.text();
+}
 
 QString totals(const Scene& scene, Kind kind, const std::vector<Id>& ids)
 {

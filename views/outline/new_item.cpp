@@ -1,24 +1,12 @@
 #include "outline/new_item.h"
 
+#include "author/group.h"
 #include "document/census.h"
 
 #include <algorithm>
 
 namespace ripstop {
 namespace {
-
-std::string freeName(const Scene& scene, Kind kind)
-{
-    const std::string base(kindName(kind));
-    std::string name = base;
-    const auto isTaken = [&] {
-        return std::any_of(scene.items.begin(), scene.items.end(),
-                           [&](const Entry& entry) { return nameOf(entry.item) == name; });
-    };
-    for (int number = 2; isTaken(); ++number)
-        name = base + " " + std::to_string(number);
-    return name;
-}
 
 std::vector<Id> idsOf(const Census& all, std::initializer_list<Kind> kinds)
 {
@@ -80,14 +68,14 @@ Item itemOf(Kind kind, const Census& all)
 Entry newItem(const Scene& scene, Kind kind, const std::vector<Id>& selected)
 {
     Entry entry{scene.nextId, itemOf(kind, census(scene, selected))};
-    std::visit([&](auto& item) { item.name = freeName(scene, kind); }, entry.item);
+    std::visit([&](auto& item) { item.name = freeName(scene, kindName(kind)); }, entry.item);
     return entry;
 }
 
 Entry newCollider(const Scene& scene, ColliderShape shape, const std::string& file)
 {
     Collider collider;
-    collider.name = freeName(scene, Kind::Collider);
+    collider.name = freeName(scene, kindName(Kind::Collider));
     collider.shape = shape;
     collider.file = file;
     if (shape == ColliderShape::HeightField)

@@ -1,6 +1,6 @@
 #include "viewport/element_places.h"
 
-#include "viewport/highlight_layer.h"
+#include "author/elements.h"
 
 #include <algorithm>
 
@@ -8,8 +8,10 @@ namespace ripstop {
 
 std::vector<Vec3> placesOf(const Frame& frame, const Scene& scene, const std::vector<Id>& ids)
 {
-    const std::vector<std::uint32_t> elements = elementsOf(scene, ids);
-    const auto isMeant = [&](std::uint32_t id) { return std::ranges::binary_search(elements, id); };
+    const std::vector<Id> elements = elementsOf(scene, ids);
+    const auto isMeant = [&](std::uint32_t id) {
+        return std::ranges::binary_search(elements, Id(id));
+    };
     std::vector<Vec3> places;
     const auto add = [&](int particle) { places.push_back(frame.position[std::size_t(particle)]); };
     const Layout& layout = *frame.layout;

@@ -1,5 +1,8 @@
 #include "viewport/highlight_layer.h"
 
+#include "author/elements.h"
+#include "base/key_index.h"
+
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 
@@ -14,61 +17,7 @@ constexpr const char* ring = R"(//VTK::Light::Impl
   if (reach > 1.0 || reach < 0.62) discard;
 )";
 
-template <typename Element>
-void addIds(const std::vector<Element>& table, std::vector<std::uint32_t>& ids)
-{
-    for (const Element& element : table)
-        ids.push_back(std::uint32_t(element.id));
-}
-
-void addPart(const Part& part, std::vector<std::uint32_t>& ids)
-{
-    addIds(part.particles, ids);
-    addIds(part.links, ids);
-    addIds(part.panels, ids);
-}
-
-void addMaterial(const Scene& scene, Id material, std::vector<std::uint32_t>& ids)
-{
-    const auto addMatching = [&](const auto& table) {
-        for (const auto& element : table)
-            if (element.material == material)
-                ids.push_back(std::uint32_t(element.id));
-    };
-    forEachPart(scene, [&](Id, const Part& part) {
-        addMatching(part.links);
-        addMatching(part.panels);
-    });
-}
-
 } // namespace
-
-std::vector<std::uint32_t> elementsOf(const Scene& scene, const std::vector<Id>& selected)
-{
-    std::vector<std::uint32_t> ids;
-    const auto addMembers = [&ids](const std::vector<Id>& members) {
-        for (const Id member : members)
-            ids.push_back(std::uint32_t(member));
-    };
-    for (const Id id : selected) {
-        const Item* item = findItem(scene, id);
-        if (!item) {
-            ids.push_back(std::uint32_t(id));
-        } else if (const Part* part = std::get_if<Part>(item)) {
-            addPart(*part, ids);
-        } else if (std::holds_alternative<Material>(*item)) {
-            addMaterial(scene, id, ids);
-        } else if (const Group* group = std::get_if<Group>(item)) {
-            addMembers(group->members);
-        } else if (const Control* control = std::get_if<Control>(item)) {
-            addMembers(control->targets);
-        } else if (const Probe* probe = std::get_if<Probe>(item)) {
-            addMembers({probe->target, probe->from});
-        }
-    }
-    std::ranges::sort(ids);
-    return ids;
-}
 
 HighlightLayer::HighlightLayer()
 {
@@ -101,10 +50,11 @@ void HighlightLayer::setShown(bool shown)
 
 void HighlightLayer::rebuild(const Picture& picture)
 {
-    const std::vector<std::uint32_t> ids = elementsOf(picture.scene, picture.selected);
-    const auto isSelected = [&ids](std::uint32_t id) {
-        return std::ranges::binary_search(ids, id);
-    };
+    const std::vector<Id> ids = elementsOf(picture.scene, picture.selected);
+    KeyIndex among(ids.size());
+    for (const Id id : ids)
+        among.add(std::uint32_t(id), 0);
+    const auto isSelected = [&](std::uint32_t id) { return among(id) != KeyIndex::none; };
     const Layout& layout = picture.layout();
     std::vector<std::array<int, 1>> points;
     std::vector<std::array<int, 2>> lines;

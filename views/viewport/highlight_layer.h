@@ -29,7 +29,4 @@ private:
     Overlay m_rings, m_lines, m_veil;
 };
 
-// The ids of the elements that a selection means.
-std::vector<std::uint32_t> elementsOf(const Scene& scene, const std::vector<Id>& selected);
-
 } // namespace ripstop

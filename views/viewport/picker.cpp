@@ -1,10 +1,11 @@
 #include "viewport/picker.h"
 
+#include "viewport/cover.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ripstop {
 namespace {
@@ -13,149 +14,118 @@ constexpr double particleReach = 8.0; // pixels
 constexpr double linkReach = 5.0;     // pixels
 constexpr double never = std::numeric_limits<double>::infinity();
 
-struct Ray
+struct Near
 {
-    Vec3 origin;    // m
-    Vec3 direction; // unit
+    double distance; // pixels, from the cursor
+    std::size_t element;
+    double share; // of the way along a link
 };
+
+void sortByDistance(std::vector<Near>& found)
+{
+    std::ranges::sort(found, {},
+                      [](const Near& one) { return std::pair(one.distance, one.element); });
+}
+
+std::vector<Near> particlesNear(const Picker& picker, std::span<const OnScreen> points, double x,
+                                double y)
+{
+    std::vector<Near> found;
+    const Layout& layout = *picker.sight.frame.layout;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double dx = points[i].x - x, dy = points[i].y - y;
+        if (points[i].isSeen() && dx * dx + dy * dy < particleReach * particleReach
+            && picker.sight.look.particleShown[i] && picker.pickable.particles(layout.pinned[i]))
+            found.push_back({std::hypot(dx, dy), i, 0.0});
+    }
+    sortByDistance(found);
+    return found;
+}
+
+std::vector<Near> linksNear(const Picker& picker, std::span<const OnScreen> points, double x,
+                            double y)
+{
+    std::vector<Near> found;
+    const Layout& layout = *picker.sight.frame.layout;
+    for (std::size_t i = 0; picker.pickable.links() && i < layout.links.size(); ++i) {
+        const OnScreen& a = points[std::size_t(layout.links[i].a)];
+        const OnScreen& b = points[std::size_t(layout.links[i].b)];
+        if (!a.isSeen() || !b.isSeen() || picker.sight.frame.torn[i]
+            || !picker.sight.look.linkShown[i])
+            continue;
+        const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+        const double along = squared > 0.0 ? ((x - a.x) * dx + (y - a.y) * dy) / squared : 0.0;
+        const double t = std::clamp(along, 0.0, 1.0);
+        const double away = std::hypot(a.x + t * dx - x, a.y + t * dy - y);
+        if (!(away < linkReach))
+            continue;
+        // half way along a link in the picture is not half way along it where one end is near
+        const bool flat = picker.sight.camera.orthographic;
+        const double share = flat ? t : t * a.depth / ((1.0 - t) * b.depth + t * a.depth);
+        found.push_back({away, i, share});
+    }
+    sortByDistance(found);
+    return found;
+}
 
 struct Hit
 {
-    Id id = noId;
-    double depth = never; // m along the ray
+    Id id;
+    double distance; // m along the ray
 };
 
-Ray rayAt(const Picker& picker, double x, double y)
+Hit colliderUnder(const Sight& sight, const Projection::Ray& ray)
 {
-    const Turntable& camera = picker.camera;
-    const double right = (2.0 * x / picker.width - 1.0) * picker.width / picker.height;
-    const double up = 1.0 - 2.0 * y / picker.height;
-    const double half = camera.halfHeight();
-    const Vec3 target = camera.focus + half * (right * camera.right() + up * camera.up());
-    if (camera.orthographic) {
-        // from far behind the eye: an orthographic camera sees what is beside it, too
-        const double away = 1e3 * camera.distance;
-        return {target + away * camera.back(), -camera.back()};
-    }
-    return {camera.eye(), (target - camera.eye()).normalized()};
-}
-
-// Moeller and Trumbore 1997.
-double distanceToPanel(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c)
-{
-    const Vec3 e1 = b - a, e2 = c - a;
-    const Vec3 p = ray.direction.cross(e2);
-    const double determinant = e1.dot(p);
-    if (determinant == 0.0)
-        return never;
-    const Vec3 s = ray.origin - a;
-    const double u = s.dot(p) / determinant;
-    const Vec3 q = s.cross(e1);
-    const double v = ray.direction.dot(q) / determinant;
-    const double t = e2.dot(q) / determinant;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 ? t : never;
-}
-
-Hit panelUnder(const Picker& picker, const Ray& ray)
-{
-    Hit best;
-    const Layout& layout = *picker.frame.layout;
-    for (std::size_t i = 0; i < layout.panelId.size(); ++i) {
-        if (picker.frame.gone[i] || !picker.look.panelShown[i])
-            continue;
-        const auto [a, b, c] = layout.panelCorners[i];
-        const auto& x = picker.frame.position;
-        if (const double t = distanceToPanel(ray, x[a], x[b], x[c]); t < best.depth)
-            best = {Id(layout.panelId[i]), t};
-    }
-    return best;
-}
-
-Hit colliderUnder(const Picker& picker, const Ray& ray)
-{
-    Hit best;
-    for (const ColliderBody& body : picker.colliders) {
+    Hit best{noId, never};
+    for (const ColliderBody& body : sight.colliders) {
         if (!body.collider.shown)
             continue;
-        const Vec3 place = placeOf(picker.frame, body.id, body.collider);
-        if (const double t = distanceTo(body, place, ray.origin, ray.direction); t < best.depth)
+        const Vec3 place = placeOf(sight.frame, body.id, body.collider);
+        if (const double t = distanceTo(body, place, ray.origin, ray.direction); t < best.distance)
             best = {body.id, t};
     }
     return best;
 }
 
-// The particles in the picture: x, y in pixels from the cursor, depth in m along the view.
-struct Projected
-{
-    double x, y, depth;
-};
-
-std::vector<Projected> project(const Picker& picker, double x, double y)
-{
-    const Eigen::Matrix4d matrix = picker.camera.projection(picker.width / picker.height);
-    std::vector<Projected> result;
-    result.reserve(picker.frame.position.size());
-    for (const Vec3& position : picker.frame.position) {
-        const Eigen::Vector4d p = matrix * position.homogeneous();
-        if (p.w() <= 0.0) {
-            result.push_back({never, never, never}); // behind the eye
-            continue;
-        }
-        result.push_back({0.5 * (p.x() / p.w() + 1.0) * picker.width - x,
-                          0.5 * (1.0 - p.y() / p.w()) * picker.height - y, p.z()});
-    }
-    return result;
-}
-
 } // namespace
+
+std::vector<OnScreen> projected(const Sight& sight)
+{
+    const Projection projection(sight);
+    std::vector<OnScreen> points;
+    points.reserve(sight.frame.position.size());
+    for (const Vec3& place : sight.frame.position)
+        points.push_back(projection(place));
+    return points;
+}
 
 Id Picker::at(double x, double y) const
 {
-    const Ray ray = rayAt(*this, x, y);
-    const Hit panel = pickable.panels ? panelUnder(*this, ray) : Hit{};
-    const Hit collider = colliderUnder(*this, ray);
+    const std::vector<OnScreen> points = projected(sight);
+    const Eigen::Vector2d reach(particleReach, particleReach);
+    const Eigen::AlignedBox2d around(Eigen::Vector2d(x, y) - reach, Eigen::Vector2d(x, y) + reach);
+    const Cover cover(sight, points, around, pickable.drawn.panels);
+    const Layout& layout = *sight.frame.layout;
+    const auto& places = sight.frame.position;
 
-    // what is a little behind the surface is on it: links and particles lie in their panels
-    const Vec3 cover = ray.origin + std::min(panel.depth, collider.depth) * ray.direction;
-    const double slack = 0.01 * camera.distance;
-    const double coverDepth =
-        std::isfinite(cover.sum()) ? (camera.eye() - cover).dot(camera.back()) + slack : never;
-
-    const std::vector<Projected> points = project(*this, x, y);
-    const Layout& layout = *frame.layout;
-    Id best = noId;
-    double nearest = particleReach;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool seen = look.particleShown[i] && (pickable.particles || layout.pinned[i]);
-        const double distance = std::hypot(points[i].x, points[i].y);
-        if (seen && points[i].depth < coverDepth && distance < nearest) {
-            nearest = distance;
-            best = Id(layout.particleId[i]);
-        }
+    for (const Near& near : particlesNear(*this, points, x, y)) {
+        const int own[]{int(near.element)};
+        if (!cover.hides(places[near.element], own))
+            return Id(layout.particleId[near.element]);
     }
-    if (best != noId)
-        return best;
-
-    nearest = linkReach;
-    for (std::size_t i = 0; pickable.links && i < layout.links.size(); ++i) {
-        if (frame.torn[i] || !look.linkShown[i])
-            continue;
-        const Projected& a = points[layout.links[i].a];
-        const Projected& b = points[layout.links[i].b];
-        if (a.depth == never || b.depth == never)
-            continue;
-        const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-        const double along = squared > 0.0 ? -(a.x * dx + a.y * dy) / squared : 0.0;
-        const double t = std::clamp(along, 0.0, 1.0);
-        const double distance = std::hypot(a.x + t * dx, a.y + t * dy);
-        if (distance < nearest && a.depth + t * (b.depth - a.depth) < coverDepth) {
-            nearest = distance;
-            best = Id(layout.links[i].id);
-        }
+    for (const Near& near : linksNear(*this, points, x, y)) {
+        const auto& link = layout.links[near.element];
+        const int own[]{link.a, link.b};
+        const Vec3& from = places[std::size_t(link.a)];
+        if (!cover.hides(from + near.share * (places[std::size_t(link.b)] - from), own))
+            return Id(link.id);
     }
-    if (best != noId)
-        return best;
-    return panel.depth <= collider.depth ? panel.id : collider.id;
+    const Cover::Met panel = cover.firstPanel(x, y);
+    const Hit collider = colliderUnder(sight, Projection(sight).rayAt(x, y));
+    if (collider.distance < panel.distance)
+        return collider.id;
+    return panel.panel >= 0 && pickable.panels() ? Id(layout.panelId[std::size_t(panel.panel)])
+                                                 : noId;
 }
 
 } // namespace ripstop

@@ -1,35 +1,46 @@
 // Finds the element under the cursor.
 #pragma once
 
-#include "run/frame.h"
-#include "viewport/collider_geometry.h"
-#include "viewport/look.h"
-#include "viewport/turntable.h"
+#include "viewport/projection.h"
+
+#include <vector>
 
 namespace ripstop {
 
-// What can be picked is what can be seen.
-struct Pickable
+struct ElementKinds
 {
     bool particles = true;
     bool links = true;
     bool panels = true;
 };
 
+// What can be taken is what can be seen and is wanted.
+struct Pickable
+{
+    ElementKinds drawn;
+    ElementKinds wanted;
+
+    bool links() const { return wanted.links && drawn.links; }
+    bool panels() const { return wanted.panels && drawn.panels; }
+    // Pins are always drawn. Who wants particles and nothing else gets those without a dot, too.
+    bool particles(bool pinned) const
+    {
+        return wanted.particles && (drawn.particles || pinned || (!wanted.links && !wanted.panels));
+    }
+};
+
 struct Picker
 {
-    const Frame& frame;
-    const Look& look;
-    const std::vector<ColliderBody>& colliders;
-    const Turntable& camera;
-    double width;  // of the picture, pixels
-    double height; // pixels
+    Sight sight;
     Pickable pickable;
 
     // The id of the particle within a few pixels of (x, y), else of the link, else of the panel,
     // else of the collider that the cursor is on. What lies behind a panel or a collider is hidden
-    // by it. Pixels count from the top left; noId when there is nothing.
+    // by it, exactly. Pixels count from the top left; noId when there is nothing.
     Id at(double x, double y) const;
 };
+
+// [particles] where they are in the picture.
+std::vector<OnScreen> projected(const Sight& sight);
 
 } // namespace ripstop

@@ -78,7 +78,7 @@ void Stage::setFixedRange(std::optional<ValueRange> range)
 void Stage::setSelected(std::vector<Id> ids)
 {
     m_selected = std::move(ids);
-    m_layersAreOld = true;
+    m_selectionIsOld = true;
 }
 
 void Stage::setPixelRatio(double ratio)
@@ -208,7 +208,7 @@ void Stage::prepare(const Scene& scene)
         m_layersAreOld |= lateOnes() != late;
     }
     const bool rebuild = otherLayout || m_lookIsOld || m_layersAreOld || somethingBroke();
-    if (!rebuild && !otherFrame)
+    if (!rebuild && !otherFrame && !m_selectionIsOld)
         return;
 
     if (m_drawn && m_drawn->run != m_frame->run)
@@ -221,10 +221,13 @@ void Stage::prepare(const Scene& scene)
     const Picture picture{scene,     *m_frame, m_look,   m_theme, m_points, m_selected,  m_bodies,
                           m_colorBy, m_values, colors(), range(), m_bounds, m_pixelRatio};
     for (Layer* layer : layers()) {
-        if (rebuild)
+        const bool shows = layer == &m_highlight || layer == &m_colliders; // what is selected
+        if (rebuild || (m_selectionIsOld && shows))
             layer->rebuild(picture);
-        layer->update(picture);
+        if (rebuild || otherFrame || shows)
+            layer->update(picture);
     }
+    m_selectionIsOld = false;
     m_drawn = m_frame;
     m_lookIsOld = false;
     m_layersAreOld = false;

@@ -97,6 +97,7 @@ private:
     double m_pixelRatio = 1.0;
     bool m_lookIsOld = true;
     bool m_layersAreOld = true;
+    bool m_selectionIsOld = true; // which concerns its highlight alone
 
     vtkNew<vtkAOSDataArrayTemplate<double>> m_coordinates;
     vtkNew<vtkPoints> m_points;

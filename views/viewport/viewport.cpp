@@ -7,7 +7,7 @@
 #include "viewport/element_places.h"
 #include "viewport/hand.h"
 #include "viewport/legend.h"
-#include "viewport/picker.h"
+#include "viewport/pointing.h"
 #include "viewport/scene_frame.h"
 #include "viewport/stage.h"
 #include "viewport/vtk_widget.h"
@@ -51,6 +51,7 @@ public:
         , player(openPlayer)
         , screen(&widget)
         , stage(screen.window())
+        , pointing([this] { return sight(); }, &widget)
         , legend(&widget)
         , compass(&widget)
     {
@@ -66,6 +67,8 @@ public:
     void showDesign();
     void prepare();
     void place();
+    std::optional<Sight> sight(); // what is seen now
+    void click(Id id, Qt::KeyboardModifiers keys);
     void moveWith(const Frame& frame);
     void fitNow();
     void grip(Id id);
@@ -77,10 +80,10 @@ public:
     Turntable camera;
     VtkWidget screen;
     Stage stage;
+    Pointing pointing;
     Legend legend;
     Compass compass;
 
-    Pickable pickable{.particles = true, .links = true, .panels = true};
     bool untouched = true;        // the camera still shows all it should, as nobody has moved it
     bool wholeScene = false;      // should show: everything, or the fabric and what it carries
     bool following = true;        // the camera goes with the fabric
@@ -136,6 +139,25 @@ void Viewport::Private::place()
     stage.place(camera);
 }
 
+std::optional<Sight> Viewport::Private::sight()
+{
+    stage.prepare(document.scene());
+    if (!stage.frame())
+        return std::nullopt;
+    return Sight{*stage.frame(), stage.look(),           stage.colliders(),
+                 camera,         double(screen.width()), double(screen.height())};
+}
+
+void Viewport::Private::click(Id id, Qt::KeyboardModifiers keys)
+{
+    if (keys & Qt::ControlModifier)
+        selection.remove({id});
+    else if (keys & Qt::ShiftModifier)
+        selection.add({id});
+    else
+        selection.set({id});
+}
+
 void Viewport::Private::moveWith(const Frame& frame)
 {
     const Vec3 middle = middleOf(frame);
@@ -189,6 +211,9 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 150);
+    setMouseTracking(true);
+    d->screen.setAttribute(Qt::WA_TransparentForMouseEvents);
+    d->pointing.raise();
     d->legend.raise();
     d->compass.raise();
     d->screen.beforePainting = [this] { d->prepare(); };
@@ -209,6 +234,8 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     connect(&player, &Player::stateChanged, this, [this] { d->screen.update(); });
     connect(&player.follower(), &Follower::checked, this, [this] { d->screen.update(); });
 
+    connect(this, &Viewport::cameraChanged, this, [this] { d->pointing.moved(); });
+
     setTheme(Theme::from(palette()));
     if (player.frame())
         d->stage.show(player.frame());
@@ -222,8 +249,11 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
 {
     d->moveWith(*frame);
     d->stage.show(std::move(frame));
+    d->pointing.moved();
     d->screen.update();
 }
+
+const std::shared_ptr<const Frame>& Viewport::frame() const { return d->stage.frame(); }
 
 ColorBy Viewport::colorBy() const { return d->stage.colorBy(); }
 
@@ -245,21 +275,21 @@ const Legend& Viewport::legend() const { return d->legend; }
 
 void Viewport::setPanelsShown(bool shown)
 {
-    d->pickable.panels = shown;
+    d->pointing.pickable.drawn.panels = shown;
     d->stage.setPanelsShown(shown);
     d->screen.update();
 }
 
 void Viewport::setLinksShown(bool shown)
 {
-    d->pickable.links = shown;
+    d->pointing.pickable.drawn.links = shown;
     d->stage.links.setShown(shown);
     d->screen.update();
 }
 
 void Viewport::setParticlesShown(bool shown)
 {
-    d->pickable.particles = shown;
+    d->pointing.pickable.drawn.particles = shown;
     d->stage.particles.setShown(shown);
     d->screen.update();
 }
@@ -275,6 +305,7 @@ void Viewport::setWindFieldShown(bool shown)
 void Viewport::setTheme(const Theme& theme)
 {
     d->stage.setTheme(theme);
+    d->pointing.setTheme(theme);
     d->legend.setTheme(theme);
     d->compass.setTheme(theme);
     d->screen.update();
@@ -290,6 +321,7 @@ void Viewport::changeEvent(QEvent* event)
 void Viewport::resizeEvent(QResizeEvent*)
 {
     d->screen.setGeometry(rect());
+    d->pointing.setGeometry(rect());
     if (d->untouched)
         d->fitNow();
     d->place();
@@ -355,27 +387,24 @@ void Viewport::setOrthographic(bool orthographic)
     emit cameraChanged();
 }
 
-Id Viewport::pick(QPointF place)
-{
-    d->stage.prepare(d->document.scene());
-    if (!d->stage.frame())
-        return noId;
-    const Picker picker{*d->stage.frame(), d->stage.look(),           d->stage.colliders(),
-                        d->camera,         double(d->screen.width()), double(d->screen.height()),
-                        d->pickable};
-    return picker.at(place.x(), place.y());
-}
+Id Viewport::pick(QPointF place) { return d->pointing.pick(place); }
+
+Pointing& Viewport::pointing() { return d->pointing; }
 
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
     d->pressed = d->last = event->position();
     d->dragging = false;
+    if (d->pointing.press(*event))
+        return;
     if (event->button() == Qt::LeftButton && event->modifiers() == Qt::ControlModifier)
         d->grip(pick(event->position()));
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
+    if (d->pointing.move(*event) || event->buttons() == Qt::NoButton)
+        return;
     // a hand trembles while it clicks
     if ((event->position() - d->pressed).manhattanLength() >= QApplication::startDragDistance())
         d->dragging = true;
@@ -388,7 +417,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     const QPointF step = event->position() - d->last;
     d->last = event->position();
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    if (event->buttons().testFlag(Qt::LeftButton) && !shift)
+    const bool turns = event->buttons().testFlag(Qt::LeftButton)
+                       || (d->pointing.hasTool() && event->buttons().testFlag(Qt::RightButton));
+    if (turns && !shift)
         d->camera.orbit(step.x(), step.y());
     else
         d->camera.pan(step.x(), step.y(), height());
@@ -401,14 +432,26 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
     d->hand.reset();
     unsetCursor();
-    if (d->dragging || event->button() != Qt::LeftButton)
+    if (d->pointing.release(*event) || d->dragging || event->button() != Qt::LeftButton)
         return;
-    const Id id = pick(event->position());
-    const bool adds = event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
-    if (adds && id != noId)
-        d->selection.toggle(id);
-    else if (!adds)
-        d->selection.set(id != noId ? std::vector{id} : std::vector<Id>{});
+    d->click(pick(event->position()), event->modifiers());
+}
+
+void Viewport::leaveEvent(QEvent*) { d->pointing.hover({}); }
+
+// Escape belongs to the gesture under way before it is anyone's shortcut.
+bool Viewport::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride
+        && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && d->pointing.hasTool())
+        event->accept();
+    return QWidget::event(event);
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Escape || !d->pointing.escape())
+        QWidget::keyPressEvent(event);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)

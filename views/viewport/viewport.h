@@ -2,8 +2,9 @@
 //
 // Left drag turns it, middle or Shift + left drag moves it, the wheel moves in towards the cursor.
 // Ctrl + left drag moves what controls move: corners, pilots, colliders.
-// A click selects the particle, link, panel or collider under the cursor; with Shift or Ctrl it
-// adds to the selection or takes away.
+// A click selects the particle, link, panel or collider under the cursor; with Shift it adds to the
+// selection, with Ctrl it takes away. A tool (tool.h) takes the left button for itself; the view
+// then turns by right drag.
 #pragma once
 
 #include "scene/id.h"
@@ -23,6 +24,7 @@ namespace ripstop {
 class Document;
 class Legend;
 class Player;
+class Pointing;
 class Selection;
 
 class Viewport final : public QWidget
@@ -36,6 +38,7 @@ public:
     // Shows this instant until the next one; the player's frames come by themselves.
     void show(std::shared_ptr<const Frame> frame);
     using QWidget::show;
+    const std::shared_ptr<const Frame>& frame() const; // null before the first
 
     ColorBy colorBy() const;
     void setColorBy(ColorBy colorBy);
@@ -67,12 +70,16 @@ public:
     QImage image(Overlays overlays = Overlays::With);
 
     Id pick(QPointF place); // noId when nothing is there
+    Pointing& pointing();   // the tool in use, and what the mouse is on
 
 signals:
     void cameraChanged();
 
 protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

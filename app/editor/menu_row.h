@@ -1,0 +1,26 @@
+// A row of the table of actions.
+#pragma once
+
+#include <QKeySequence>
+#include <QString>
+
+#include <functional>
+
+namespace ripstop {
+
+enum class Toggle { No, Off, On };
+
+struct MenuRow
+{
+    const char* menu; // "&Select/By &type" is a menu in another one
+    const char* id;   // null: a line between actions
+    QString text;
+    const char* icon;
+    QKeySequence keys;
+    QString tip;
+    std::function<void()> run;
+    Toggle toggle = Toggle::No;
+    const char* group = nullptr; // of toggles that exclude each other
+};
+
+} // namespace ripstop

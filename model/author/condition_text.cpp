@@ -1,0 +1,164 @@
+#include "author/condition_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+namespace ripstop {
+namespace {
+
+struct Sign
+{
+    std::string_view text;
+    Comparison comparison;
+};
+
+// longer ones first
+constexpr std::array signs{Sign{"!=", Comparison::NotEqual},     Sign{"<>", Comparison::NotEqual},
+                           Sign{"\u2260", Comparison::NotEqual}, Sign{"<=", Comparison::NotMore},
+                           Sign{"\u2264", Comparison::NotMore},  Sign{">=", Comparison::NotLess},
+                           Sign{"\u2265", Comparison::NotLess},  Sign{"==", Comparison::Equal},
+                           Sign{"=", Comparison::Equal},         Sign{"<", Comparison::Less},
+                           Sign{">", Comparison::More}};
+
+bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+// A text that is read from the front, and where it is.
+struct Reader
+{
+    std::string_view text;
+    std::size_t at = 0;
+
+    void skipSpace()
+    {
+        while (at < text.size() && isSpace(text[at]))
+            ++at;
+    }
+    bool isAtEnd() const { return at >= text.size(); }
+
+    // A word that stands alone.
+    bool take(std::string_view word)
+    {
+        const std::size_t end = at + word.size();
+        if (text.substr(at, word.size()) != word || (end < text.size() && !isSpace(text[end])))
+            return false;
+        at = end;
+        return true;
+    }
+    std::string key()
+    {
+        const std::size_t from = at;
+        while (at < text.size()
+               && (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == '_'
+                   || text[at] == '.'))
+            ++at;
+        return std::string(text.substr(from, at - from));
+    }
+};
+
+// Where the clause ends: at the next "and" between spaces.
+std::size_t endOfValue(std::string_view text, std::size_t at)
+{
+    for (std::size_t i = at; i + 4 <= text.size(); ++i)
+        if (isSpace(text[i]) && text.substr(i + 1, 3) == "and"
+            && (i + 4 == text.size() || isSpace(text[i + 4])))
+            return i;
+    return text.size();
+}
+
+Result<Clause> readClause(Reader& reader)
+{
+    Clause clause;
+    reader.skipSpace();
+    clause.negated = reader.take("not");
+    reader.skipSpace();
+    clause.keyAt = reader.at;
+    clause.key = reader.key();
+    if (clause.key.empty())
+        return failureAt(reader.at, "a property is missing; begin with one, as in mass < 1 g");
+    reader.skipSpace();
+    clause.comparisonAt = reader.at;
+    const std::string_view left = reader.text.substr(reader.at);
+    const auto sign =
+        std::ranges::find_if(signs, [&](const Sign& one) { return left.starts_with(one.text); });
+    if (sign == signs.end())
+        return clause;
+    clause.comparison = sign->comparison;
+    reader.at += sign->text.size();
+    reader.skipSpace();
+    clause.valueAt = reader.at;
+    const std::size_t end = endOfValue(reader.text, reader.at);
+    std::string_view value = reader.text.substr(reader.at, end - reader.at);
+    while (!value.empty() && isSpace(value.back()))
+        value.remove_suffix(1);
+    if (value.empty())
+        return failureAt(reader.at, "a value is missing after " + std::string(sign->text));
+    clause.value = value;
+    reader.at = end;
+    return clause;
+}
+
+} // namespace
+
+Failure failureAt(std::size_t place, const std::string& what)
+{
+    return {"At character " + std::to_string(place + 1) + ": " + what};
+}
+
+Result<std::vector<Clause>> clausesOf(std::string_view text)
+{
+    Reader reader{text};
+    std::vector<Clause> clauses;
+    for (;;) {
+        auto clause = readClause(reader);
+        if (!clause)
+            return clause.failure();
+        clauses.push_back(std::move(*clause));
+        reader.skipSpace();
+        if (reader.isAtEnd())
+            return clauses;
+        if (!reader.take("and"))
+            return failureAt(reader.at, "expected <, >, =, != or \"and\", not \""
+                                            + std::string(text.substr(reader.at)) + "\"");
+    }
+}
+
+std::optional<NumberAtStart> numberAtStart(std::string_view text)
+{
+    std::string plain(text);
+    for (std::size_t at; (at = plain.find("\u2212")) != plain.npos;) // a typographic minus
+        plain.replace(at, 3, 1, '-');
+    const std::size_t lost = text.size() - plain.size();
+    std::size_t end = plain.find_first_not_of("0123456789.,+-eE");
+    // an e that begins a unit is none of an exponent
+    end = std::min(end, plain.size());
+    std::string digits = plain.substr(0, end);
+    std::ranges::replace(digits, ',', '.');
+    const auto read = [](std::string_view from, double& value) {
+        if (from.starts_with('+'))
+            from.remove_prefix(1);
+        const auto [stop, error] = std::from_chars(from.data(), from.data() + from.size(), value);
+        return error == std::errc() && stop == from.data() + from.size();
+    };
+    NumberAtStart result{};
+    if (!read(digits, result.number))
+        return std::nullopt;
+    if (end < plain.size() && plain[end] == '/' && end + 1 < plain.size()
+        && std::isdigit(static_cast<unsigned char>(plain[end + 1]))) {
+        const std::size_t stop =
+            std::min(plain.find_first_not_of("0123456789.", end + 1), plain.size());
+        double below = 1.0;
+        if (!read(std::string_view(plain).substr(end + 1, stop - end - 1), below) || below == 0.0)
+            return std::nullopt;
+        result.number /= below;
+        end = stop;
+    }
+    while (end < plain.size() && isSpace(plain[end]))
+        ++end;
+    result.rest = plain.substr(end);
+    result.restAt = end + lost;
+    return result;
+}
+
+} // namespace ripstop

@@ -1,0 +1,42 @@
+// How conditions (condition.h) are written: text into clauses.
+#pragma once
+
+#include "base/result.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ripstop {
+
+enum class Comparison { None, Equal, NotEqual, Less, NotMore, More, NotLess };
+
+// Places count characters from 0.
+struct Clause
+{
+    bool negated = false; // "not pinned"
+    std::string key;
+    std::size_t keyAt = 0;
+    Comparison comparison = Comparison::None;
+    std::size_t comparisonAt = 0;
+    std::string value; // with its unit
+    std::size_t valueAt = 0;
+};
+
+// "At character 8: ...", of a place counted from 0.
+Failure failureAt(std::size_t place, const std::string& what);
+
+// One or more clauses with "and" between them. A failure names the place.
+Result<std::vector<Clause>> clausesOf(std::string_view text);
+
+// "5 %": 5 and "%". Decimals may have a comma, and 1/240 is a number.
+struct NumberAtStart
+{
+    double number;
+    std::string rest;
+    std::size_t restAt;
+};
+std::optional<NumberAtStart> numberAtStart(std::string_view text);
+
+} // namespace ripstop

@@ -1,0 +1,66 @@
+// A scene as a net: which particles its links and panels tie, by index instead of by id.
+#pragma once
+
+#include "author/elements.h"
+#include "base/key_index.h"
+
+#include <array>
+#include <span>
+
+namespace ripstop {
+
+struct Net
+{
+    explicit Net(const Scene& scene);
+
+    Elements all;
+    std::vector<std::array<int, 2>> ends; // [links] indices of particles, -1 for one that is lost
+    std::vector<std::array<int, 3>> corners; // [panels] the same
+
+    bool isWhole(std::span<const int> particles) const;
+};
+
+// Elements of a net, marked.
+struct Marks
+{
+    explicit Marks(const Net& net);
+    Marks(const Net& net, const Scene& scene, const std::vector<Id>& selected);
+
+    std::vector<char> particles; // [particles]
+    std::vector<char> links;     // [links]
+    std::vector<char> panels;    // [panels]
+
+    std::vector<Id> ids(const Net& net) const; // ascending
+};
+
+// The sides of panels, each once: a pair of particles, the lower index first.
+struct Side
+{
+    int low;
+    int high;
+    int panels; // how many have it
+
+    friend bool operator==(const Side&, const Side&) = default;
+};
+
+// Ordered by `low`, then by `high`. Only panels whose mark is set count; all do when there are no
+// marks.
+std::vector<Side> sidesOf(const Net& net, std::span<const char> panels = {});
+
+// For each particle, a list of numbers, in one array.
+struct Lists
+{
+    std::vector<int> first; // [particles + 1]
+    std::vector<int> entry;
+
+    std::span<const int> operator[](int particle) const
+    {
+        const auto at = std::size_t(particle);
+        return std::span(entry).subspan(std::size_t(first[at]),
+                                        std::size_t(first[at + 1] - first[at]));
+    }
+};
+Lists linksOfParticles(const Net& net);
+Lists neighboursBySide(const Net& net); // particles that a side of a panel joins to each, ascending
+
+} // namespace ripstop

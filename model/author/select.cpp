@@ -1,0 +1,249 @@
+#include "author/select.h"
+
+#include "author/net.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+// Which particles are next to which, in the sense of grown().
+class Neighbours
+{
+public:
+    explicit Neighbours(const Net& net)
+        : m_net(net)
+        , m_bySide(neighboursBySide(net))
+    {}
+
+    // Calls visit(a, b) for each pair of neighbours of which `matters(a, b)` says that it counts.
+    template <typename Matters, typename Visit>
+    void forEachPair(Matters matters, Visit visit) const
+    {
+        for (int a = 0; a + 1 < int(m_bySide.first.size()); ++a)
+            for (const int b : m_bySide[a])
+                if (a < b && matters(a, b))
+                    visit(a, b);
+        for (const auto& ends : m_net.ends)
+            if (m_net.isWhole(ends) && matters(ends[0], ends[1]) && !runsAcross(ends[0], ends[1]))
+                visit(ends[0], ends[1]);
+    }
+
+private:
+    // A third particle is beside both.
+    bool runsAcross(int a, int b) const
+    {
+        const auto nearA = m_bySide[a], nearB = m_bySide[b];
+        auto i = nearA.begin();
+        for (const int other : nearB) {
+            while (i != nearA.end() && *i < other)
+                ++i;
+            if (i != nearA.end() && *i == other)
+                return true;
+        }
+        return false;
+    }
+
+    const Net& m_net;
+    Lists m_bySide;
+};
+
+// The particles of the marked rows.
+template <typename Ends>
+std::vector<char> touched(const Net& net, const std::vector<Ends>& rows,
+                          const std::vector<char>& marks, bool marked)
+{
+    std::vector<char> particles(net.all.particles.size(), 0);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (bool(marks[i]) == marked && net.isWhole(rows[i]))
+            for (const int particle : rows[i])
+                particles[std::size_t(particle)] = 1;
+    return particles;
+}
+
+template <typename Ends>
+void setWhereTouched(const Net& net, const std::vector<Ends>& rows,
+                     const std::vector<char>& particles, char to, std::vector<char>& marks)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (net.isWhole(rows[i]) && std::ranges::any_of(rows[i], [&](int particle) {
+                return particles[std::size_t(particle)] != 0;
+            }))
+            marks[i] = to;
+}
+
+// Moves the edge of the selection by one ring: outwards (to = 1) or inwards (to = 0).
+std::vector<Id> moved(const Scene& scene, const std::vector<Id>& selected, char to)
+{
+    const Net net(scene);
+    const Marks before(net, scene, selected);
+    Marks after = before;
+    const auto has = [](const std::vector<char>& marks) {
+        return std::ranges::find(marks, 1) != marks.end();
+    };
+    if (has(before.particles)) {
+        const auto differ = [&](int a, int b) {
+            return before.particles[std::size_t(a)] != before.particles[std::size_t(b)];
+        };
+        Neighbours(net).forEachPair(differ, [&](int a, int b) {
+            after.particles[std::size_t(a)] = after.particles[std::size_t(b)] = to;
+        });
+    }
+    if (has(before.links))
+        setWhereTouched(net, net.ends, touched(net, net.ends, before.links, to != 0), to,
+                        after.links);
+    if (has(before.panels))
+        setWhereTouched(net, net.corners, touched(net, net.corners, before.panels, to != 0), to,
+                        after.panels);
+    return after.ids(net);
+}
+
+// Sets of particles that are tied (Tarjan 1975, with path halving).
+class Sets
+{
+public:
+    explicit Sets(std::size_t count)
+        : m_parent(count)
+    {
+        std::iota(m_parent.begin(), m_parent.end(), 0);
+    }
+    int of(int particle)
+    {
+        while (m_parent[std::size_t(particle)] != particle) {
+            int& parent = m_parent[std::size_t(particle)];
+            parent = m_parent[std::size_t(parent)];
+            particle = parent;
+        }
+        return particle;
+    }
+    // the lower number stays, so that long rows do not become deep trees
+    void join(int a, int b)
+    {
+        const auto [low, high] = std::minmax({of(a), of(b)});
+        m_parent[std::size_t(high)] = low;
+    }
+
+private:
+    std::vector<int> m_parent;
+};
+
+} // namespace
+
+std::vector<Id> grown(const Scene& scene, const std::vector<Id>& selected)
+{
+    return moved(scene, selected, 1);
+}
+
+std::vector<Id> shrunk(const Scene& scene, const std::vector<Id>& selected)
+{
+    return moved(scene, selected, 0);
+}
+
+std::vector<Id> connected(const Scene& scene, const std::vector<Id>& selected)
+{
+    const Net net(scene);
+    const Marks seeds(net, scene, selected);
+    Sets sets(net.all.particles.size());
+    for (const auto& ends : net.ends)
+        if (net.isWhole(ends))
+            sets.join(ends[0], ends[1]);
+    for (const auto& corners : net.corners)
+        if (net.isWhole(corners)) {
+            sets.join(corners[0], corners[1]);
+            sets.join(corners[0], corners[2]);
+        }
+
+    std::vector<char> wanted(net.all.particles.size(), 0); // by the particle that stands for a set
+    const auto want = [&](const auto& particles) {
+        if (net.isWhole(particles))
+            wanted[std::size_t(sets.of(particles[0]))] = 1;
+    };
+    for (std::size_t i = 0; i < seeds.particles.size(); ++i)
+        if (seeds.particles[i])
+            want(std::array{int(i)});
+    for (std::size_t i = 0; i < net.ends.size(); ++i)
+        if (seeds.links[i])
+            want(net.ends[i]);
+    for (std::size_t i = 0; i < net.corners.size(); ++i)
+        if (seeds.panels[i])
+            want(net.corners[i]);
+
+    Marks tied = seeds;
+    const auto isWanted = [&](int particle) {
+        return char(particle >= 0 && wanted[std::size_t(sets.of(particle))]);
+    };
+    for (std::size_t i = 0; i < tied.particles.size(); ++i)
+        tied.particles[i] |= isWanted(int(i));
+    for (std::size_t i = 0; i < net.ends.size(); ++i)
+        tied.links[i] |= isWanted(net.ends[i][0]);
+    for (std::size_t i = 0; i < net.corners.size(); ++i)
+        tied.panels[i] |= isWanted(net.corners[i][0]);
+    return tied.ids(net);
+}
+
+std::vector<Id> inverted(const Scene& scene, const std::vector<Id>& selected)
+{
+    const Net net(scene);
+    Marks marks(net, scene, selected);
+    const auto flip = [](std::vector<char>& rows, bool always) {
+        if (always || std::ranges::find(rows, 1) != rows.end())
+            for (char& row : rows)
+                row = !row;
+    };
+    const bool nothing = marks.ids(net).empty();
+    flip(marks.particles, nothing);
+    flip(marks.links, nothing);
+    flip(marks.panels, nothing);
+    return marks.ids(net);
+}
+
+std::vector<Id> boundary(const Scene& scene, const std::vector<Id>& selected)
+{
+    const Net net(scene);
+    const Marks chosen(net, scene, selected);
+    const bool some = std::ranges::find(chosen.panels, 1) != chosen.panels.end();
+    std::vector<Side> edge = sidesOf(net, some ? chosen.panels : std::vector<char>());
+    std::erase_if(edge, [](const Side& side) { return side.panels > 1; });
+
+    Marks marks(net);
+    for (const Side& side : edge)
+        marks.particles[std::size_t(side.low)] = marks.particles[std::size_t(side.high)] = 1;
+    for (std::size_t i = 0; i < net.ends.size(); ++i) {
+        const auto [low, high] = std::minmax(net.ends[i][0], net.ends[i][1]);
+        marks.links[i] =
+            low >= 0 && marks.particles[std::size_t(low)] && marks.particles[std::size_t(high)]
+            && std::ranges::binary_search(edge, std::pair(low, high), {}, [](const Side& side) {
+                   return std::pair(side.low, side.high);
+               });
+    }
+    return marks.ids(net);
+}
+
+std::vector<Id> turnedInto(Kind kind, const Scene& scene, const std::vector<Id>& selected)
+{
+    const Net net(scene);
+    const Marks chosen(net, scene, selected);
+    Marks result(net);
+    std::vector<char> particles = chosen.particles;
+    const auto add = [&](const std::vector<char>& others) {
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            particles[i] |= others[i];
+    };
+    add(touched(net, net.ends, chosen.links, true));
+    add(touched(net, net.corners, chosen.panels, true));
+    const auto areIn = [&](std::span<const int> row) {
+        return char(net.isWhole(row) && std::ranges::all_of(row, [&](int particle) {
+                        return particles[std::size_t(particle)] != 0;
+                    }));
+    };
+    if (kind == Kind::Particle)
+        result.particles = std::move(particles);
+    for (std::size_t i = 0; kind == Kind::Link && i < net.ends.size(); ++i)
+        result.links[i] = areIn(net.ends[i]);
+    for (std::size_t i = 0; kind == Kind::Panel && i < net.corners.size(); ++i)
+        result.panels[i] = areIn(net.corners[i]);
+    return result.ids(net);
+}
+
+} // namespace ripstop

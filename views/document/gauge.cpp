@@ -1,0 +1,104 @@
+#include "document/gauge.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+
+namespace ripstop {
+namespace {
+
+constexpr Kinds everything{Kind::Particle, Kind::Link, Kind::Panel};
+
+constexpr std::array keys{
+    Gauge::Key{"x", "m", "Where it is now, across; of links and panels their middle.", everything},
+    Gauge::Key{"y", "m", "Where it is now, up; of links and panels their middle.", everything},
+    Gauge::Key{"z", "m", "Where it is now, along z; of links and panels their middle.", everything},
+    Gauge::Key{"speed", "m/s", "How fast a particle moves now.", Kinds{Kind::Particle}},
+    Gauge::Key{"strain", "%", "How far a link is stretched now.", Kinds{Kind::Link}},
+    Gauge::Key{"tension", "N", "How hard a link pulls now; below 0 it pushes.", Kinds{Kind::Link}},
+    Gauge::Key{"length", "m", "How long a link is now.", Kinds{Kind::Link}},
+    Gauge::Key{"area", "m\u00b2", "How large a panel is now.", Kinds{Kind::Panel}},
+    Gauge::Key{"load", "Pa", "How hard the air pushes a panel now, per area.", Kinds{Kind::Panel}},
+};
+
+using Row = std::size_t;
+
+const Vec3& placeOf(const Frame& frame, int particle)
+{
+    return frame.position[std::size_t(particle)];
+}
+
+double areaOf(const Frame& frame, Row panel) // m^2
+{
+    const auto [a, b, c] = frame.layout->panelCorners[panel];
+    const Vec3& origin = placeOf(frame, a);
+    return 0.5 * (placeOf(frame, b) - origin).cross(placeOf(frame, c) - origin).norm();
+}
+
+Vec3 middleOf(const Frame& frame, Kind kind, Row row)
+{
+    if (kind == Kind::Particle)
+        return frame.position[row];
+    if (kind == Kind::Link) {
+        const Layout::Link& link = frame.layout->links[row];
+        return 0.5 * (placeOf(frame, link.a) + placeOf(frame, link.b));
+    }
+    const auto [a, b, c] = frame.layout->panelCorners[row];
+    return (placeOf(frame, a) + placeOf(frame, b) + placeOf(frame, c)) / 3.0;
+}
+
+double valueOf(const Frame& frame, std::string_view key, Kind kind, Row row)
+{
+    if (key.size() == 1)
+        return middleOf(frame, kind, row)[key[0] - 'x'];
+    if (key == "speed")
+        return frame.velocity[row].norm();
+    if (key == "strain")
+        return 100.0 * frame.strain[row];
+    if (key == "tension")
+        return frame.tension[row];
+    if (key == "length") {
+        const Layout::Link& link = frame.layout->links[row];
+        return (placeOf(frame, link.b) - placeOf(frame, link.a)).norm();
+    }
+    const double area = areaOf(frame, row);
+    if (key == "area")
+        return area;
+    return area > 0.0 ? frame.panelLoad[row].norm() / area : 0.0;
+}
+
+Gauge::Reading read(const Frame& frame, const Gauge::Key& key, Kind kind)
+{
+    const Layout& layout = *frame.layout;
+    Gauge::Reading reading;
+    const auto add = [&](std::uint32_t id, Row row) {
+        reading.ids.push_back(Id(id));
+        reading.values.push_back(valueOf(frame, key.key, kind, row));
+    };
+    if (kind == Kind::Particle)
+        for (Row i = 0; i < layout.particleId.size(); ++i)
+            add(layout.particleId[i], i);
+    if (kind == Kind::Link)
+        for (Row i = 0; i < layout.links.size(); ++i)
+            if (!frame.torn[i])
+                add(layout.links[i].id, i);
+    if (kind == Kind::Panel)
+        for (Row i = 0; i < layout.panelId.size(); ++i)
+            if (!frame.gone[i])
+                add(layout.panelId[i], i);
+    return reading;
+}
+
+} // namespace
+
+Gauge gaugeOf(std::shared_ptr<const Frame> frame)
+{
+    Gauge gauge{keys, {}};
+    if (frame)
+        gauge.read = [frame = std::move(frame)](const Gauge::Key& key, Kind kind) {
+            return read(*frame, key, kind);
+        };
+    return gauge;
+}
+
+} // namespace ripstop

@@ -1,0 +1,46 @@
+// What hides what: the panels and colliders between the eye and a place.
+//
+// Panels are sorted into cells of the picture, so that each question meets only the few that lie
+// over its place. The answer is that of the ray itself: no pixel is too coarse for it.
+#pragma once
+
+#include "viewport/projection.h"
+
+#include <span>
+
+namespace ripstop {
+
+class Cover
+{
+public:
+    // For questions about places within `box` of the picture, pixels.
+    //   points  [particles]  where they are in the picture
+    Cover(const Sight& sight, std::span<const OnScreen> points, const Eigen::AlignedBox2d& box,
+          bool panelsHide);
+
+    // True when a collider, or a panel that has none of `own` as a corner, lies in front of the
+    // place. What lies in the fabric is not hidden by it.
+    bool hides(const Vec3& place, std::span<const int> own) const;
+
+    // The first panel on the ray through a place of the picture, and how far away it is, m; -1 and
+    // infinity when there is none.
+    struct Met
+    {
+        int panel;
+        double distance;
+    };
+    Met firstPanel(double x, double y) const;
+
+private:
+    std::span<const int> panelsAt(double x, double y) const;
+    double distanceToPanel(const Projection::Ray& ray, int panel) const; // m
+
+    Sight m_sight;
+    Projection m_projection;
+    Eigen::AlignedBox2d m_box;
+    int m_side = 1;           // cells along each side
+    std::vector<int> m_first; // [cells + 1] where the panels of a cell begin in m_panels
+    std::vector<int> m_panels;
+};
+
+} // namespace ripstop

@@ -1,0 +1,166 @@
+#include "viewport/pointing.h"
+
+#include "viewport/projection.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int hoverDelay = 30; // ms, between two looks at what is under the mouse
+
+} // namespace
+
+Pointing::Pointing(std::function<std::optional<Sight>()> sight, QWidget* parent)
+    : QWidget(parent)
+    , m_sight(std::move(sight))
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(hoverDelay);
+    connect(&m_soon, &QTimer::timeout, this, &Pointing::lookUnderMouse);
+}
+
+Pointing::~Pointing() = default;
+
+void Pointing::setTool(std::unique_ptr<Tool> tool)
+{
+    if (m_tool)
+        m_tool->cancel();
+    m_tool = std::move(tool);
+    setHovered(noId);
+    update();
+}
+
+void Pointing::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    update();
+}
+
+// A hidden overlay must not cost a picture of the window.
+void Pointing::moved()
+{
+    if (m_tool || m_hovered != noId)
+        update();
+    if (m_mouse && !m_soon.isActive())
+        m_soon.start();
+}
+
+Id Pointing::pick(QPointF place) const
+{
+    const auto sight = m_sight();
+    return sight ? Picker{*sight, pickable}.at(place.x(), place.y()) : noId;
+}
+
+bool Pointing::press(const QMouseEvent& event)
+{
+    hover({});
+    const auto sight = m_tool ? m_sight() : std::nullopt;
+    const bool taken = sight && m_tool->press(event, *sight);
+    if (m_tool)
+        update();
+    return taken;
+}
+
+bool Pointing::move(const QMouseEvent& event)
+{
+    const auto sight = m_tool ? m_sight() : std::nullopt;
+    const bool taken = sight && m_tool->move(event, *sight);
+    if (m_tool)
+        update();
+    const bool picks = event.buttons() == Qt::NoButton && !taken && (!m_tool || m_tool->picks());
+    hover(picks ? std::optional(event.position()) : std::nullopt);
+    return taken;
+}
+
+bool Pointing::release(const QMouseEvent& event)
+{
+    const auto sight = m_tool ? m_sight() : std::nullopt;
+    const bool taken = sight && m_tool->release(event, *sight);
+    if (m_tool)
+        update();
+    return taken;
+}
+
+bool Pointing::escape()
+{
+    if (!m_tool)
+        return false;
+    update();
+    if (!m_tool->cancel()) {
+        setTool(nullptr);
+        emit toolLeft();
+    }
+    return true;
+}
+
+void Pointing::hover(std::optional<QPointF> place)
+{
+    m_mouse = place;
+    if (!place) {
+        m_soon.stop();
+        setHovered(noId);
+    } else if (!m_soon.isActive()) {
+        m_soon.start();
+    }
+}
+
+void Pointing::lookUnderMouse() { setHovered(m_mouse ? pick(*m_mouse) : noId); }
+
+void Pointing::setHovered(Id id)
+{
+    if (id == m_hovered)
+        return;
+    m_hovered = id;
+    update();
+    emit hoveredChanged(id);
+}
+
+void Pointing::paintEvent(QPaintEvent*)
+{
+    const auto sight = m_tool || m_hovered != noId ? m_sight() : std::nullopt;
+    if (!sight)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_hovered != noId)
+        paintHovered(painter, *sight);
+    if (m_tool)
+        m_tool->paint(painter, m_theme, *sight);
+}
+
+// A ring, a line or a triangle where the element is now; a collider has its name only.
+void Pointing::paintHovered(QPainter& painter, const Sight& sight) const
+{
+    const Layout& layout = *sight.frame.layout;
+    const auto id = std::uint32_t(m_hovered);
+    const Projection projection(sight);
+    const auto at = [&](int particle) {
+        const OnScreen place = projection(sight.frame.position[std::size_t(particle)]);
+        return place.isSeen() ? QPointF(place.x, place.y) : QPointF(-1e4, -1e4);
+    };
+    QColor ink = m_theme.accent;
+    QColor veil = ink;
+    veil.setAlphaF(0.25F);
+    painter.setPen(QPen(ink, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(veil);
+    for (std::size_t i = 0; i < layout.particleId.size(); ++i)
+        if (layout.particleId[i] == id)
+            painter.drawEllipse(at(int(i)), 7.0, 7.0);
+    painter.setPen(QPen(ink, 4.0, Qt::SolidLine, Qt::RoundCap));
+    for (std::size_t i = 0; i < layout.links.size(); ++i)
+        if (layout.links[i].id == id && !sight.frame.torn[i])
+            painter.drawLine(at(layout.links[i].a), at(layout.links[i].b));
+    painter.setPen(QPen(ink, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    for (std::size_t i = 0; i < layout.panelId.size(); ++i)
+        if (layout.panelId[i] == id && !sight.frame.gone[i]) {
+            const auto [a, b, c] = layout.panelCorners[i];
+            painter.drawPolygon(QPolygonF{QList<QPointF>{at(a), at(b), at(c)}});
+        }
+}
+
+} // namespace ripstop

@@ -1,0 +1,149 @@
+#include "viewport/region_select.h"
+
+#include "viewport/cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ripstop {
+
+Region::Region(std::vector<Eigen::Vector2d> outline)
+{
+    for (const Eigen::Vector2d& corner : outline)
+        m_box.extend(corner);
+    if (outline.empty())
+        return;
+    const auto lineOf = [this](double y) { return std::size_t(std::floor(y - m_box.min().y())); };
+    m_sides.resize(lineOf(m_box.max().y()) + 1);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Side side{outline[i], outline[(i + 1) % outline.size()]};
+        const auto [top, bottom] = std::minmax(side.from.y(), side.to.y());
+        for (std::size_t line = lineOf(top); line <= lineOf(bottom); ++line)
+            m_sides[line].push_back(side);
+    }
+}
+
+// The winding number: how often the outline crosses the line to the right of the place upwards,
+// less how often downwards.
+bool Region::contains(double x, double y) const
+{
+    if (!m_box.contains(Eigen::Vector2d(x, y)))
+        return false;
+    int winding = 0;
+    for (const Side& side : m_sides[std::size_t(std::floor(y - m_box.min().y()))]) {
+        const bool fromAbove = side.from.y() <= y;
+        if (fromAbove == (side.to.y() <= y))
+            continue;
+        const double share = (y - side.from.y()) / (side.to.y() - side.from.y());
+        if (side.from.x() + share * (side.to.x() - side.from.x()) > x)
+            winding += fromAbove ? 1 : -1;
+    }
+    return winding != 0;
+}
+
+namespace {
+
+class Taker
+{
+public:
+    Taker(const Sight& sight, const Pickable& pickable, const Region& region, Depth depth)
+        : m_sight(sight)
+        , m_layout(*sight.frame.layout)
+        , m_pickable(pickable)
+        , m_through(depth == Depth::Through)
+        , m_points(projected(sight))
+        , m_cover(sight, m_points, region.box(), pickable.drawn.panels && !m_through)
+    {
+        m_inside.reserve(m_points.size());
+        for (const OnScreen& point : m_points)
+            m_inside.push_back(point.isSeen() && region.contains(point.x, point.y));
+    }
+
+    void takeParticles(std::vector<Id>& ids) const
+    {
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            const int own[]{int(i)};
+            if (m_inside[i] && m_sight.look.particleShown[i]
+                && isSeen(m_sight.frame.position[i], own))
+                ids.push_back(Id(m_layout.particleId[i]));
+        }
+    }
+
+    void takeLinks(std::vector<Id>& ids) const
+    {
+        for (std::size_t i = 0; i < m_layout.links.size(); ++i) {
+            const std::array own{m_layout.links[i].a, m_layout.links[i].b};
+            if (m_sight.frame.torn[i] || !m_sight.look.linkShown[i] || !areInside(own))
+                continue;
+            const Vec3& a = place(own[0]);
+            const Vec3& b = place(own[1]);
+            if (m_through
+                || isAnySeen(
+                    std::array<Vec3, 3>{0.5 * (a + b), 0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b},
+                    own))
+                ids.push_back(Id(m_layout.links[i].id));
+        }
+    }
+
+    void takePanels(std::vector<Id>& ids) const
+    {
+        for (std::size_t i = 0; i < m_layout.panelId.size(); ++i) {
+            const std::array<int, 3>& own = m_layout.panelCorners[i];
+            if (m_sight.frame.gone[i] || !m_sight.look.panelShown[i] || !areInside(own))
+                continue;
+            const Vec3 middle = (place(own[0]) + place(own[1]) + place(own[2])) / 3.0;
+            if (m_through
+                || isAnySeen(std::array<Vec3, 4>{middle, 0.5 * (middle + place(own[0])),
+                                                 0.5 * (middle + place(own[1])),
+                                                 0.5 * (middle + place(own[2]))},
+                             own))
+                ids.push_back(Id(m_layout.panelId[i]));
+        }
+    }
+
+private:
+    const Vec3& place(int particle) const { return m_sight.frame.position[std::size_t(particle)]; }
+
+    bool areInside(std::span<const int> particles) const
+    {
+        return std::ranges::all_of(particles,
+                                   [this](int i) { return m_inside[std::size_t(i)] != 0; });
+    }
+    bool isSeen(const Vec3& at, std::span<const int> own) const
+    {
+        return m_through || !m_cover.hides(at, own);
+    }
+    bool isAnySeen(std::span<const Vec3> places, std::span<const int> own) const
+    {
+        return std::ranges::any_of(places, [&](const Vec3& at) { return isSeen(at, own); });
+    }
+
+    Sight m_sight;
+    const Layout& m_layout;
+    Pickable m_pickable;
+    bool m_through;
+    std::vector<OnScreen> m_points;
+    std::vector<char> m_inside; // [particles]
+    Cover m_cover;
+};
+
+} // namespace
+
+std::vector<Id> elementsIn(const Sight& sight, const Pickable& pickable, const Region& region,
+                           Depth depth)
+{
+    const Taker taker(sight, pickable, region, depth);
+    std::vector<Id> ids;
+    if (pickable.wanted.particles)
+        taker.takeParticles(ids);
+    if (pickable.links())
+        taker.takeLinks(ids);
+    if (pickable.panels())
+        taker.takePanels(ids);
+    std::ranges::sort(ids); // a tear may have doubled some
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    return ids;
+}
+
+} // namespace ripstop
