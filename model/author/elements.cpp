@@ -99,8 +99,14 @@ std::vector<Id> elementsOf(const Scene& scene, const std::vector<Id>& selected)
     std::ranges::sort(items);
 
     std::vector<Id> ids;
+    ids.reserve(selected.size());
+    auto item = items.begin();
     for (const Id id : selected) {
-        if (!std::ranges::binary_search(items, id))
+        if (item != items.begin() && id < *std::prev(item))
+            item = items.begin(); // not in order after all
+        while (item != items.end() && *item < id)
+            ++item;
+        if (item == items.end() || *item != id)
             ids.push_back(id);
         else
             addItem(scene, id, *findItem(scene, id), ids);
@@ -135,6 +141,7 @@ Elements sortedElements(const Scene& scene, const std::vector<Id>& selected)
 Elements everyElement(const Scene& scene)
 {
     return gathered(scene, [](const auto& rows, auto& found) {
+        found.reserve(found.size() + rows.size());
         for (const auto& row : rows)
             found.push_back(&row);
     });

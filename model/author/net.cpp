@@ -127,16 +127,4 @@ Lists linksOfParticles(const Net& net)
     });
 }
 
-Lists neighboursBySide(const Net& net)
-{
-    const std::vector<Side> sides = sidesOf(net);
-    // in this order each list comes out ascending: first those below, then those above
-    return listed(net.all.particles.size(), [&](auto add) {
-        for (const Side& side : sides)
-            add(side.high, side.low);
-        for (const Side& side : sides)
-            add(side.low, side.high);
-    });
-}
-
 } // namespace ripstop

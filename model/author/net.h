@@ -61,6 +61,5 @@ struct Lists
     }
 };
 Lists linksOfParticles(const Net& net);
-Lists neighboursBySide(const Net& net); // particles that a side of a panel joins to each, ascending
 
 } // namespace ripstop

@@ -8,46 +8,69 @@
 namespace ripstop {
 namespace {
 
-// Which particles are next to which, in the sense of grown().
-class Neighbours
+// What the sides of panels join some particles to.
+class Rings
 {
 public:
-    explicit Neighbours(const Net& net)
-        : m_net(net)
-        , m_bySide(neighboursBySide(net))
-    {}
-
-    // Calls visit(a, b) for each pair of neighbours of which `matters(a, b)` says that it counts.
-    template <typename Matters, typename Visit>
-    void forEachPair(Matters matters, Visit visit) const
+    // Of the ends of `links`.
+    Rings(const Net& net, const std::vector<std::size_t>& links)
+        : m_place(net.all.particles.size(), -1)
     {
-        for (int a = 0; a + 1 < int(m_bySide.first.size()); ++a)
-            for (const int b : m_bySide[a])
-                if (a < b && matters(a, b))
-                    visit(a, b);
-        for (const auto& ends : m_net.ends)
-            if (m_net.isWhole(ends) && matters(ends[0], ends[1]) && !runsAcross(ends[0], ends[1]))
-                visit(ends[0], ends[1]);
+        for (const std::size_t link : links)
+            for (const int end : net.ends[link])
+                if (int& place = m_place[std::size_t(end)]; place < 0) {
+                    place = int(m_rings.size());
+                    m_rings.emplace_back();
+                }
+        for (const auto& corners : net.corners)
+            for (const int corner : corners)
+                if (net.isWhole(corners) && m_place[std::size_t(corner)] >= 0)
+                    for (const int other : corners)
+                        if (other != corner)
+                            m_rings[std::size_t(m_place[std::size_t(corner)])].push_back(other);
+    }
+
+    // True when a third particle is beside both.
+    bool meet(const std::array<int, 2>& ends) const
+    {
+        const auto& a = m_rings[std::size_t(m_place[std::size_t(ends[0])])];
+        const auto& b = m_rings[std::size_t(m_place[std::size_t(ends[1])])];
+        return std::ranges::any_of(
+            a, [&](int other) { return std::ranges::find(b, other) != b.end(); });
     }
 
 private:
-    // A third particle is beside both.
-    bool runsAcross(int a, int b) const
-    {
-        const auto nearA = m_bySide[a], nearB = m_bySide[b];
-        auto i = nearA.begin();
-        for (const int other : nearB) {
-            while (i != nearA.end() && *i < other)
-                ++i;
-            if (i != nearA.end() && *i == other)
-                return true;
-        }
-        return false;
-    }
-
-    const Net& m_net;
-    Lists m_bySide;
+    std::vector<int> m_place; // [particles] in m_rings, or -1
+    std::vector<std::vector<int>> m_rings;
 };
+
+// Sets the mark of all particles that have a neighbour marked otherwise.
+void moveParticles(const Net& net, const std::vector<char>& before, char to,
+                   std::vector<char>& after)
+{
+    const auto differ = [&](std::span<const int> row) {
+        return net.isWhole(row) && std::ranges::any_of(row, [&](int particle) {
+                   return before[std::size_t(particle)] != before[std::size_t(row[0])];
+               });
+    };
+    const auto set = [&](std::span<const int> row) {
+        for (const int particle : row)
+            after[std::size_t(particle)] = to;
+    };
+    for (const auto& corners : net.corners)
+        if (differ(corners))
+            set(corners);
+    std::vector<std::size_t> leaving; // links out of the selection
+    for (std::size_t i = 0; i < net.ends.size(); ++i)
+        if (differ(net.ends[i]))
+            leaving.push_back(i);
+    if (leaving.empty())
+        return;
+    const Rings rings(net, leaving);
+    for (const std::size_t link : leaving)
+        if (!rings.meet(net.ends[link]))
+            set(net.ends[link]);
+}
 
 // The particles of the marked rows.
 template <typename Ends>
@@ -82,14 +105,8 @@ std::vector<Id> moved(const Scene& scene, const std::vector<Id>& selected, char 
     const auto has = [](const std::vector<char>& marks) {
         return std::ranges::find(marks, 1) != marks.end();
     };
-    if (has(before.particles)) {
-        const auto differ = [&](int a, int b) {
-            return before.particles[std::size_t(a)] != before.particles[std::size_t(b)];
-        };
-        Neighbours(net).forEachPair(differ, [&](int a, int b) {
-            after.particles[std::size_t(a)] = after.particles[std::size_t(b)] = to;
-        });
-    }
+    if (has(before.particles))
+        moveParticles(net, before.particles, to, after.particles);
     if (has(before.links))
         setWhereTouched(net, net.ends, touched(net, net.ends, before.links, to != 0), to,
                         after.links);
