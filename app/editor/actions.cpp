@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "editor/design_rows.h"
 #include "editor/files.h"
 #include "editor/group_menus.h"
 #include "editor/select_rows.h"
@@ -11,6 +12,7 @@
 #include "outline/outline.h"
 #include "scene/scene.h"
 #include "viewport/pointing.h"
+#include "viewport/transform_tool.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
@@ -22,6 +24,8 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
+
+#include <algorithm>
 
 namespace ripstop {
 namespace {
@@ -132,6 +136,8 @@ Actions::Actions(const Workbench& bench)
     connect(&m_bench.document.history(), &QUndoStack::indexChanged, this, &Actions::keepCurrent);
     connect(&m_bench.selection, &Selection::changed, this, &Actions::keepCurrent);
     connect(&m_bench.player, &Player::stateChanged, this, &Actions::keepCurrent);
+    connect(&m_bench.viewport.transformTool(), &TransformTool::changed, this,
+            &Actions::keepCurrent);
     connect(&m_bench.files, &Files::recentChanged, this, &Actions::fillRecent);
     connect(&m_bench.viewport.pointing(), &Pointing::toolLeft, this,
             [this] { m_byId["toolPointer"]->setChecked(true); });
@@ -153,7 +159,11 @@ void Actions::build()
             place = m_bench.window.menuBar()->addMenu(tr(qPrintable(path)));
         return place;
     };
-    for (const MenuRow& row : rowsOf(m_bench, *this)) {
+    std::vector<MenuRow> rows = rowsOf(m_bench, *this);
+    const auto isView = [](const MenuRow& row) { return QLatin1String(row.menu) == "&View"; };
+    const std::vector<MenuRow> design = designRows(m_bench);
+    rows.insert(std::ranges::find_if(rows, isView), design.begin(), design.end());
+    for (const MenuRow& row : rows) {
         if (!row.id) {
             (*row.menu ? open(row.menu) : menu)->addSeparator();
             continue;
@@ -174,6 +184,8 @@ void Actions::build()
             group->addAction(action);
         }
         m_byId[row.id] = action;
+        if (row.needs == Needs::Selection)
+            m_needSelection.push_back(action);
         m_all.push_back(action);
     }
     m_recent = new QMenu(tr("Open &recent"), &m_bench.window);
@@ -197,6 +209,12 @@ void Actions::keepCurrent()
     m_byId["delete"]->setEnabled(!m_bench.selection.ids().empty());
     for (const char* id : actionsOnSelection)
         m_byId[id]->setEnabled(!m_bench.selection.ids().empty());
+    for (QAction* action : m_needSelection)
+        action->setEnabled(!m_bench.selection.ids().empty());
+    const Shaping shaping = m_bench.viewport.transformTool().shaping();
+    m_byId["move"]->setChecked(shaping == Shaping::Move);
+    m_byId["rotate"]->setChecked(shaping == Shaping::Turn);
+    m_byId["scale"]->setChecked(shaping == Shaping::Scale);
     const bool playing = m_bench.player.isPlaying();
     m_byId["play"]->setText(playing ? tr("&Pause") : tr("&Play"));
     m_byId["play"]->setIcon(icon(playing ? "pause" : "play"));

@@ -61,6 +61,7 @@ private:
     Workbench m_bench;
     std::map<QString, QAction*> m_byId;
     std::vector<QAction*> m_all;
+    std::vector<QAction*> m_needSelection;
     QMenu* m_recent = nullptr;
     QMenu* m_panels = nullptr;
 };

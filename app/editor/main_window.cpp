@@ -8,6 +8,7 @@
 #include "editor/keys_dialog.h"
 #include "editor/polar_dialog.h"
 #include "editor/result_page.h"
+#include "editor/transform_bar.h"
 #include "editor/verification_dialog.h"
 #include "inspector/inspector.h"
 #include "inspector/totals.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     buildToolBar();
     buildStatusBar();
     connectParts();
+    new TransformBar(*m_viewport); // the view owns it
     qApp->installEventFilter(new ControlKeys(document, player, this));
 
     resize(1280, 800);
@@ -127,8 +129,8 @@ void MainWindow::buildToolBar()
     m_toolBar->setObjectName("main");
     m_toolBar->setMovable(false);
     m_toolBar->setIconSize(QSize(18, 18));
-    for (const char* id :
-         {"open", "save", "", "undo", "redo", "", "fit", "home", "follow", "byStrain", "particles"})
+    for (const char* id : {"open", "save", "", "undo", "redo", "", "move", "rotate", "scale", "",
+                           "fit", "home", "follow", "byStrain", "particles"})
         if (*id)
             m_toolBar->addAction((*m_actions)[id]);
         else
@@ -159,6 +161,8 @@ void MainWindow::buildStatusBar()
 void MainWindow::connectParts()
 {
     connect(m_files, &Files::opened, this, &MainWindow::showScene);
+    connect(&m_viewport->transformTool(), &TransformTool::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, 8000); });
     connect(m_files, &Files::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, 8000); });
     connect(m_files, &Files::recentChanged, this,

@@ -9,6 +9,7 @@
 namespace ripstop {
 
 enum class Toggle { No, Off, On };
+enum class Needs { Nothing, Selection };
 
 struct MenuRow
 {
@@ -21,6 +22,7 @@ struct MenuRow
     std::function<void()> run;
     Toggle toggle = Toggle::No;
     const char* group = nullptr; // of toggles that exclude each other
+    Needs needs = Needs::Nothing;
 };
 
 } // namespace ripstop

@@ -35,6 +35,17 @@ void Document::drag(Edit edit, int gesture)
 
 int Document::beginGesture() { return ++m_gesture; }
 
+void Document::cancel(int gesture)
+{
+    const int last = m_history.index() - 1;
+    if (last < 0 || m_history.command(last)->id() != gesture)
+        return;
+    auto* command = const_cast<QUndoCommand*>(m_history.command(last));
+    command->undo();
+    command->setObsolete(true); // the history then drops it, without undoing it once more
+    m_history.undo();
+}
+
 void Document::replace(Scene scene, const QString& suggestedName)
 {
     const bool isWork = !scene.items.empty();

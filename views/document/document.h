@@ -26,6 +26,7 @@ public:
     void push(Edit edit);              // one step in the history
     void drag(Edit edit, int gesture); // steps of one gesture merge into one
     int beginGesture();                // a fresh number for drag()
+    void cancel(int gesture);          // as if it had never begun, if it is the last step
 
     // A new design without a file. The history starts over.
     void replace(Scene scene, const QString& suggestedName = {});

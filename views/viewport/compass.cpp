@@ -78,11 +78,9 @@ void Compass::paintRing(QPainter& painter) const
 
 void Compass::paintAxes(QPainter& painter) const
 {
-    const bool dark = m_theme.isDark();
-    std::array axes{
-        Axis{Vec3::UnitX(), "x", dark ? QColor(0xff, 0x75, 0x6b) : QColor(0xc6, 0x28, 0x28)},
-        Axis{Vec3::UnitY(), "y", dark ? QColor(0x7b, 0xd8, 0x7f) : QColor(0x2e, 0x7d, 0x32)},
-        Axis{Vec3::UnitZ(), "z", dark ? QColor(0x7a, 0xb2, 0xff) : QColor(0x15, 0x65, 0xc0)}};
+    std::array axes{Axis{Vec3::UnitX(), "x", m_theme.axis(0)},
+                    Axis{Vec3::UnitY(), "y", m_theme.axis(1)},
+                    Axis{Vec3::UnitZ(), "z", m_theme.axis(2)}};
     std::ranges::sort(axes, {}, [this](const Axis& a) { return a.direction.dot(m_camera.back()); });
     for (const Axis& axis : axes) {
         const QPointF tip = onScreen(0.72 * axis.direction);

@@ -40,6 +40,15 @@ Theme Theme::dark()
     return theme;
 }
 
+QColor Theme::axis(int number) const
+{
+    if (number == 0)
+        return isDark() ? QColor(0xff, 0x75, 0x6b) : QColor(0xc6, 0x28, 0x28);
+    if (number == 1)
+        return isDark() ? QColor(0x7b, 0xd8, 0x7f) : QColor(0x2e, 0x7d, 0x32);
+    return isDark() ? QColor(0x7a, 0xb2, 0xff) : QColor(0x15, 0x65, 0xc0);
+}
+
 Theme Theme::from(const QPalette& palette)
 {
     const bool isDark = palette.color(QPalette::Window).lightnessF() < 0.5;

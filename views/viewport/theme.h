@@ -22,6 +22,8 @@ struct Theme
     QColor wind;
     QColor neutral; // elements that a coloured quantity says nothing about
 
+    QColor axis(int number) const; // x, y, z: red, green, blue
+
     bool isDark() const { return text.lightnessF() > 0.5; }
 
     static Theme light();

@@ -5,11 +5,13 @@
 #include "document/selection.h"
 #include "viewport/compass.h"
 #include "viewport/element_places.h"
+#include "viewport/gizmo_overlay.h"
 #include "viewport/hand.h"
 #include "viewport/legend.h"
 #include "viewport/pointing.h"
 #include "viewport/scene_frame.h"
 #include "viewport/stage.h"
+#include "viewport/transform_tool.h"
 #include "viewport/vtk_widget.h"
 
 #include <QApplication>
@@ -54,6 +56,8 @@ public:
         , pointing([this] { return sight(); }, &widget)
         , legend(&widget)
         , compass(&widget)
+        , transform(openDocument, openSelection, openPlayer, widget, camera)
+        , gizmo(transform, &widget)
     {
         camera.look(PresetView::Iso);
     }
@@ -83,6 +87,8 @@ public:
     Pointing pointing;
     Legend legend;
     Compass compass;
+    TransformTool transform;
+    GizmoOverlay gizmo;
 
     bool untouched = true;        // the camera still shows all it should, as nobody has moved it
     bool wholeScene = false;      // should show: everything, or the fabric and what it carries
@@ -136,6 +142,8 @@ void Viewport::Private::place()
     legend.move(screen.width() - legend.width() - corner, corner);
     compass.move(corner, screen.height() - compass.height() - corner);
     compass.setCamera(camera);
+    gizmo.setGeometry(screen.geometry());
+    gizmo.refresh();
     stage.place(camera);
 }
 
@@ -216,6 +224,7 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     d->pointing.raise();
     d->legend.raise();
     d->compass.raise();
+    d->gizmo.raise();
     d->screen.beforePainting = [this] { d->prepare(); };
 
     connect(&document, &Document::replaced, this, [this] { d->sceneReplaced(); });
@@ -308,6 +317,7 @@ void Viewport::setTheme(const Theme& theme)
     d->pointing.setTheme(theme);
     d->legend.setTheme(theme);
     d->compass.setTheme(theme);
+    d->gizmo.setTheme(theme);
     d->screen.update();
 }
 
@@ -334,7 +344,7 @@ QImage Viewport::image(Overlays overlays)
         return picture;
     picture.setDevicePixelRatio(d->screen.devicePixelRatioF());
     QPainter painter(&picture);
-    for (QWidget* overlay : {static_cast<QWidget*>(&d->legend), static_cast<QWidget*>(&d->compass)})
+    for (QWidget* overlay : std::initializer_list<QWidget*>{&d->gizmo, &d->legend, &d->compass})
         if (!overlay->isHidden())
             overlay->render(&painter, overlay->pos(), {}, QWidget::RenderFlags{});
     return picture;
@@ -386,6 +396,8 @@ void Viewport::setOrthographic(bool orthographic)
     d->screen.update();
     emit cameraChanged();
 }
+
+TransformTool& Viewport::transformTool() { return d->transform; }
 
 Id Viewport::pick(QPointF place) { return d->pointing.pick(place); }
 

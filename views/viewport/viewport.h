@@ -26,6 +26,7 @@ class Legend;
 class Player;
 class Pointing;
 class Selection;
+class TransformTool;
 
 class Viewport final : public QWidget
 {
@@ -68,6 +69,8 @@ public:
     // The view as it is now, in device pixels.
     enum class Overlays { With, Without }; // legend and compass
     QImage image(Overlays overlays = Overlays::With);
+
+    TransformTool& transformTool();
 
     Id pick(QPointF place); // noId when nothing is there
     Pointing& pointing();   // the tool in use, and what the mouse is on

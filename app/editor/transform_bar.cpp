@@ -1,0 +1,181 @@
+#include "editor/transform_bar.h"
+
+#include "document/words.h"
+#include "inspector/typed_number.h"
+#include "viewport/viewport.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr int gap = 10; // pixels, from the lower edge of the view
+
+struct Words
+{
+    QString title;
+    QString unit;
+    QString help;
+};
+
+Words wordsOf(Shaping shaping)
+{
+    switch (shaping) {
+    case Shaping::Move:
+        return {TransformBar::tr("Move"), QStringLiteral("m"),
+                TransformBar::tr("How far along %1, in metres. Enter applies it.")};
+    case Shaping::Turn:
+        return {TransformBar::tr("Rotate"), QStringLiteral("\u00b0"),
+                TransformBar::tr("Angle about %1, in degrees. Enter applies it.")};
+    case Shaping::Scale:
+        return {TransformBar::tr("Scale"), QStringLiteral("\u00d7"),
+                TransformBar::tr("Factor along %1; 1 changes nothing. Enter applies it.")};
+    case Shaping::None:
+        break;
+    }
+    return {};
+}
+
+QString numberText(double value)
+{
+    const double rounded = std::round(value * 1e4) / 1e4;
+    return compactNumber(rounded == 0.0 ? 0.0 : rounded); // no minus before a zero
+}
+
+} // namespace
+
+TransformBar::TransformBar(Viewport& viewport)
+    : QFrame(&viewport)
+    , m_viewport(viewport)
+    , m_tool(viewport.transformTool())
+    , m_title(new QLabel)
+    , m_unit(new QLabel)
+    , m_hint(new QLabel(tr("A run is shown. Reset (Ctrl+R) goes back to the design.")))
+    , m_row(new QWidget)
+{
+    layOut();
+    hide();
+    viewport.installEventFilter(this);
+    connect(&m_tool, &TransformTool::changed, this, &TransformBar::refresh);
+}
+
+void TransformBar::layOut()
+{
+    setObjectName(QStringLiteral("transformBar"));
+    setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    auto* numbers = new QHBoxLayout;
+    QFont bold = font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    numbers->addWidget(m_title);
+    for (int axis = 0; axis < 3; ++axis) {
+        auto* field = new QLineEdit;
+        m_numbers[std::size_t(axis)] = field;
+        const QString name = QString(QChar('x' + axis));
+        field->setObjectName(name);
+        field->setAccessibleName(name);
+        field->setAlignment(Qt::AlignRight);
+        field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("−0.00000")));
+        auto* label = new QLabel(name);
+        label->setBuddy(field);
+        numbers->addWidget(label);
+        numbers->addWidget(field);
+        connect(field, &QLineEdit::returnPressed, this, &TransformBar::take);
+    }
+    numbers->addWidget(m_unit);
+    numbers->addSpacing(6);
+    numbers->addWidget(
+        chooser(tr("Pivot"), tr("What it turns and scales about."),
+                {tr("Centre of mass"), tr("Median"), tr("Middle of the box"), tr("First particle")},
+                int(m_tool.pivot()), [this](int chosen) { m_tool.setPivot(Pivot(chosen)); }));
+    numbers->addWidget(chooser(
+        tr("Rest lengths"),
+        tr("What becomes of the rest lengths of links: they stay, so that what is pulled apart is "
+           "under load, or they become the new distances, so that the design is free of load."),
+        {tr("Keep lengths"), tr("Rebind lengths")}, int(m_tool.restLengths()),
+        [this](int chosen) { m_tool.setRestLengths(RestLengths(chosen)); }));
+    numbers->addWidget(chooser(tr("Snap"), tr("What a drag snaps to while Ctrl is held."),
+                               {tr("Ctrl: grid"), tr("Ctrl: particle")}, int(m_tool.snap()),
+                               [this](int chosen) { m_tool.setSnap(Snap(chosen)); }));
+    numbers->setContentsMargins(0, 0, 0, 0);
+    m_row->setLayout(numbers);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 5, 8, 5);
+    layout->addWidget(m_row);
+    layout->addWidget(m_hint);
+}
+
+QWidget* TransformBar::chooser(const QString& name, const QString& help, const QStringList& choices,
+                               int chosen, const std::function<void(int)>& choose)
+{
+    auto* box = new QComboBox;
+    box->addItems(choices);
+    box->setCurrentIndex(chosen);
+    box->setToolTip(help);
+    box->setAccessibleName(name);
+    connect(box, &QComboBox::activated, this, choose);
+    return box;
+}
+
+void TransformBar::refresh()
+{
+    const Shaping shaping = m_tool.shaping();
+    const bool shown = shaping != Shaping::None && (m_tool.acts() || !m_tool.isAtDesign());
+    const bool waits = !m_tool.isAtDesign();
+    if (shaping != m_shown) {
+        const Words words = wordsOf(shaping);
+        m_title->setText(words.title);
+        m_unit->setText(words.unit);
+        for (int axis = 0; axis < 3 && shaping != Shaping::None; ++axis)
+            m_numbers[std::size_t(axis)]->setToolTip(words.help.arg(QChar('x' + axis)));
+    }
+    // what is being typed stays until a drag has numbers of its own
+    if (shaping != m_shown || m_tool.isDragging() || m_wasDragging)
+        for (int axis = 0; axis < 3; ++axis)
+            m_numbers[std::size_t(axis)]->setText(numberText(m_tool.numbers()[axis]));
+    m_shown = shaping;
+    m_wasDragging = m_tool.isDragging();
+    m_row->setVisible(!waits);
+    m_hint->setVisible(waits);
+    setVisible(shown);
+    if (shown)
+        settle();
+}
+
+void TransformBar::settle()
+{
+    adjustSize();
+    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
+    raise();
+}
+
+void TransformBar::take()
+{
+    Vec3 numbers = m_tool.numbers(); // those that change nothing
+    for (int axis = 0; axis < 3; ++axis)
+        if (const auto typed = typedNumber(m_numbers[std::size_t(axis)]->text(), m_unit->text()))
+            numbers[axis] = typed->sort == TypedNumber::Sort::Absolute
+                                ? typed->number
+                                : typed->appliedTo(numbers[axis]);
+    m_tool.shape(numbers);
+    for (int axis = 0; axis < 3; ++axis)
+        m_numbers[std::size_t(axis)]->setText(numberText(m_tool.numbers()[axis]));
+    m_viewport.setFocus();
+}
+
+bool TransformBar::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == &m_viewport && event->type() == QEvent::Resize && isVisible())
+        settle();
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace ripstop

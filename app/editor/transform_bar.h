@@ -1,0 +1,48 @@
+#pragma once
+
+#include "viewport/transform_tool.h"
+
+#include <QFrame>
+
+#include <array>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
+namespace ripstop {
+
+class Viewport;
+
+// Over the lower edge of the view while a tool is chosen: the numbers of the drag, which can also
+// be typed (Enter applies them), and what it turns about, what becomes of rest lengths, what Ctrl
+// snaps to.
+class TransformBar final : public QFrame
+{
+    Q_OBJECT
+
+public:
+    explicit TransformBar(Viewport& viewport);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void layOut();
+    void refresh();
+    void settle(); // at its place in the view
+    void take();   // what is typed
+    QWidget* chooser(const QString& name, const QString& help, const QStringList& choices,
+                     int chosen, const std::function<void(int)>& choose);
+
+    Viewport& m_viewport;
+    TransformTool& m_tool;
+    QLabel* m_title;
+    std::array<QLineEdit*, 3> m_numbers;
+    QLabel* m_unit;
+    QLabel* m_hint;
+    QWidget* m_row;
+    Shaping m_shown = Shaping::None;
+    bool m_wasDragging = false;
+};
+
+} // namespace ripstop

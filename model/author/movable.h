@@ -1,0 +1,57 @@
+// What a selection moves: particles, and colliders.
+//
+// Links and panels mean the particles at their ends and corners, items all that they contain: a
+// part its particles, a group its members, a material what is made of it, a control or a probe
+// what it acts on.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace ripstop {
+
+// In ascending order, each once. What is not there is left out.
+std::vector<Id> particlesOf(const Scene& scene, const std::vector<Id>& ids);
+
+// A link that has an end or both among the particles that move.
+struct Tie
+{
+    Id link;
+    int from;          // place in Movable::particles, -1 when this end stays where it is
+    int to;            // the same
+    Vec3 fromPosition; // m
+    Vec3 toPosition;   // m
+    double restLength; // m
+};
+
+struct MovableCollider
+{
+    Id id;
+    Collider collider;
+};
+
+// Where everything stood when a gesture began, so that each of its steps starts from there and
+// sets the same things.
+struct Movable
+{
+    std::vector<Id> particles;  // ascending
+    std::vector<Vec3> position; // [particles] m
+    std::vector<double> mass;   // [particles] kg
+    std::vector<MovableCollider> colliders;
+    std::vector<Tie> crossing; // links with one end among the particles
+    std::vector<Tie> inside;   // links with both
+
+    bool isEmpty() const { return particles.empty() && colliders.empty(); }
+};
+
+Movable movableOf(const Scene& scene, const std::vector<Id>& ids);
+
+enum class Pivot { Mass, Median, Box, Particle };
+
+// m. Of colliders, their positions count, without mass. Where nothing has mass, the centre of mass
+// is the median; the origin when there is nothing.
+// `particle` is what Pivot::Particle turns about; the median when it is not there.
+Vec3 pivotOf(const Scene& scene, const Movable& movable, Pivot pivot, Id particle = noId);
+
+} // namespace ripstop

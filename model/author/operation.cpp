@@ -1,0 +1,222 @@
+#include "author/operation.h"
+
+#include "author/copy.h"
+#include "author/split.h"
+#include "author/spread_mass.h"
+#include "author/weld.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+using Choices = std::array<std::string_view, 3>;
+
+constexpr Choices planes{"across_x", "across_y", "across_z"};
+constexpr std::array<std::string_view, 4> planePlaces{"origin", "least_side", "middle",
+                                                      "most_side"};
+constexpr Choices axes{"x", "y", "z"};
+constexpr std::array<std::string_view, 4> centres{"origin", "centre_of_mass", "median",
+                                                  "middle_of_the_box"};
+constexpr std::array<std::string_view, 2> weldWhich{"those_within_the_distance", "all_into_one"};
+constexpr std::array<std::string_view, 2> weldPlaces{"in_their_middle", "at_the_first"};
+constexpr std::array<std::string_view, 5> massWays{"each_particle_(kg)", "by_length_(kg/m)",
+                                                   "by_area_(kg/m\u00b2)", "total_evenly_(kg)",
+                                                   "total_as_it_is_spread_(kg)"};
+
+// clang-format off
+const std::array mirrorParameters{
+    OperationParameter{{"plane",     "",  0, 0, 2, true, "Direction that is turned round: x swaps left and right, y up and down, z front and back."}, planes},
+    OperationParameter{{"place",     "",  0, 0, 3, true, "Where the plane stands: at the origin, on the side of least or most x, y or z of what is selected, or in its middle."}, planePlaces},
+    OperationParameter{{"offset",    "m", 0, -1e4, 1e4, false, "Moves the plane along its direction."}},
+    OperationParameter{{"tolerance", "m", 0.001, 0, 10, false, "Particles as near to the plane as this are put on it and belong to both halves."}},
+};
+const std::array rowParameters{
+    OperationParameter{{"count", "",  3, 2, 1000, true, "How many there are in the end, with the one that is there."}},
+    OperationParameter{{"x",     "m", 0.5, -1e4, 1e4, false, "Step from one to the next."}},
+    OperationParameter{{"y",     "m", 0, -1e4, 1e4, false, "Step from one to the next."}},
+    OperationParameter{{"z",     "m", 0, -1e4, 1e4, false, "Step from one to the next."}},
+};
+const std::array ringParameters{
+    OperationParameter{{"count",  "",    6, 2, 1000, true, "How many there are in the end, with the one that is there."}},
+    OperationParameter{{"axis",   "",    1, 0, 2, true, "Axis that the ring runs about."}, axes},
+    OperationParameter{{"centre", "",    0, 0, 3, true, "What the axis runs through."}, centres},
+    OperationParameter{{"angle",  "deg", 360, -360, 360, false, "From the first to the last; a full turn puts none on the first."}},
+};
+const std::array weldParameters{
+    OperationParameter{{"which",    "",  0, 0, 1, true, "Which of the selected particles become one."}, weldWhich},
+    OperationParameter{{"distance", "m", 0.001, 0, 100, false, "Particles nearer to each other than this become one."}},
+    OperationParameter{{"place",    "",  0, 0, 1, true, "Where the one particle is."}, weldPlaces},
+};
+const std::array massParameters{
+    OperationParameter{{"way",    "", 3, 0, 4, true, "What the amount is and how it is shared out. Links and panels count that lie among what is selected."}, massWays},
+    OperationParameter{{"amount", "", 0.1, 0, 1e6, false, "Mass in the unit that the line above says. It takes the place of the mass that is there."}},
+};
+const std::array splitParameters{
+    OperationParameter{{"count", "",   2, 2, 1000, true, "Links that each one becomes."}},
+    OperationParameter{{"mass",  "kg", 0.001, 0, 1e3, false, "Mass of each new particle, where the linear density of the material does not say it."}},
+};
+// clang-format on
+
+int whole(const Parameters& values, const char* key) { return int(values.at(key)); }
+
+std::optional<Failure> nothingToMove(const Scene& scene, const std::vector<Id>& ids)
+{
+    if (!movableOf(scene, ids).isEmpty())
+        return std::nullopt;
+    return Failure{"Nothing is selected that has a place. Select particles, links, panels or a "
+                   "part first."};
+}
+
+Result<Shaped> selecting(Copies copies)
+{
+    return Shaped{std::move(copies.edit), std::move(copies.ids)};
+}
+
+Result<Shaped> mirror(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    const Movable movable = movableOf(scene, ids);
+    if (const auto nothing = nothingToMove(scene, ids))
+        return *nothing;
+    Eigen::AlignedBox3d box;
+    for (const Vec3& place : movable.position)
+        box.extend(place);
+    for (const MovableCollider& one : movable.colliders)
+        box.extend(one.collider.position);
+    const int axis = whole(values, "plane");
+    const std::array<Vec3, 4> places{Vec3::Zero(), box.min(), box.center(), box.max()};
+    Vec3 point = places[std::size_t(whole(values, "place"))];
+    point[axis] += values.at("offset");
+    Copies copies = mirrored(scene, ids, point, axis, values.at("tolerance"));
+    if (copies.ids.empty())
+        return Failure{"All that is selected lies on the plane and is its own mirror image. Choose "
+                       "another plane or a smaller tolerance."};
+    // both halves are selected: the design as it is now
+    std::vector<Id> both = ids;
+    both.insert(both.end(), copies.ids.begin(), copies.ids.end());
+    return Shaped{std::move(copies.edit), std::move(both)};
+}
+
+Result<Shaped> row(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    if (const auto nothing = nothingToMove(scene, ids))
+        return *nothing;
+    const Vec3 step(values.at("x"), values.at("y"), values.at("z"));
+    if (step.isZero())
+        return Failure{"The step is 0, so that all would lie in one place. Give it a length."};
+    return selecting(linearArray(scene, ids, whole(values, "count"), step));
+}
+
+Result<Shaped> ring(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    if (const auto nothing = nothingToMove(scene, ids))
+        return *nothing;
+    const double angle = values.at("angle") * std::numbers::pi / 180.0;
+    if (angle == 0.0)
+        return Failure{"The angle is 0, so that all would lie in one place. 360 is a full ring."};
+    const int centre = whole(values, "centre");
+    const std::array<Pivot, 3> pivots{Pivot::Mass, Pivot::Median, Pivot::Box};
+    const Vec3 pivot = centre == 0
+                           ? Vec3(Vec3::Zero())
+                           : pivotOf(scene, movableOf(scene, ids), pivots[std::size_t(centre - 1)]);
+    return selecting(radialArray(scene, ids, whole(values, "count"), pivot,
+                                 Vec3::Unit(whole(values, "axis")), angle));
+}
+
+Result<Shaped> weld(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    const auto at = WeldAt(whole(values, "place"));
+    Weld weld = whole(values, "which") == 1 ? welded(scene, ids, at)
+                                            : weldedWithin(scene, ids, values.at("distance"), at);
+    if (weld.merged == 0)
+        return Failure{"No two of the selected particles are that near to each other. Select more, "
+                       "or weld over a longer distance."};
+    return Shaped{std::move(weld.edit), std::move(weld.kept)};
+}
+
+Result<Shaped> mass(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    Result<Edit> edit = massSpread(scene, ids, MassBy(whole(values, "way")), values.at("amount"));
+    if (!edit)
+        return edit.failure();
+    return Shaped{std::move(*edit)};
+}
+
+Result<Shaped> splitLinks(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    Split split = linksSplit(scene, ids, whole(values, "count"), values.at("mass"));
+    if (split.links == 0)
+        return Failure{"No link is selected. Select the links that are to be split."};
+    return Shaped{std::move(split.edit), std::move(split.made)};
+}
+
+} // namespace
+
+std::span<const Operation> allOperations()
+{
+    // clang-format off
+    static const std::array table{
+        Operation{"mirror", "Mirror", "Adds the other half of what is selected. What lies on the plane belongs to both halves, panels are turned round, and copies join the groups of their originals.", mirrorParameters, mirror},
+        Operation{"row",    "Array in a row", "Copies what is selected again and again, each copy a step further.", rowParameters, row},
+        Operation{"ring",   "Array in a ring", "Copies what is selected around an axis: gores of a canopy, spokes.", ringParameters, ring},
+        Operation{"weld",   "Weld", "Makes one particle of several, with the mass of all. Links and panels that fall together become one.", weldParameters, weld},
+        Operation{"mass",   "Mass", "Gives mass to the selected particles.", massParameters, mass},
+        Operation{"split",  "Split links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
+    };
+    // clang-format on
+    return table;
+}
+
+const Operation* findOperation(std::string_view name)
+{
+    for (const Operation& operation : allOperations())
+        if (operation.name == name)
+            return &operation;
+    return nullptr;
+}
+
+Tolls tollsOf(const Edit& edit)
+{
+    Tolls tolls;
+    const auto count = [](Toll& toll, const auto& particles, const auto& links,
+                          const auto& panels) {
+        toll.particles += particles.size();
+        toll.links += links.size();
+        toll.panels += panels.size();
+    };
+    for (const Change& change : edit.changes) {
+        if (const auto* rows = std::get_if<AddRows>(&change))
+            count(tolls.added, rows->particles, rows->links, rows->panels);
+        else if (const auto* gone = std::get_if<RemoveRows>(&change))
+            count(tolls.removed, gone->particles, gone->links, gone->panels);
+        else if (const auto* item = std::get_if<AddItem>(&change)) {
+            ++tolls.added.items;
+            if (const Part* part = std::get_if<Part>(&item->entry.item))
+                count(tolls.added, part->particles, part->links, part->panels);
+        } else if (std::get_if<RemoveItem>(&change))
+            ++tolls.removed.items;
+    }
+    return tolls;
+}
+
+Toll alsoRemoved(const std::vector<Id>& ids, const Edit& removal)
+{
+    std::vector<Id> named = ids;
+    std::sort(named.begin(), named.end());
+    const auto unnamed = [&](const std::vector<Id>& gone) {
+        return std::size_t(std::ranges::count_if(
+            gone, [&](Id id) { return !std::binary_search(named.begin(), named.end(), id); }));
+    };
+    Toll toll;
+    for (const Change& change : removal.changes)
+        if (const auto* rows = std::get_if<RemoveRows>(&change)) {
+            toll.particles += unnamed(rows->particles);
+            toll.links += unnamed(rows->links);
+            toll.panels += unnamed(rows->panels);
+        }
+    return toll;
+}
+
+} // namespace ripstop

@@ -1,0 +1,61 @@
+// Operations with parameters, as data: mirror, arrays, weld, mass, split.
+//
+// An operation is one row of a table: its parameters with unit, default, range and choices, and a
+// function from scene, selection and values to an edit. One dialog serves them all, with a preview.
+#pragma once
+
+#include "base/result.h"
+#include "builders/builder.h"
+#include "scene/edit.h"
+
+#include <optional>
+
+namespace ripstop {
+
+// A number, a switch, or one of `choices`, of which the value is the place.
+struct OperationParameter
+{
+    Parameter number;
+    std::span<const std::string_view> choices = {};
+};
+
+struct Shaped
+{
+    Edit edit;
+    std::optional<std::vector<Id>> selected = {}; // what to select then; as before without
+};
+
+struct Operation
+{
+    std::string_view name;
+    std::string_view label; // on screen
+    std::string_view help;  // in two or three sentences
+    std::span<const OperationParameter> parameters;
+    // Every parameter is there and in range. Fails with a sentence that says what to select.
+    Result<Shaped> (*apply)(const Scene&, const std::vector<Id>& ids, const Parameters&);
+};
+
+std::span<const Operation> allOperations();
+const Operation* findOperation(std::string_view name); // null when there is none
+
+// What an edit does to a design: elements and items that come, go and change.
+struct Toll
+{
+    std::size_t particles = 0;
+    std::size_t links = 0;
+    std::size_t panels = 0;
+    std::size_t items = 0;
+    bool isNothing() const { return particles + links + panels + items == 0; }
+};
+struct Tolls
+{
+    Toll added;
+    Toll removed;
+};
+Tolls tollsOf(const Edit& edit);
+
+// What goes when `ids` are removed by `removal`, beyond what they name themselves: links and
+// panels that lose an end or a corner. The elements of a named part are named with it.
+Toll alsoRemoved(const std::vector<Id>& ids, const Edit& removal);
+
+} // namespace ripstop

@@ -1,0 +1,189 @@
+#include "author/transform.h"
+
+#include "scene/collider_path.h"
+#include "scene/collider_shape.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+// The inverse of turnOf(): degrees about x, then y, then z.
+Vec3 anglesOf(const Eigen::Matrix3d& turn)
+{
+    const double y = std::asin(std::clamp(-turn(2, 0), -1.0, 1.0));
+    const bool upright = std::abs(turn(2, 0)) > 1.0 - 1e-12; // then x and z turn about one axis
+    const double x = upright ? 0.0 : std::atan2(turn(2, 1), turn(2, 2));
+    const double z =
+        upright ? std::atan2(-turn(0, 1), turn(1, 1)) : std::atan2(turn(1, 0), turn(0, 0));
+    return degrees * Vec3(x, y, z);
+}
+
+std::string pathText(const std::vector<PathKey>& path)
+{
+    std::string text;
+    for (const PathKey& key : path) {
+        text.append(text.empty() ? "" : "; ").append(textFromValue(key.time)).append(":");
+        for (int axis = 0; axis < 3; ++axis)
+            text.append(" ").append(textFromValue(key.place[axis]));
+    }
+    return text;
+}
+
+// The property that a motion changes beside the place, or null.
+const char* shapeKey(const Collider& collider, bool rigid)
+{
+    switch (collider.shape) {
+    case ColliderShape::Plane:
+        return "normal";
+    case ColliderShape::Sphere:
+        return rigid ? nullptr : "radius";
+    case ColliderShape::Mesh:
+        return rigid ? "turn" : "scale";
+    default:
+        return rigid ? "turn" : "size";
+    }
+}
+
+// Says everything that a motion may change, also what stays as it is: steps of one gesture merge
+// only when they set the same things.
+void addCollider(Edit& edit, const MovableCollider& one, const Motion& motion)
+{
+    const Collider now = placed(one.collider, motion);
+    const auto set = [&](const char* key) {
+        const Property* property = findProperty(Kind::Collider, key);
+        edit.changes.emplace_back(SetValues{property, {one.id}, {property->get(&now)}});
+    };
+    set("position");
+    if (!now.path.empty())
+        set("path");
+    if (const char* key = shapeKey(now, motion.rigid))
+        set(key);
+}
+
+void bind(SetValues& lengths, const std::vector<Tie>& ties, const std::vector<Vec3>& places)
+{
+    for (const Tie& tie : ties) {
+        const Vec3& from = tie.from < 0 ? tie.fromPosition : places[std::size_t(tie.from)];
+        const Vec3& to = tie.to < 0 ? tie.toPosition : places[std::size_t(tie.to)];
+        lengths.targets.push_back(tie.link);
+        lengths.values.emplace_back((to - from).norm());
+    }
+}
+
+enum class Among { Left, Bound }; // rest lengths of links among what moves
+
+Edit edited(const Movable& movable, const std::vector<Vec3>& places, RestLengths restLengths,
+            Among among, std::string label)
+{
+    Edit edit{std::move(label), {}};
+    if (!places.empty())
+        edit.changes.emplace_back(SetValues{findProperty(Kind::Particle, "position"),
+                                            movable.particles,
+                                            std::vector<Value>(places.begin(), places.end())});
+    SetValues lengths{findProperty(Kind::Link, "restLength"), {}, {}};
+    if (restLengths == RestLengths::Rebind) {
+        bind(lengths, movable.crossing, places);
+        if (among == Among::Bound)
+            bind(lengths, movable.inside, places);
+    }
+    if (!lengths.targets.empty())
+        edit.changes.emplace_back(std::move(lengths));
+    return edit;
+}
+
+} // namespace
+
+Motion shifted(const Vec3& by)
+{
+    Motion motion;
+    motion.map.translate(by);
+    return motion;
+}
+
+Motion turned(const Vec3& pivot, const Vec3& axis, double angle)
+{
+    Motion motion;
+    motion.map.translate(pivot)
+        .rotate(Eigen::AngleAxisd(angle, axis.normalized()))
+        .translate(-pivot);
+    return motion;
+}
+
+Motion scaled(const Vec3& pivot, const Vec3& factors, const Eigen::Matrix3d& axes)
+{
+    Motion motion;
+    const Eigen::Matrix3d stretch = axes * factors.asDiagonal() * axes.transpose();
+    motion.map.linear() = stretch;
+    motion.map.translation() = pivot - stretch * pivot;
+    motion.rigid = false;
+    return motion;
+}
+
+Collider placed(const Collider& was, const Motion& motion)
+{
+    Collider now = was;
+    const Eigen::Matrix3d linear = motion.map.linear();
+    now.position = motion.map * was.position;
+    if (const auto path = pathFromText(was.path); path && !path->empty()) {
+        std::vector<PathKey> keys = *path;
+        for (PathKey& key : keys)
+            key.place = motion.map * key.place;
+        now.path = pathText(keys);
+    }
+    if (was.shape == ColliderShape::Plane)
+        now.normal = (linear.inverse().transpose() * was.normal).normalized();
+    if (motion.rigid) {
+        // boxes are their own mirror image, so that a mirrored one is a turned one
+        const double hand = linear.determinant() < 0.0 ? -1.0 : 1.0;
+        now.turn = anglesOf(linear * turnOf(was) * Vec3(hand, 1.0, 1.0).asDiagonal());
+        return now;
+    }
+    const double growth = std::cbrt(std::abs(linear.determinant()));
+    const bool upright = was.turn.isZero() && linear.isDiagonal();
+    const Vec3 factors = upright ? Vec3(linear.diagonal()) : Vec3::Constant(growth);
+    now.radius = growth * was.radius;
+    now.scale = growth * was.scale;
+    now.size = factors.cwiseProduct(was.size);
+    return now;
+}
+
+Edit relocated(const Movable& movable, const std::vector<Vec3>& places, RestLengths restLengths,
+               std::string label)
+{
+    return edited(movable, places, restLengths, Among::Bound, std::move(label));
+}
+
+Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths, std::string label)
+{
+    std::vector<Vec3> places;
+    places.reserve(movable.position.size());
+    for (const Vec3& was : movable.position)
+        places.push_back(motion.map * was);
+    Edit edit = edited(movable, places, restLengths, motion.rigid ? Among::Left : Among::Bound,
+                       std::move(label));
+    for (const MovableCollider& one : movable.colliders)
+        addCollider(edit, one, motion);
+    return edit;
+}
+
+std::string movingLabel(const char* verb, const Movable& movable)
+{
+    std::string text = verb;
+    const char* joint = " ";
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count == 0)
+            return;
+        text.append(joint).append(std::to_string(count)).append(" ").append(what);
+        text.append(count == 1 ? "" : "s");
+        joint = " and ";
+    };
+    add(movable.particles.size(), "particle");
+    add(movable.colliders.size(), "collider");
+    return text;
+}
+
+} // namespace ripstop

@@ -1,0 +1,305 @@
+#include "author/weld.h"
+
+#include "author/movable.h"
+#include "base/key_index.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+
+namespace ripstop {
+namespace {
+
+// Particles that become one, as places in a list: each points at the first of its own.
+class Clusters
+{
+public:
+    explicit Clusters(std::size_t count)
+        : m_first(count)
+    {
+        std::iota(m_first.begin(), m_first.end(), 0);
+    }
+
+    int operator()(int i)
+    {
+        while (m_first[std::size_t(i)] != i)
+            i = m_first[std::size_t(i)] = m_first[std::size_t(m_first[std::size_t(i)])];
+        return i;
+    }
+
+    void join(int a, int b)
+    {
+        a = (*this)(a);
+        b = (*this)(b);
+        m_first[std::size_t(std::max(a, b))] = std::min(a, b);
+    }
+
+private:
+    std::vector<int> m_first;
+};
+
+// Cells of the size of the distance: only neighbours in 27 of them can be near enough.
+void joinNear(Clusters& clusters, const std::vector<const Particle*>& rows, double distance)
+{
+    using Cell = std::array<std::int64_t, 3>;
+    std::map<Cell, std::vector<int>> cells;
+    const auto cellOf = [&](const Vec3& place) {
+        Cell cell;
+        for (int axis = 0; axis < 3; ++axis)
+            cell[std::size_t(axis)] = std::int64_t(std::floor(place[axis] / distance));
+        return cell;
+    };
+    for (int i = 0; i < int(rows.size()); ++i) {
+        const Vec3& place = rows[std::size_t(i)]->position;
+        const Cell home = cellOf(place);
+        for (std::int64_t dx = -1; dx <= 1; ++dx)
+            for (std::int64_t dy = -1; dy <= 1; ++dy)
+                for (std::int64_t dz = -1; dz <= 1; ++dz) {
+                    const auto cell = cells.find({home[0] + dx, home[1] + dy, home[2] + dz});
+                    if (cell == cells.end())
+                        continue;
+                    for (const int other : cell->second)
+                        if ((rows[std::size_t(other)]->position - place).norm() <= distance)
+                            clusters.join(i, other);
+                }
+        cells[home].push_back(i);
+    }
+}
+
+// Who becomes whom.
+class Renamed
+{
+public:
+    explicit Renamed(std::size_t count)
+        : m_place(count)
+    {}
+
+    void add(Id gone, Id kept)
+    {
+        m_place.add(std::uint32_t(gone), int(m_kept.size()));
+        m_kept.push_back(kept);
+    }
+    Id operator()(Id id) const
+    {
+        const int place = m_place(std::uint32_t(id));
+        return place == KeyIndex::none ? id : m_kept[std::size_t(place)];
+    }
+    bool isGone(Id id) const { return m_place(std::uint32_t(id)) != KeyIndex::none; }
+
+private:
+    KeyIndex m_place;
+    std::vector<Id> m_kept;
+};
+
+class Columns
+{
+public:
+    Columns(Kind kind, const char* key)
+        : m_change{findProperty(kind, key), {}, {}}
+    {}
+    void set(Id id, Value value)
+    {
+        m_change.targets.push_back(id);
+        m_change.values.push_back(std::move(value));
+    }
+    void addTo(Edit& edit)
+    {
+        if (!m_change.targets.empty())
+            edit.changes.emplace_back(std::move(m_change));
+    }
+
+private:
+    SetValues m_change;
+};
+
+// References of items, as the property table knows them.
+void renameReferences(Edit& edit, const Scene& scene, const Renamed& renamed,
+                      const std::vector<Id>& removed)
+{
+    const auto isRemoved = [&](Id id) {
+        return std::binary_search(removed.begin(), removed.end(), id);
+    };
+    for (const Entry& entry : scene.items) {
+        const ConstRef ref =
+            std::visit([](const auto& item) -> ConstRef { return &item; }, entry.item);
+        for (const Property& property : propertiesOf(kindOf(ref))) {
+            if (property.pointsAt.empty())
+                continue;
+            const Value before = property.get(ref);
+            Value value = before;
+            if (Id* id = std::get_if<Id>(&value))
+                *id = isRemoved(*id) ? noId : renamed(*id);
+            if (auto* list = std::get_if<std::vector<Id>>(&value)) {
+                std::erase_if(*list, isRemoved);
+                for (Id& id : *list)
+                    id = renamed(id);
+                std::sort(list->begin(), list->end());
+                list->erase(std::unique(list->begin(), list->end()), list->end());
+            }
+            if (value != before)
+                edit.changes.emplace_back(SetValues{&property, {entry.id}, {value}});
+        }
+    }
+}
+
+// New ends and corners, and what has none any more or what another one is already.
+void renameRows(Weld& weld, const Scene& scene, const Renamed& renamed)
+{
+    Columns from(Kind::Link, "from"), to(Kind::Link, "to");
+    std::array<Columns, 3> corners{Columns(Kind::Panel, "a"), Columns(Kind::Panel, "b"),
+                                   Columns(Kind::Panel, "c")};
+    std::vector<RemoveRows> removals;
+    std::vector<Id> removed;
+    using LinkKey = std::tuple<Id, Id, LinkKind, Id>;
+    std::map<LinkKey, Id> links;
+    std::set<std::array<Id, 3>> panels;
+    // those that stay as they are come first, so that a changed one gives way to them
+    const auto linkKey = [&](const Link& row) {
+        const Id a = renamed(row.from), b = renamed(row.to);
+        return LinkKey{std::min(a, b), std::max(a, b), row.kind, row.material};
+    };
+    const auto panelKey = [&](const Panel& row) {
+        std::array<Id, 3> key{renamed(row.a), renamed(row.b), renamed(row.c)};
+        std::sort(key.begin(), key.end());
+        return key;
+    };
+    const auto changes = [&](std::initializer_list<Id> ends) {
+        return std::ranges::any_of(ends, [&](Id id) { return renamed.isGone(id); });
+    };
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Link& row : part.links)
+            if (!changes({row.from, row.to}))
+                links.emplace(linkKey(row), row.id);
+        for (const Panel& row : part.panels)
+            if (!changes({row.a, row.b, row.c}))
+                panels.insert(panelKey(row));
+    });
+    forEachPart(scene, [&](Id id, const Part& part) {
+        RemoveRows rows{id, {}, {}, {}};
+        for (const Particle& row : part.particles)
+            if (renamed.isGone(row.id))
+                rows.particles.push_back(row.id);
+        for (const Link& row : part.links) {
+            if (!changes({row.from, row.to}))
+                continue;
+            const LinkKey key = linkKey(row);
+            if (std::get<0>(key) == std::get<1>(key) || !links.emplace(key, row.id).second) {
+                rows.links.push_back(row.id);
+                continue;
+            }
+            if (renamed.isGone(row.from))
+                from.set(row.id, renamed(row.from));
+            if (renamed.isGone(row.to))
+                to.set(row.id, renamed(row.to));
+        }
+        for (const Panel& row : part.panels) {
+            if (!changes({row.a, row.b, row.c}))
+                continue;
+            const auto key = panelKey(row);
+            if (key[0] == key[1] || key[1] == key[2] || !panels.insert(key).second) {
+                rows.panels.push_back(row.id);
+                continue;
+            }
+            const std::array<Id, 3> ends{row.a, row.b, row.c};
+            for (std::size_t k = 0; k < 3; ++k)
+                if (renamed.isGone(ends[k]))
+                    corners[k].set(row.id, renamed(ends[k]));
+        }
+        weld.links += rows.links.size();
+        weld.panels += rows.panels.size();
+        removed.insert(removed.end(), rows.links.begin(), rows.links.end());
+        removed.insert(removed.end(), rows.panels.begin(), rows.panels.end());
+        if (!rows.particles.empty() || !rows.links.empty() || !rows.panels.empty())
+            removals.push_back(std::move(rows));
+    });
+    from.addTo(weld.edit);
+    to.addTo(weld.edit);
+    for (Columns& column : corners)
+        column.addTo(weld.edit);
+    std::sort(removed.begin(), removed.end());
+    renameReferences(weld.edit, scene, renamed, removed);
+    for (RemoveRows& rows : removals)
+        weld.edit.changes.emplace_back(std::move(rows));
+}
+
+Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows, Clusters& clusters,
+                  WeldAt at)
+{
+    Weld weld{{"Weld", {}}, {}};
+    struct Sum
+    {
+        Vec3 place = Vec3::Zero();
+        double mass = 0.0;
+        int count = 0;
+        bool pinned = false;
+    };
+    std::vector<Sum> sums(rows.size());
+    Renamed renamed(rows.size());
+    for (int i = 0; i < int(rows.size()); ++i) {
+        const Particle& row = *rows[std::size_t(i)];
+        const int first = clusters(i);
+        Sum& sum = sums[std::size_t(first)];
+        sum.place += row.position;
+        sum.mass += row.mass;
+        sum.pinned |= row.pinned;
+        ++sum.count;
+        if (first != i) {
+            renamed.add(row.id, rows[std::size_t(first)]->id);
+            ++weld.merged;
+        }
+    }
+    if (weld.merged == 0)
+        return weld;
+    Columns position(Kind::Particle, "position"), mass(Kind::Particle, "mass"),
+        pinned(Kind::Particle, "pinned");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Sum& sum = sums[i];
+        if (sum.count < 2)
+            continue;
+        const Id id = rows[i]->id;
+        weld.kept.push_back(id);
+        mass.set(id, sum.mass);
+        pinned.set(id, sum.pinned);
+        if (at == WeldAt::Middle)
+            position.set(id, Vec3(sum.place / sum.count));
+    }
+    position.addTo(weld.edit);
+    mass.addTo(weld.edit);
+    pinned.addTo(weld.edit);
+    renameRows(weld, scene, renamed);
+    return weld;
+}
+
+std::vector<const Particle*> rowsOf(const Scene& scene, const std::vector<Id>& ids)
+{
+    std::vector<const Particle*> rows;
+    for (const Id id : particlesOf(scene, ids))
+        rows.push_back(std::get<const Particle*>(*find(scene, id)));
+    return rows;
+}
+
+} // namespace
+
+Weld welded(const Scene& scene, const std::vector<Id>& ids, WeldAt at)
+{
+    const auto rows = rowsOf(scene, ids);
+    Clusters clusters(rows.size());
+    for (int i = 1; i < int(rows.size()); ++i)
+        clusters.join(0, i);
+    return weldClusters(scene, rows, clusters, at);
+}
+
+Weld weldedWithin(const Scene& scene, const std::vector<Id>& ids, double distance, WeldAt at)
+{
+    const auto rows = rowsOf(scene, ids);
+    Clusters clusters(rows.size());
+    joinNear(clusters, rows, std::max(distance, 1e-12));
+    return weldClusters(scene, rows, clusters, at);
+}
+
+} // namespace ripstop

@@ -1,0 +1,117 @@
+// The tool that moves, turns and scales what is selected, by the handles of a gizmo or by numbers.
+//
+// It shapes the design, so it acts while the simulation stands at its start: choosing it takes the
+// simulation back there, and while a run is shown it waits. One drag is one step of the history.
+// While it drags: X, Y or Z keep to that axis, digits type the amount, Ctrl snaps, Esc and the
+// right button take everything back.
+#pragma once
+
+#include "author/transform.h"
+#include "viewport/gizmo.h"
+
+#include <QObject>
+#include <QSizeF>
+#include <QString>
+
+#include <optional>
+
+class QKeyEvent;
+class QMouseEvent;
+class QWidget;
+
+namespace ripstop {
+
+class Document;
+class Player;
+class Selection;
+
+enum class Snap { Grid, Particle };
+
+class TransformTool final : public QObject
+{
+    Q_OBJECT
+
+public:
+    // It takes the mouse and the keys of `view` first, and leaves what it does not use.
+    TransformTool(Document& document, Selection& selection, Player& player, QWidget& view,
+                  const Turntable& camera);
+
+    Shaping shaping() const { return m_shaping; }
+    void setShaping(Shaping shaping);
+
+    Pivot pivot() const { return m_pivot; }
+    void setPivot(Pivot pivot); // Pivot::Particle is that of the lowest number in the selection
+    RestLengths restLengths() const { return m_restLengths; }
+    void setRestLengths(RestLengths restLengths) { m_restLengths = restLengths; }
+    Snap snap() const { return m_snap; }
+    void setSnap(Snap snap) { m_snap = snap; }
+
+    bool isAtDesign() const; // no run is shown
+    bool acts() const;       // there are handles to take hold of
+
+    // Of the drag under way, or of none: m along the axes, degrees about them, factors.
+    Vec3 numbers() const;
+    void shape(const Vec3& numbers); // as typed: one step of the history
+    QString told() const;            // what the drag comes to, in words; empty without one
+
+    bool isDragging() const { return m_drag.has_value(); }
+    Handle active() const; // held or under the cursor
+    std::optional<Gizmo> gizmo() const;
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void changed(); // anything of the above
+    void said(const QString& message);
+
+private:
+    struct Drag
+    {
+        Movable movable;
+        Gizmo gizmo; // where it began
+        Handle handle;
+        QPointF from;
+        QPointF to;
+        double angle = 0.0;     // rad, turned so far
+        double lastAngle = 0.0; // rad, as the gizmo saw it last
+        bool snaps = false;
+        QString typed = {};
+        int gesture = 0;
+        bool hasMoved = false;
+    };
+
+    bool press(const QMouseEvent& event);
+    bool move(const QMouseEvent& event);
+    bool release(const QMouseEvent& event);
+    bool key(const QKeyEvent& event);
+    void keepTo(int axis);
+    void step(); // takes the design to where the hand is now
+    void end();
+    void cancel();
+    Vec3 dragNumbers() const;
+    Vec3 dragShift() const;
+    std::optional<Vec3> particleUnder(QPointF cursor) const;
+    Motion motionOf(const Vec3& numbers, const Vec3& pivot) const;
+    std::optional<double> typedNumber() const;
+    Lens lens() const;
+    void forget(); // where the pivot was
+
+    Document& m_document;
+    Selection& m_selection;
+    Player& m_player;
+    QWidget& m_view;
+    const Turntable& m_camera;
+
+    Shaping m_shaping = Shaping::None;
+    Pivot m_pivot = Pivot::Median;
+    RestLengths m_restLengths = RestLengths::Keep;
+    Snap m_snap = Snap::Grid;
+    Handle m_hovered;
+    std::optional<Drag> m_drag;
+
+    // of the selection, found when it is asked for; empty where nothing can be moved
+    mutable bool m_known = false;
+    mutable std::optional<Vec3> m_place; // m
+};
+
+} // namespace ripstop
