@@ -39,6 +39,7 @@ struct Workbench
     std::function<void()> showVerification;
     std::function<void()> showPolar;
     std::function<void()> showCondition;
+    std::function<void()> importMesh;
 };
 
 class Actions final : public QObject

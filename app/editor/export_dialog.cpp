@@ -86,13 +86,14 @@ QString inWords(Content content, const Frame* now)
                             "by hand during the run on the screen.");
 }
 
-std::optional<Failure> writeMoment(const Frame& frame, const std::filesystem::path& file)
+std::optional<Failure> writeMoment(const Scene& scene, const Frame& frame,
+                                   const std::filesystem::path& file)
 {
     if (file.extension() == ".ply")
         return writePly(frame, file);
     if (file.extension() == ".vtp")
         return writeVtp(frame, file);
-    return writeObj(frame, file);
+    return writeObj(frame, file, &scene);
 }
 
 std::optional<Failure> writeNow(Content content, const Scene& scene, const Frame& now,
@@ -102,7 +103,7 @@ std::optional<Failure> writeNow(Content content, const Scene& scene, const Frame
         return writeTears(scene, now.tears, file);
     if (content == Content::Controls)
         return writeControlTrack(scene, now.commands, file);
-    return writeMoment(now, file);
+    return writeMoment(scene, now, file);
 }
 
 QDoubleSpinBox* seconds(double value)

@@ -4,6 +4,7 @@
 #include "document/player.h"
 #include "editor/ask_file.h"
 #include "editor/export_dialog.h"
+#include "import/import_dialog.h"
 #include "start/builder_dialog.h"
 #include "viewport/viewport.h"
 
@@ -74,6 +75,28 @@ bool Files::open(const QString& file)
     remember(file);
     emit opened();
     return true;
+}
+
+void Files::importMesh(Into into, const QString& file)
+{
+    const QString folder =
+        m_document.file().isEmpty() ? QString() : QFileInfo(m_document.file()).path();
+    const QString mesh = file.isEmpty() ? ImportDialog::askFile(&m_window, folder) : file;
+    if (mesh.isEmpty() || (into == Into::NewScene && !mayDiscard()))
+        return;
+    const Scene empty;
+    const bool isNew = into == Into::NewScene;
+    ImportDialog dialog(isNew ? empty : m_document.scene(), mesh, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    if (isNew) {
+        m_document.replace(Scene{}, QFileInfo(dialog.file()).completeBaseName());
+        emit opened();
+    }
+    m_document.push(dialog.result().edit);
+    emit imported(dialog.result().parts);
+    emit said(tr("Imported %1. Pin what is to be held: nothing holds it yet.")
+                  .arg(QDir::toNativeSeparators(dialog.file())));
 }
 
 bool Files::save() { return m_document.file().isEmpty() ? saveAs() : write(m_document.file()); }

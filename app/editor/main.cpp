@@ -80,5 +80,8 @@ int main(int argc, char** argv)
         screenshot.emplace(*options, itemCalled(options->fit, document.scene()), window, player);
     else if (options->play)
         player.play();
+    if (!options->mesh.isEmpty()) // once the window is there to ask over
+        QMetaObject::invokeMethod(
+            &window, [&] { window.importMesh(options->mesh); }, Qt::QueuedConnection);
     return QApplication::exec();
 }

@@ -10,6 +10,7 @@
 #include "editor/result_page.h"
 #include "editor/transform_bar.h"
 #include "editor/verification_dialog.h"
+#include "import/import_dialog.h"
 #include "inspector/inspector.h"
 #include "inspector/totals.h"
 #include "outline/outline.h"
@@ -118,7 +119,7 @@ void MainWindow::buildActions()
     m_actions = new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline,
                              *m_files, [this] { showStartPage(); }, [this] { showKeys(); },
                              [this] { showVerification(); }, [this] { showPolar(); },
-                             [this] { showCondition(); }});
+                             [this] { showCondition(); }, [this] { importMesh({}); }});
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
 }
@@ -171,6 +172,11 @@ void MainWindow::connectParts()
     connect(m_start, &StartPage::newRequested, m_files, &Files::startNew);
     connect(m_start, &StartPage::browseRequested, m_files, &Files::browse);
     connect(m_start, &StartPage::builderRequested, m_files, &Files::startFrom);
+    connect(m_start, &StartPage::importRequested, this, [this] { importMesh({}); });
+    connect(m_files, &Files::imported, this, [this](const std::vector<Id>& parts) {
+        m_selection.set(parts);
+        m_viewport->fit(parts);
+    });
 
     connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::changed, this, &MainWindow::showCounts);
@@ -322,6 +328,13 @@ void MainWindow::showCondition()
     m_condition->activateWindow();
 }
 
+// The start page stands for no scene, even if one is open behind it.
+void MainWindow::importMesh(const QString& file)
+{
+    const bool isStart = m_middle->currentWidget() == m_start;
+    m_files->importMesh(isStart ? Files::Into::NewScene : Files::Into::OpenScene, file);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (!m_files->mayDiscard())
@@ -338,10 +351,22 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (droppedFile(event->mimeData()).endsWith(".json", Qt::CaseInsensitive))
+    const QString file = droppedFile(event->mimeData());
+    if (file.endsWith(".json", Qt::CaseInsensitive) || ImportDialog::isMesh(file))
         event->acceptProposedAction();
 }
 
-void MainWindow::dropEvent(QDropEvent* event) { m_files->open(droppedFile(event->mimeData())); }
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QString file = droppedFile(event->mimeData());
+    if (!ImportDialog::isMesh(file)) {
+        m_files->open(file);
+        return;
+    }
+    event->acceptProposedAction();
+    // later: who drops waits until the event is done, and the dialog stays open
+    QMetaObject::invokeMethod(
+        this, [this, file] { importMesh(file); }, Qt::QueuedConnection);
+}
 
 } // namespace ripstop

@@ -47,7 +47,8 @@ public:
 
     void showScene();
     void showStartPage();
-    void showViewOnly(); // for pictures
+    void showViewOnly();                  // for pictures
+    void importMesh(const QString& file); // empty: asks for one
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -1,5 +1,7 @@
 #include "editor/options.h"
 
+#include "import/import_dialog.h"
+
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -31,7 +33,10 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
            "work without a window."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument("scene", tr("Scene file to open (*.ripstop.json)."), "[SCENE]");
+    parser.addPositionalArgument(
+        "scene",
+        tr("Scene file to open (*.ripstop.json), or a mesh to import (*.obj, *.stl, ...)."),
+        "[SCENE]");
     const QCommandLineOption play("play", tr("Start the simulation at once."));
     const QCommandLineOption screenshot(
         "screenshot", tr("Save a picture of the window as FILE (PNG) and quit."), "FILE");
@@ -60,7 +65,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         error = tr("one scene at a time; \"%1\" is one too many").arg(files[1]);
         return std::nullopt;
     }
-    options.scene = files.value(0);
+    const bool isMesh = ImportDialog::isMesh(files.value(0));
+    (isMesh ? options.mesh : options.scene) = files.value(0);
     options.play = parser.isSet(play);
     options.screenshot = parser.value(screenshot);
     options.viewOnly = parser.isSet(viewOnly);

@@ -15,6 +15,7 @@ namespace ripstop {
 struct Options
 {
     QString scene;      // empty: the start page
+    QString mesh;       // to be imported, in place of a scene
     bool play = false;  // at once
     QString screenshot; // empty: stay open
     double after = 0.0; // s, simulated time at which the picture is taken

@@ -2,6 +2,7 @@
 
 #include "document/player.h"
 #include "editor/main_window.h"
+#include "import/import_dialog.h"
 #include "measure/diagnostics.h"
 #include "viewport/viewport.h"
 
@@ -40,6 +41,8 @@ void Screenshot::goOn()
     const bool isReady = m_player.frame() || !m_player.problem().isEmpty();
     if (m_player.isPlaying() || !isReady)
         return;
+    if (!m_options.mesh.isEmpty())
+        return saveImport();
     if (++m_settling < settlingTurns)
         return;
     const int perPicture = std::max(1, slicesPerPicture / m_options.frames);
@@ -75,6 +78,17 @@ void Screenshot::save()
         std::printf("%s time %.6g s step %lld hash %s\n", qPrintable(file), frame->time,
                     static_cast<long long>(frame->step), hashText(frame->hash).c_str());
     finish(0);
+}
+
+// The dialog, once it shows what will be made of the mesh.
+void Screenshot::saveImport()
+{
+    auto* dialog = qobject_cast<ImportDialog*>(QApplication::activeModalWidget());
+    if (!dialog || !dialog->isSettled() || ++m_settling < settlingTurns)
+        return;
+    if (m_options.size)
+        dialog->resize(*m_options.size);
+    finish(dialog->grab().save(m_options.screenshot) ? 0 : 1);
 }
 
 void Screenshot::finish(int exitCode)

@@ -26,6 +26,7 @@ public:
 private:
     void goOn();
     void save();
+    void saveImport();
     void finish(int exitCode);
 
     Options m_options;

@@ -126,6 +126,58 @@ private slots:
         QVERIFY(std::abs(part.links.front().width - std::sqrt(3.0)) < 1e-9);
     }
 
+    // The energy of links in a sheet of equilateral triangles that is strained evenly, per area, is
+    // that of a sheet with the modulus E t and Poisson's ratio 1/3, and for shear links
+    // G t g^2 / 2. Half of each link at an inner particle is that particle's, whose area is
+    // sqrt(3) / 2 a^2.
+    void triangularFabricIsAsStiffAsItsNumbers()
+    {
+        const double a = 0.1;
+        const double h = 0.5 * std::sqrt(3.0) * a;
+        const int n = 6;
+        std::string text;
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i)
+                text += "v " + std::to_string(a * (i + 0.5 * j)) + " "
+                        + QString::number(h * j, 'g', 17).toStdString() + " 0\n";
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                const int at = j * (n + 1) + i + 1;
+                const auto face = [](int p, int q, int r) {
+                    return "f " + std::to_string(p) + " " + std::to_string(q) + " "
+                           + std::to_string(r) + "\n";
+                };
+                text += face(at, at + 1, at + n + 1) + face(at + 1, at + n + 2, at + n + 1);
+            }
+        MeshFabric fabric = plainFabric();
+        fabric.shear = LinkStyle::Rods;
+        const Part part = firstPart(sceneOf(preparedOf(meshOf(text.c_str())), fabric));
+        const Particle& inner = part.particles[std::size_t((n / 2) * (n + 1) + n / 2)];
+
+        // twice the energy per area of all links of a role that have stiffness w / L
+        const auto energy = [&](LinkRole role, const Eigen::Matrix3d& strain) {
+            double sum = 0.0;
+            for (const Link& link : part.links) {
+                if (link.role != role || (link.from != inner.id && link.to != inner.id))
+                    continue;
+                const Vec3 along = (findRow(part.particles, link.to)->position
+                                    - findRow(part.particles, link.from)->position);
+                const double stretch = along.dot(strain * along) / along.norm();
+                sum += 0.5 * link.width / link.restLength * stretch * stretch;
+            }
+            return sum / (h * a);
+        };
+        // drawn by 1 along x under no load across, a sheet of modulus 1 gets narrower by 1/3
+        Eigen::Matrix3d drawn = Eigen::Matrix3d::Zero();
+        drawn(0, 0) = 1.0;
+        drawn(1, 1) = -1.0 / 3.0;
+        QVERIFY(std::abs(energy(LinkRole::Thread, drawn) - 1.0) < 1e-6);
+        Eigen::Matrix3d sheared = Eigen::Matrix3d::Zero();
+        sheared(0, 1) = sheared(1, 0) = 0.5; // g = 1
+        QVERIFY(std::abs(energy(LinkRole::Thread, sheared) - 3.0 / 8.0) < 1e-6);
+        QVERIFY(std::abs(energy(LinkRole::Bias, sheared) - 1.0) < 1e-6);
+    }
+
     // --- parts, groups, materials
     // ------------------------------------------------------------------
 

@@ -105,6 +105,10 @@ QWidget* StartPage::side()
     auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open\u2026"));
     open->setObjectName(QStringLiteral("open"));
     open->setToolTip(tr("A scene from a file"));
+    auto* import = new QPushButton(icon(QStringLiteral("import")), tr("Import\u2026"));
+    import->setObjectName(QStringLiteral("import"));
+    import->setToolTip(tr("Fabric from a mesh: OBJ, STL, PLY, OFF, glTF or Collada"));
+    connect(import, &QPushButton::clicked, this, &StartPage::importRequested);
     connect(newScene, &QPushButton::clicked, this, &StartPage::newRequested);
     connect(open, &QPushButton::clicked, this, &StartPage::browseRequested);
 
@@ -120,6 +124,7 @@ QWidget* StartPage::side()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(newScene);
     layout->addWidget(open);
+    layout->addWidget(import);
     layout->addSpacing(14);
     layout->addWidget(heading(tr("Recent")));
     layout->addWidget(m_noRecent);

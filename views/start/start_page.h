@@ -23,6 +23,7 @@ signals:
     void openRequested(const QString& file);
     void newRequested();
     void browseRequested();
+    void importRequested();
     void builderRequested(const QString& builder); // its name in the table of builders
 
 private:

@@ -1,0 +1,271 @@
+// A mesh brought in by hand: the dialog, the edit that comes of it, and the ways there.
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/main_window.h"
+#include "import/import_dialog.h"
+#include "import/mesh_preview.h"
+#include "model/meshes.h"
+#include "start/start_page.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr int patience = 20000; // ms
+
+// With a narrow blank between number and unit.
+QString spaced(QString text)
+{
+    static const QRegularExpression place("(\\d) (c?m)\\b");
+    return text.replace(place, QStringLiteral("\\1\u202f\\2"));
+}
+
+struct Editor
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
+
+    Editor()
+    {
+        window.show();
+        QApplication::setActiveWindow(&window); // Xvfb has no window manager to do it
+    }
+};
+
+// Presses Import (or Cancel) once the dialog that opens next shows what it will do.
+class Answer : public QObject
+{
+public:
+    explicit Answer(QDialogButtonBox::StandardButton button)
+    {
+        connect(&m_timer, &QTimer::timeout, this, [this, button] {
+            auto* dialog = qobject_cast<ImportDialog*>(QApplication::activeModalWidget());
+            if (!dialog || !dialog->isSettled())
+                return;
+            m_timer.stop();
+            wasAsked = true;
+            QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(button),
+                              Qt::LeftButton);
+        });
+        m_timer.start(10);
+    }
+
+    bool wasAsked = false;
+
+private:
+    QTimer m_timer;
+};
+
+} // namespace
+
+class TestImport : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    QString m_cube; // the loose triangles of a cube
+
+private slots:
+    void initTestCase() { m_cube = writeFile(m_folder.filePath("cube.stl"), cubeAsStl()); }
+
+    void dialogShowsWhatWillBe()
+    {
+        const Scene scene;
+        ImportDialog dialog(scene, m_cube);
+        dialog.show();
+        QVERIFY(!dialog.isReady());
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+        const auto* size = dialog.findChild<QLabel*>("resultingSize");
+        const auto* counts = dialog.findChild<QLabel*>("counts");
+        const auto* report = dialog.findChild<QListWidget*>("report");
+        QCOMPARE(size->text(), spaced("1 m wide, 1 m high, 1 m deep"));
+        QVERIFY2(counts->text().contains("8 particles"), qPrintable(counts->text()));
+        QVERIFY2(counts->text().contains("18 rods"), qPrintable(counts->text()));
+        QVERIFY2(counts->text().contains("282 g"), qPrintable(counts->text())); // 6 m^2, 47 g/m^2
+        QCOMPARE(report->count(), 1);
+        QCOMPARE(report->item(0)->text(), "28 vertices lie on another one: joined.");
+
+        // each choice shows at once what it means
+        auto* unit = dialog.findChild<QComboBox*>("unit");
+        unit->setCurrentIndex(unit->findText("Centimetres"));
+        QVERIFY(!dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+        QTRY_COMPARE_WITH_TIMEOUT(size->text(), spaced("1 cm wide, 1 cm high, 1 cm deep"),
+                                  patience);
+        QCOMPARE(report->count(), 2); // and that this is small
+        unit->setCurrentIndex(unit->findText("Scale to a size"));
+        dialog.findChild<QDoubleSpinBox*>("size")->setValue(2.0);
+        QTRY_COMPARE_WITH_TIMEOUT(size->text(), spaced("2 m wide, 2 m high, 2 m deep"), patience);
+        dialog.findChild<QDoubleSpinBox*>("density")->setValue(100.0);
+        QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("2.4 kg"), qPrintable(counts->text()),
+                                  patience);
+        dialog.findChild<QComboBox*>("structural")->setCurrentIndex(int(LinkStyle::Springs));
+        QTRY_VERIFY2_WITH_TIMEOUT(counts->text().contains("18 springs"), qPrintable(counts->text()),
+                                  patience);
+    }
+
+    void dialogRefusesInASentence()
+    {
+        const Scene scene;
+        const QString broken = writeFile(m_folder.filePath("broken.obj"), "v 0 0 0\nf 1 2 3\n");
+        ImportDialog dialog(scene, broken);
+        dialog.show();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isSettled(), patience);
+        QVERIFY(!dialog.isReady());
+        QVERIFY(!dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+        const QString text = dialog.findChild<QLabel*>("counts")->text();
+        QVERIFY2(text.contains("line 2"), qPrintable(text));
+    }
+
+    // One step of the history, selected; undone and redone to the same scene.
+    void importIsOneStep()
+    {
+        Editor editor;
+        editor.window.files().startNew();
+        const Scene before = editor.document.scene();
+        {
+            Answer yes(QDialogButtonBox::Ok);
+            editor.window.importMesh(m_cube);
+            QVERIFY(yes.wasAsked);
+        }
+        QCOMPARE(editor.document.history().count(), 1);
+        const Scene after = editor.document.scene();
+        std::vector<Id> parts;
+        forEachPart(after, [&](Id id, const Part& part) {
+            parts.push_back(id);
+            QCOMPARE(part.name, "cube");
+            QCOMPARE(part.particles.size(), 8u);
+        });
+        QCOMPARE(parts.size(), 1u);
+        QCOMPARE(editor.selection.ids(), parts);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            editor.player.frame() && editor.player.frame()->position.size() == 8u, patience);
+
+        editor.document.history().undo();
+        QCOMPARE(editor.document.scene().items, before.items);
+        editor.document.history().redo();
+        QCOMPARE(editor.document.scene().items, after.items);
+    }
+
+    void cancellingChangesNothing()
+    {
+        Editor editor;
+        editor.window.files().startNew();
+        const Scene before = editor.document.scene();
+        Answer no(QDialogButtonBox::Cancel);
+        editor.window.importMesh(m_cube);
+        QVERIFY(no.wasAsked);
+        QCOMPARE(editor.document.scene(), before);
+        QCOMPARE(editor.document.history().count(), 0);
+    }
+
+    void droppedOnTheWindow()
+    {
+        Editor editor; // with the start page: a new scene
+        Answer yes(QDialogButtonBox::Ok);
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(m_cube)});
+        QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&editor.window, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&editor.window, &drop);
+        QTRY_VERIFY_WITH_TIMEOUT(yes.wasAsked, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 1, patience);
+        QCOMPARE(editor.document.displayName(), "cube");
+        QVERIFY(editor.window.viewport().isVisible());
+    }
+
+    void menuAndStartPage()
+    {
+        Editor editor;
+        const QAction* action = editor.window.actions()["import"];
+        QCOMPARE(action->shortcut(), QKeySequence("Ctrl+Shift+I"));
+        QVERIFY(!action->statusTip().isEmpty());
+        StartPage page;
+        QSignalSpy asked(&page, &StartPage::importRequested);
+        QTest::mouseClick(page.findChild<QPushButton*>("import"), Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
+    }
+
+    // Reading and repairing go on elsewhere: the window answers, and closing it stops them.
+    void largeMeshesDoNotBlock()
+    {
+        const QString file =
+            writeFile(m_folder.filePath("large.obj"),
+                      QByteArray::fromStdString(sheet(316, 0.01, false))); // 199 712 triangles
+        const Scene scene;
+        QElapsedTimer timer;
+        timer.start();
+        {
+            ImportDialog dialog(scene, file);
+            dialog.show();
+            QVERIFY(timer.elapsed() < 1000);
+            dialog.reject();
+        }
+        {
+            ImportDialog dialog(scene, file);
+            dialog.show();
+            QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+            QCOMPARE(dialog.result().panels, 199712u);
+            auto* preview = dialog.findChild<MeshPreview*>();
+            timer.restart();
+            preview->grab();
+            qInfo("a picture of 199 712 triangles: %lld ms", timer.elapsed());
+        }
+    }
+
+    // Blue is the front: a square seen from the side that it is wound towards, ochre from behind.
+    void previewTellsFrontFromBack()
+    {
+        const PreparedMesh square =
+            preparedOf(meshOf("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"));
+        MeshLook look;
+        look.ground = Qt::black;
+        look.front = QColor(0, 0, 255);
+        look.back = QColor(255, 0, 0);
+        look.edge = look.rim = look.trouble = QColor(0, 255, 0);
+        MeshCamera camera;
+        camera.scale = 40.0;
+        const QImage front = drawMesh(square, camera, {100, 100}, look);
+        QVERIFY(front.pixelColor(45, 60).blue() > 100);
+        QCOMPARE(front.pixelColor(45, 60).red(), 0);
+        QCOMPARE(front.pixelColor(2, 2), QColor(Qt::black));
+        camera.turn = Eigen::AngleAxisd(M_PI, Vec3::UnitY()).toRotationMatrix();
+        const QImage back = drawMesh(square, camera, {100, 100}, look);
+        QVERIFY(back.pixelColor(45, 60).red() > 100);
+        QCOMPARE(back.pixelColor(45, 60).blue(), 0);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("RipstopTest");
+    
+    TestImport test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_import.moc"

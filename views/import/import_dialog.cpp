@@ -1,0 +1,266 @@
+#include "import/import_dialog.h"
+
+#include "document/words.h"
+#include "icons/icon.h"
+#include "import/import_form.h"
+#include "import/mesh_preview.h"
+#include "shapes/mesh_file.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int patience = 150;   // ms after the last change
+constexpr int watchEvery = 100; // ms
+
+// In one unit, so that the three can be compared.
+QString sizeText(const Vec3& size)
+{
+    const double largest = size.maxCoeff(); // m
+    const double scale = largest >= 1.0 ? 1.0 : largest >= 0.01 ? 100.0 : 1000.0;
+    const QString unit = largest >= 1.0    ? ImportDialog::tr("m")
+                         : largest >= 0.01 ? ImportDialog::tr("cm")
+                                           : ImportDialog::tr("mm");
+    const auto text = [&](double metres) {
+        return QLocale().toString(scale * metres, 'g', 4) + QChar(0x202f) + unit;
+    };
+    return ImportDialog::tr("%1 wide, %2 high, %3 deep")
+        .arg(text(size.x()), text(size.y()), text(size.z()));
+}
+
+QString reportText(const MeshFinding& finding)
+{
+    QString text = QString::fromStdString(finding.text());
+    const auto count = qulonglong(finding.count);
+    return text.replace(QString::number(count), QLocale().toString(count));
+}
+
+QString massText(double kilograms)
+{
+    return kilograms >= 1.0
+               ? ImportDialog::tr("%1 kg").arg(QLocale().toString(kilograms, 'g', 4))
+               : ImportDialog::tr("%1 g").arg(QLocale().toString(1000.0 * kilograms, 'g', 4));
+}
+
+QString countsText(const MeshImport& made)
+{
+    QStringList links;
+    if (made.rods > 0)
+        links << ImportDialog::tr("%1 rods").arg(QLocale().toString(qulonglong(made.rods)));
+    if (made.springs > 0)
+        links << ImportDialog::tr("%1 springs").arg(QLocale().toString(qulonglong(made.springs)));
+    if (links.isEmpty())
+        links << ImportDialog::tr("no links");
+    return QStringList{counted(Kind::Particle, qsizetype(made.particles)), links.join(", "),
+                       counted(Kind::Panel, qsizetype(made.panels)),
+                       ImportDialog::tr("%1 m\u00b2").arg(QLocale().toString(made.area, 'g', 4)),
+                       massText(made.mass)}
+        .join(QStringLiteral(" \u00b7 "));
+}
+
+} // namespace
+
+ImportDialog::ImportDialog(const Scene& scene, const QString& file, QWidget* parent)
+    : QDialog(parent)
+    , m_scene(scene)
+    , m_fileName(new QLabel)
+    , m_preview(new MeshPreview)
+    , m_form(new ImportForm(scene))
+    , m_size(new QLabel)
+    , m_counts(new QLabel)
+    , m_report(new QListWidget)
+    , m_progress(new QProgressBar)
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Import a mesh"));
+    layOut();
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(patience);
+    m_watch.setInterval(watchEvery);
+    connect(&m_delay, &QTimer::timeout, this, &ImportDialog::post);
+    connect(&m_watch, &QTimer::timeout, this, &ImportDialog::watch);
+    connect(&m_work, &ImportWork::finished, this, &ImportDialog::take);
+    connect(m_form, &ImportForm::changed, this, &ImportDialog::workSoon);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(this, &QDialog::rejected, &m_work, &ImportWork::stop);
+    connect(m_report, &QListWidget::currentRowChanged, this, [this](int row) {
+        const auto findings = m_outcome && m_outcome->mesh ? m_outcome->mesh->report.findings()
+                                                           : std::vector<MeshFinding>();
+        m_preview->mark(row >= 0 && std::size_t(row) < findings.size()
+                            ? findings[std::size_t(row)].places
+                            : std::vector<Vec3>());
+    });
+    openFile(file);
+}
+
+QString ImportDialog::askFile(QWidget* parent, const QString& folder)
+{
+    QStringList endings;
+    for (const std::string_view extension : meshExtensions())
+        endings << QStringLiteral("*.%1").arg(
+            QLatin1String(extension.data(), qsizetype(extension.size())));
+    return QFileDialog::getOpenFileName(parent, tr("Import a mesh"), folder,
+                                        tr("Meshes (%1);;All files (*)").arg(endings.join(' ')));
+}
+
+bool ImportDialog::isMesh(const QString& file)
+{
+    const std::string ending = QFileInfo(file).suffix().toLower().toStdString();
+    return std::ranges::find(meshExtensions(), ending) != meshExtensions().end();
+}
+
+QWidget* ImportDialog::filePlace()
+{
+    auto* choose = new QPushButton(icon(QStringLiteral("open")), tr("Another file\u2026"));
+    choose->setToolTip(tr("OBJ, STL, PLY, OFF, glTF, GLB or Collada."));
+    choose->setAutoDefault(false);
+    connect(choose, &QPushButton::clicked, this, &ImportDialog::chooseFile);
+    m_fileName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* place = new QWidget;
+    auto* row = new QHBoxLayout(place);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_fileName, 1);
+    row->addWidget(choose);
+    return place;
+}
+
+void ImportDialog::layOut()
+{
+    m_size->setObjectName(QStringLiteral("resultingSize"));
+    m_counts->setObjectName(QStringLiteral("counts"));
+    m_counts->setWordWrap(true);
+    m_report->setObjectName(QStringLiteral("report"));
+    m_report->setAccessibleName(tr("What was found in the mesh"));
+    m_report->setWordWrap(true);
+    m_report->setToolTip(tr("Choose a line to see in the picture where the first ones are."));
+    m_report->setMinimumHeight(4 * fontMetrics().lineSpacing() + 12);
+    m_report->setMaximumHeight(9 * fontMetrics().lineSpacing());
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setMaximumHeight(6);
+    QSizePolicy keepsPlace = m_progress->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(keepsPlace);
+    m_progress->hide();
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Import"));
+
+    auto* seen = new QVBoxLayout;
+    seen->addWidget(m_preview, 1);
+    seen->addWidget(m_size);
+    seen->addWidget(m_report);
+
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(m_form);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(m_form->minimumSizeHint().width() + 24);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(14);
+    columns->addLayout(seen, 1);
+    columns->addWidget(scroll);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(filePlace());
+    layout->addLayout(columns, 1);
+    layout->addWidget(m_counts);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_buttons);
+    resize(940, 660);
+}
+
+void ImportDialog::chooseFile()
+{
+    const QString file = askFile(this, QFileInfo(m_file).path());
+    if (!file.isEmpty())
+        openFile(file);
+}
+
+void ImportDialog::openFile(const QString& file)
+{
+    m_file = file;
+    m_fileName->setText(QFileInfo(file).fileName());
+    m_fileName->setToolTip(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()));
+    m_form->startFile(file);
+    m_preview->setMesh(nullptr);
+    m_preview->setHint(tr("Reading\u2026"));
+    post();
+}
+
+void ImportDialog::setReady(bool isReady)
+{
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(isReady);
+    m_counts->setEnabled(isReady);
+}
+
+void ImportDialog::workSoon()
+{
+    setReady(false);
+    m_delay.start();
+}
+
+void ImportDialog::post()
+{
+    m_delay.stop();
+    setReady(false);
+    m_outcome = nullptr;
+    m_work.post(
+        {m_file, m_form->shape(), m_form->fabric(), m_form->name(), surroundingsOf(m_scene)});
+    m_watch.start();
+}
+
+void ImportDialog::watch()
+{
+    m_progress->setVisible(m_work.isBusy());
+    m_progress->setValue(int(1000.0 * m_work.share()));
+    if (!m_work.isBusy())
+        m_watch.stop();
+}
+
+void ImportDialog::take(std::shared_ptr<const ImportOutcome> outcome)
+{
+    watch();
+    m_outcome = std::move(outcome);
+    m_form->follow(*m_outcome);
+    if (!m_outcome->refusal.isEmpty())
+        m_preview->setHint(m_outcome->refusal);
+    m_preview->setMesh(m_outcome->mesh);
+    m_size->setText(m_outcome->mesh ? sizeText(m_outcome->mesh->size) : QString());
+    m_counts->setText(isReady() ? countsText(m_outcome->made) : m_outcome->refusal);
+    showReport();
+    setReady(isReady() && !m_delay.isActive());
+    if (!m_delay.isActive())
+        emit settled();
+}
+
+void ImportDialog::showReport()
+{
+    const QSignalBlocker quiet(m_report);
+    m_report->clear();
+    if (!m_outcome->mesh)
+        return;
+    const char* const icons[]{"about", "ok", "warning"}; // as MeshGravity
+    for (const MeshFinding& finding : m_outcome->mesh->report.findings())
+        m_report->addItem(new QListWidgetItem(
+            icon(QLatin1String(icons[int(gravityOf(finding.fault))])), reportText(finding)));
+    if (m_report->count() == 0)
+        m_report->addItem(new QListWidgetItem(icon(QStringLiteral("ok")),
+                                              tr("Nothing is wrong with this mesh.")));
+}
+
+} // namespace ripstop

@@ -1,0 +1,104 @@
+#include "import/import_work.h"
+
+#include "shapes/mesh_file.h"
+
+#include <set>
+
+namespace ripstop {
+namespace {
+
+QString words(const std::string& text) { return QString::fromStdString(text); }
+
+} // namespace
+
+ImportWork::ImportWork(QObject* parent)
+    : QObject(parent)
+    , m_worker(
+          [this](const Job& job) { return work(job); },
+          [this] { QMetaObject::invokeMethod(this, &ImportWork::collect, Qt::QueuedConnection); })
+{}
+
+ImportWork::~ImportWork() { m_newest = -1; }
+
+void ImportWork::post(ImportWish wish)
+{
+    m_newest = ++m_number;
+    m_share = 0.0;
+    m_worker.post({std::move(wish), m_number});
+}
+
+void ImportWork::stop()
+{
+    m_newest = ++m_number;
+    m_done = m_number;
+}
+
+void ImportWork::collect()
+{
+    const auto outcome = m_worker.take();
+    if (!outcome || outcome->number != m_number || !isBusy())
+        return; // of a wish that has changed since
+    m_done = outcome->number;
+    emit finished(outcome);
+}
+
+// Reads and repairs, where that is not done yet. False with the refusal in `outcome`.
+bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress& progress)
+{
+    const ImportWish& wish = job.wish;
+    if (!m_kept.read || m_kept.file != wish.file) {
+        m_kept = {};
+        Result<PolygonMesh> read =
+            readPolygonFile(wish.file.toStdString(), stageOf(progress, 0.0, 0.4));
+        if (!read) {
+            outcome.refusal = words(read.message());
+            return false;
+        }
+        m_kept.file = wish.file;
+        m_kept.read = std::move(*read);
+    }
+    const PolygonMesh& read = *m_kept.read;
+    outcome.isRead = true;
+    outcome.unit = read.unit;
+    outcome.isUpright = read.isUpright;
+    outcome.objects = std::set(read.object.begin(), read.object.end()).size();
+    if (!m_kept.mesh || !(m_kept.shape == wish.shape)) {
+        m_kept.mesh = nullptr;
+        Result<PreparedMesh> mesh = prepared(read, wish.shape, stageOf(progress, 0.4, 0.7));
+        if (!mesh) {
+            outcome.refusal = words(mesh.message());
+            return false;
+        }
+        m_kept.shape = wish.shape;
+        m_kept.mesh = std::make_shared<const PreparedMesh>(std::move(*mesh));
+    }
+    outcome.mesh = m_kept.mesh;
+    return true;
+}
+
+ImportOutcome ImportWork::work(const Job& job)
+{
+    ImportOutcome outcome;
+    outcome.number = job.number;
+    const Progress progress = [this, number = job.number](double share) {
+        m_share = share;
+        return m_newest == number;
+    };
+    try {
+        if (!prepare(job, outcome, progress))
+            return outcome;
+        const ImportWish& wish = job.wish;
+        outcome.weave = weaveOf(*outcome.mesh, wish.fabric);
+        Result<MeshImport> made = fabricOf(*outcome.mesh, wish.fabric, wish.name, wish.surroundings,
+                                           stageOf(progress, 0.7, 1.0));
+        if (made)
+            outcome.made = std::move(*made);
+        else
+            outcome.refusal = words(made.message());
+    } catch (const std::bad_alloc&) {
+        outcome.refusal = tr("There is not enough memory for this mesh.");
+    }
+    return outcome;
+}
+
+} // namespace ripstop
