@@ -91,22 +91,25 @@ void TransformBar::layOut()
         connect(field, &QLineEdit::returnPressed, this, &TransformBar::take);
     }
     numbers->addWidget(m_unit);
-    numbers->addSpacing(6);
+    auto* choices = new QHBoxLayout;
     numbers->addWidget(
         chooser(tr("Pivot"), tr("What it turns and scales about."),
                 {tr("Centre of mass"), tr("Median"), tr("Middle of the box"), tr("First particle")},
                 int(m_tool.pivot()), [this](int chosen) { m_tool.setPivot(Pivot(chosen)); }));
-    numbers->addWidget(chooser(
+    choices->addWidget(chooser(
         tr("Rest lengths"),
         tr("What becomes of the rest lengths of links: they stay, so that what is pulled apart is "
            "under load, or they become the new distances, so that the design is free of load."),
         {tr("Keep lengths"), tr("Rebind lengths")}, int(m_tool.restLengths()),
         [this](int chosen) { m_tool.setRestLengths(RestLengths(chosen)); }));
-    numbers->addWidget(chooser(tr("Snap"), tr("What a drag snaps to while Ctrl is held."),
+    choices->addWidget(chooser(tr("Snap"), tr("What a drag snaps to while Ctrl is held."),
                                {tr("Ctrl: grid"), tr("Ctrl: particle")}, int(m_tool.snap()),
                                [this](int chosen) { m_tool.setSnap(Snap(chosen)); }));
-    numbers->setContentsMargins(0, 0, 0, 0);
-    m_row->setLayout(numbers);
+    auto* rows = new QVBoxLayout(m_row);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(4);
+    rows->addLayout(numbers);
+    rows->addLayout(choices);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 5, 8, 5);
     layout->addWidget(m_row);

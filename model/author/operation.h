@@ -38,24 +38,4 @@ struct Operation
 std::span<const Operation> allOperations();
 const Operation* findOperation(std::string_view name); // null when there is none
 
-// What an edit does to a design: elements and items that come, go and change.
-struct Toll
-{
-    std::size_t particles = 0;
-    std::size_t links = 0;
-    std::size_t panels = 0;
-    std::size_t items = 0;
-    bool isNothing() const { return particles + links + panels + items == 0; }
-};
-struct Tolls
-{
-    Toll added;
-    Toll removed;
-};
-Tolls tollsOf(const Edit& edit);
-
-// What goes when `ids` are removed by `removal`, beyond what they name themselves: links and
-// panels that lose an end or a corner. The elements of a named part are named with it.
-Toll alsoRemoved(const std::vector<Id>& ids, const Edit& removal);
-
 } // namespace ripstop

@@ -5,6 +5,7 @@
 #include "author/pin.h"
 #include "author/split.h"
 #include "author/spread_mass.h"
+#include "author/toll.h"
 #include "author/weld.h"
 #include "builders/builder.h"
 #include "io/scene_file.h"

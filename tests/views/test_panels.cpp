@@ -178,6 +178,33 @@ private slots:
         QCOMPARE(bench.document.scene().items.size(), items + 1);
     }
 
+    // A particle takes its links and panels along, so that is asked first; what is selected itself
+    // goes without a question.
+    void deletingSaysWhatHangsOnIt()
+    {
+        Bench bench(oneOfEverything());
+        Outline outline(bench.document, bench.selection);
+        QStringList questions;
+        bool answer = false;
+        outline.confirm = [&](const QString& question) {
+            questions << question;
+            return answer;
+        };
+        bench.selection.set({Id{3}});
+        outline.removeSelected();
+        QCOMPARE(questions.size(), 1);
+        QVERIFY(questions.first().contains("2 links, 1 panel"));
+        QVERIFY(find(bench.document.scene(), Id{3}));
+        answer = true;
+        outline.removeSelected();
+        QVERIFY(!find(bench.document.scene(), Id{3}) && !find(bench.document.scene(), Id{8}));
+        bench.document.history().undo();
+        bench.selection.set({Id{5}});
+        outline.removeSelected();
+        QCOMPARE(questions.size(), 2);
+        QVERIFY(!find(bench.document.scene(), Id{5}));
+    }
+
     void problemsLeadToTheirCulprit()
     {
         Bench bench(fallingPair());

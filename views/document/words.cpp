@@ -54,6 +54,17 @@ QString counted(Kind kind, qsizetype n)
     return text.replace(QStringLiteral("(s)"), n == 1 ? QString() : QStringLiteral("s"));
 }
 
+QString countsOf(const Toll& toll)
+{
+    QStringList counts;
+    for (const auto& [kind, count] :
+         {std::pair{Kind::Particle, toll.particles}, std::pair{Kind::Link, toll.links},
+          std::pair{Kind::Panel, toll.panels}})
+        if (count > 0)
+            counts << counted(kind, qsizetype(count));
+    return counts.join(QStringLiteral(", "));
+}
+
 QString labelOf(const Property& property) { return translated("Property", property.label); }
 
 QString helpOf(const Property& property) { return translated("Property", property.help); }

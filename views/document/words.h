@@ -1,6 +1,7 @@
 // Words for the things of a scene, the same in every view.
 #pragma once
 
+#include "author/toll.h"
 #include "scene/property.h"
 
 #include <QString>
@@ -10,6 +11,7 @@ namespace ripstop {
 QString kindLabel(Kind kind);            // "Particle"
 QString kindPluralLabel(Kind kind);      // "Particles"
 QString counted(Kind kind, qsizetype n); // "1 particle", "20,000 particles"
+QString countsOf(const Toll& toll);      // "5 particles, 10 links"; empty for nothing
 
 QString labelOf(const Property& property);
 QString helpOf(const Property& property);

@@ -1,5 +1,6 @@
 #include "outline/outline.h"
 
+#include "author/toll.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/shape_file.h"
@@ -14,6 +15,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QResizeEvent>
 #include <QScopedValueRollback>
 #include <QToolButton>
@@ -78,6 +80,11 @@ Outline::Outline(Document& document, Selection& selection, QWidget* parent)
     , m_tree(new QTreeView)
     , m_addMenu(new QMenu(this))
 {
+    confirm = [this](const QString& question) {
+        const auto answer = QMessageBox::question(
+            this, tr("Delete"), question, QMessageBox::Ok | QMessageBox::Cancel, QMessageBox::Ok);
+        return answer == QMessageBox::Ok;
+    };
     m_search->setPlaceholderText(tr("Search names, or #17"));
     m_search->setToolTip(tr("Shows only what has this in its name. #17 and Enter selects what has "
                             "the id 17; Enter alone selects all that is found."));
@@ -189,6 +196,10 @@ void Outline::removeSelected()
     if (ids.empty())
         return;
     Edit edit = removal(m_document.scene(), ids);
+    if (const QString others = countsOf(alsoRemoved(ids, edit)); !others.isEmpty())
+        if (!confirm(tr("Delete %1, and with it what hangs on it: %2?")
+                         .arg(describe(m_document.scene(), ids), others)))
+            return;
     edit.label = tr("Remove %1").arg(describe(m_document.scene(), ids)).toStdString();
     m_document.push(std::move(edit));
 }

@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QLineEdit;
 class QMenu;
 class QTreeView;
@@ -26,8 +28,11 @@ public:
 
     QMenu* addMenu() const { return m_addMenu; } // one action per kind of item that can be added
     void renameCurrent();
-    void removeSelected();
+    void removeSelected(); // asks when more goes than what is selected
     void focusSearch();
+
+    // Asks the user; a dialog unless it is replaced.
+    std::function<bool(const QString& question)> confirm;
 
 private:
     void buildTree();

@@ -150,8 +150,10 @@ void GizmoOverlay::refresh()
 {
     const bool shown = m_tool.acts();
     setVisible(shown);
-    if (shown)
-        update();
+    if (!shown)
+        return;
+    setGeometry(parentWidget()->rect());
+    update();
 }
 
 void GizmoOverlay::paintEvent(QPaintEvent*)

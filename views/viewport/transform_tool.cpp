@@ -74,11 +74,17 @@ void TransformTool::setShaping(Shaping shaping)
         cancel();
     m_shaping = shaping;
     m_hovered = {};
-    if (shaping != Shaping::None && !isAtDesign()) {
-        m_player.reset();
-        emit said(tr("The simulation is back at its start: this tool shapes the design."));
-    }
+    if (shaping != Shaping::None)
+        goToDesign();
     emit changed();
+}
+
+void TransformTool::goToDesign()
+{
+    if (isAtDesign())
+        return;
+    m_player.reset();
+    emit said(tr("The simulation is back at its start, where the design is shaped."));
 }
 
 void TransformTool::setPivot(Pivot pivot)

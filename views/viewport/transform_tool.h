@@ -47,6 +47,7 @@ public:
     void setSnap(Snap snap) { m_snap = snap; }
 
     bool isAtDesign() const; // no run is shown
+    void goToDesign();       // and says so, where one is
     bool acts() const;       // there are handles to take hold of
 
     // Of the drag under way, or of none: m along the axes, degrees about them, factors.

@@ -3,6 +3,7 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "viewport/centre_mark.h"
 #include "viewport/compass.h"
 #include "viewport/element_places.h"
 #include "viewport/gizmo_overlay.h"
@@ -57,6 +58,7 @@ public:
         , legend(&widget)
         , compass(&widget)
         , transform(openDocument, openSelection, openPlayer, widget, camera)
+        , centre(openDocument, openSelection, &widget)
         , gizmo(transform, &widget)
     {
         camera.look(PresetView::Iso);
@@ -88,6 +90,7 @@ public:
     Legend legend;
     Compass compass;
     TransformTool transform;
+    CentreMark centre;
     GizmoOverlay gizmo;
 
     bool untouched = true;        // the camera still shows all it should, as nobody has moved it
@@ -142,7 +145,7 @@ void Viewport::Private::place()
     legend.move(screen.width() - legend.width() - corner, corner);
     compass.move(corner, screen.height() - compass.height() - corner);
     compass.setCamera(camera);
-    gizmo.setGeometry(screen.geometry());
+    centre.show(stage.frame(), camera);
     gizmo.refresh();
     stage.place(camera);
 }
@@ -224,6 +227,7 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     d->pointing.raise();
     d->legend.raise();
     d->compass.raise();
+    d->centre.raise();
     d->gizmo.raise();
     d->screen.beforePainting = [this] { d->prepare(); };
 
@@ -305,6 +309,12 @@ void Viewport::setParticlesShown(bool shown)
 
 void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
 
+void Viewport::setCentreShown(bool shown)
+{
+    d->centre.setMarked(shown);
+    d->screen.update();
+}
+
 void Viewport::setWindFieldShown(bool shown)
 {
     d->stage.setWindShown(shown);
@@ -317,6 +327,7 @@ void Viewport::setTheme(const Theme& theme)
     d->pointing.setTheme(theme);
     d->legend.setTheme(theme);
     d->compass.setTheme(theme);
+    d->centre.setTheme(theme);
     d->gizmo.setTheme(theme);
     d->screen.update();
 }
@@ -344,7 +355,8 @@ QImage Viewport::image(Overlays overlays)
         return picture;
     picture.setDevicePixelRatio(d->screen.devicePixelRatioF());
     QPainter painter(&picture);
-    for (QWidget* overlay : std::initializer_list<QWidget*>{&d->gizmo, &d->legend, &d->compass})
+    for (QWidget* overlay :
+         std::initializer_list<QWidget*>{&d->centre, &d->gizmo, &d->legend, &d->compass})
         if (!overlay->isHidden())
             overlay->render(&painter, overlay->pos(), {}, QWidget::RenderFlags{});
     return picture;

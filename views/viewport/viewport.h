@@ -54,6 +54,7 @@ public:
     void setParticlesShown(bool shown);
     void setWindShown(bool shown);
     void setWindFieldShown(bool shown); // off at first
+    void setCentreShown(bool shown);    // of gravity, off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();

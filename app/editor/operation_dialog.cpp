@@ -1,0 +1,199 @@
+#include "editor/operation_dialog.h"
+
+#include "author/toll.h"
+#include "document/document.h"
+#include "document/selection.h"
+#include "document/words.h"
+#include "start/parameter_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int patience = 150; // ms after the last change
+constexpr int margin = 24;    // pixels, from the edge of the window
+
+QString text(std::string_view words)
+{
+    return QString::fromUtf8(words.data(), qsizetype(words.size()));
+}
+
+// "Adds 5 particles, 10 links. Removes 1 link."
+QString outcomeOf(const Edit& edit)
+{
+    const Tolls tolls = tollsOf(edit);
+    QStringList said;
+    if (const QString added = countsOf(tolls.added); !added.isEmpty())
+        said << OperationDialog::tr("Adds %1.").arg(added);
+    if (const QString removed = countsOf(tolls.removed); !removed.isEmpty())
+        said << OperationDialog::tr("Removes %1.").arg(removed);
+    std::size_t most = 0;
+    for (const Change& change : edit.changes)
+        if (const auto* values = std::get_if<SetValues>(&change))
+            if (values->property->kind == Kind::Particle)
+                most = std::max(most, values->targets.size());
+    if (most > 0)
+        said << OperationDialog::tr("Changes %1.").arg(counted(Kind::Particle, qsizetype(most)));
+    return said.join(QChar(' '));
+}
+
+} // namespace
+
+double OperationDialog::Field::value() const
+{
+    return choice ? double(choice->currentIndex()) : number->value();
+}
+
+bool OperationDialog::Field::isInRange() const { return choice || number->isInRange(); }
+
+OperationDialog::OperationDialog(const Operation& operation, Document& document,
+                                 Selection& selection, QWidget* parent)
+    : QDialog(parent)
+    , m_operation(operation)
+    , m_document(document)
+    , m_selection(selection)
+    , m_ids(selection.ids())
+    , m_preview(new QCheckBox(tr("Show in the view")))
+    , m_outcome(new QLabel)
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
+{
+    setWindowTitle(text(operation.label));
+    layOut();
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(patience);
+    connect(&m_pause, &QTimer::timeout, this, &OperationDialog::preview);
+    connect(m_preview, &QCheckBox::toggled, this, &OperationDialog::preview);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    preview();
+    adjustSize();
+    if (parent) // beside the design, not on it
+        move(parent->geometry().right() - width() - margin, parent->geometry().top() + 4 * margin);
+}
+
+void OperationDialog::layOut()
+{
+    auto* help = new QLabel(text(m_operation.help));
+    help->setWordWrap(true);
+    help->setForegroundRole(QPalette::PlaceholderText);
+    auto* form = new QFormLayout;
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    for (const OperationParameter& parameter : m_operation.parameters)
+        m_fields.push_back(addField(parameter, *form));
+    m_preview->setChecked(true);
+    m_preview->setToolTip(tr("The design shows the outcome while this dialog is open."));
+    m_outcome->setObjectName(QStringLiteral("outcome"));
+    m_outcome->setWordWrap(true);
+    m_outcome->setMinimumHeight(3 * fontMetrics().lineSpacing()); // for a long sentence
+    m_outcome->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_buttons->button(QDialogButtonBox::Ok)->setText(text(m_operation.label));
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(help);
+    layout->addLayout(form);
+    layout->addWidget(m_preview);
+    layout->addWidget(m_outcome);
+    layout->addWidget(m_buttons);
+    setMinimumWidth(380);
+}
+
+OperationDialog::Field OperationDialog::addField(const OperationParameter& parameter,
+                                                 QFormLayout& form)
+{
+    Field field{&parameter};
+    QWidget* widget = nullptr;
+    if (parameter.choices.empty()) {
+        field.number = new ParameterField(parameter.number);
+        connect(field.number, &ParameterField::changed, this, &OperationDialog::soon);
+        widget = field.number;
+    } else {
+        field.choice = new QComboBox;
+        for (const std::string_view choice : parameter.choices)
+            field.choice->addItem(choiceLabel(choice));
+        field.choice->setCurrentIndex(int(parameter.number.initial));
+        field.choice->setToolTip(text(parameter.number.help));
+        connect(field.choice, &QComboBox::currentIndexChanged, this, &OperationDialog::soon);
+        widget = field.choice;
+    }
+    widget->setObjectName(text(parameter.number.key));
+    auto* label = new QLabel(ParameterField::label(parameter.number));
+    label->setToolTip(widget->toolTip());
+    label->setBuddy(widget);
+    form.addRow(label, widget);
+    return field;
+}
+
+void OperationDialog::soon() { m_pause.start(); }
+
+Result<Shaped> OperationDialog::shaped() const
+{
+    Parameters values;
+    for (const Field& field : m_fields) {
+        const Parameter& number = field.parameter->number;
+        if (!field.isInRange())
+            return Failure{tr("%1 must be a number from %2 to %3.")
+                               .arg(ParameterField::label(number), compactNumber(number.low),
+                                    compactNumber(number.high))
+                               .toStdString()};
+        values[std::string(number.key)] = field.value();
+    }
+    return m_operation.apply(m_document.scene(), m_ids, values);
+}
+
+void OperationDialog::takeBack()
+{
+    if (m_gesture != 0)
+        m_document.cancel(m_gesture);
+    m_gesture = 0;
+    m_selection.set(m_ids); // what the preview had removed left it
+}
+
+void OperationDialog::say(const QString& words, bool isRefusal)
+{
+    m_outcome->setText(words);
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(!isRefusal);
+}
+
+void OperationDialog::preview()
+{
+    m_pause.stop();
+    takeBack();
+    Result<Shaped> outcome = shaped();
+    if (!outcome)
+        return say(QString::fromStdString(outcome.message()), true);
+    say(outcomeOf(outcome->edit), false);
+    if (!m_preview->isChecked() || outcome->edit.changes.empty())
+        return;
+    m_gesture = m_document.beginGesture();
+    m_document.drag(std::move(outcome->edit), m_gesture);
+}
+
+void OperationDialog::accept()
+{
+    m_pause.stop();
+    takeBack();
+    Result<Shaped> outcome = shaped();
+    if (!outcome)
+        return say(QString::fromStdString(outcome.message()), true);
+    m_document.push(std::move(outcome->edit));
+    if (outcome->selected)
+        m_selection.set(std::move(*outcome->selected));
+    QDialog::accept();
+}
+
+void OperationDialog::reject()
+{
+    m_pause.stop();
+    takeBack();
+    QDialog::reject();
+}
+
+} // namespace ripstop

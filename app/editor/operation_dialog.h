@@ -1,0 +1,65 @@
+#pragma once
+
+#include "author/operation.h"
+
+#include <QDialog>
+#include <QTimer>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QFormLayout;
+class QLabel;
+
+namespace ripstop {
+
+class Document;
+class ParameterField;
+class Selection;
+
+// The parameters of an operation on what is selected. The design shows the outcome while the dialog
+// is open; accepted, that is one step of the history, and dismissed, none.
+class OperationDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    OperationDialog(const Operation& operation, Document& document, Selection& selection,
+                    QWidget* parent);
+
+    void accept() override;
+    void reject() override;
+
+private:
+    struct Field
+    {
+        const OperationParameter* parameter;
+        ParameterField* number = nullptr;
+        QComboBox* choice = nullptr;
+        double value() const;
+        bool isInRange() const;
+    };
+
+    void layOut();
+    Field addField(const OperationParameter& parameter, QFormLayout& form);
+    void soon();    // shows the outcome when the hand pauses
+    void preview(); // shows it now
+    void takeBack();
+    void say(const QString& text, bool isRefusal);
+    Result<Shaped> shaped() const;
+
+    const Operation& m_operation;
+    Document& m_document;
+    Selection& m_selection;
+    const std::vector<Id> m_ids; // what was selected
+    std::vector<Field> m_fields;
+    QCheckBox* m_preview;
+    QLabel* m_outcome;
+    QDialogButtonBox* m_buttons;
+    QTimer m_pause;
+    int m_gesture = 0; // of the preview that stands in the history, or 0
+};
+
+} // namespace ripstop

@@ -1,0 +1,204 @@
+// What a designer does with the menus that shape a design, by its actions and dialogs.
+#include "document/clipboard.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/main_window.h"
+#include "editor/operation_dialog.h"
+#include "viewport/transform_tool.h"
+#include "viewport/viewport.h"
+#include "views/small_scenes.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+struct Shop
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
+
+    explicit Shop(Scene scene = oneOfEverything())
+    {
+        document.replace(std::move(scene));
+        window.show();
+        window.showScene();
+    }
+
+    void run(const char* id) { window.actions()[id]->trigger(); }
+    QAction* action(const char* id) { return window.actions()[id]; }
+    const Scene& scene() const { return document.scene(); }
+    const Part& part() const { return *findItem<Part>(scene(), Id{1}); }
+    Vec3 place(Id id) const { return std::get<const Particle*>(*find(scene(), id))->position; }
+};
+
+const Operation& operation(const char* name) { return *findOperation(name); }
+
+} // namespace
+
+class TestShaping : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void actionsNeedASelection()
+    {
+        Shop shop;
+        shop.selection.clear();
+        for (const char* id : {"duplicate", "mirror", "weld", "mass", "pin", "copy", "alignLeastX"})
+            QVERIFY2(!shop.action(id)->isEnabled(), id);
+        shop.selection.set({Id{3}});
+        for (const char* id : {"duplicate", "mirror", "weld", "mass", "pin", "copy", "alignLeastX"})
+            QVERIFY2(shop.action(id)->isEnabled(), id);
+        QVERIFY(shop.action("paste")->isEnabled());
+    }
+
+    void toolsAreToggles()
+    {
+        Shop shop;
+        TransformTool& tool = shop.window.viewport().transformTool();
+        shop.selection.set({Id{3}});
+        shop.run("move");
+        QCOMPARE(tool.shaping(), Shaping::Move);
+        QVERIFY(shop.action("move")->isChecked());
+        shop.run("rotate");
+        QVERIFY(!shop.action("move")->isChecked() && shop.action("rotate")->isChecked());
+        shop.run("rotate");
+        QCOMPARE(tool.shaping(), Shaping::None);
+    }
+
+    void numbersAreTypedIntoTheBar()
+    {
+        Shop shop;
+        shop.selection.set({Id{3}});
+        shop.run("move");
+        auto* bar = shop.window.viewport().findChild<QWidget*>("transformBar");
+        QVERIFY(bar && bar->isVisible());
+        auto* x = bar->findChild<QLineEdit*>("x");
+        x->setText("0.25 m");
+        QTest::keyClick(x, Qt::Key_Return);
+        QCOMPARE(shop.place(Id{3}), Vec3(1.25, 1, 0));
+        QCOMPARE(x->text(), QString("0")); // ready for the next step
+        shop.run("move");
+        QVERIFY(!bar->isVisible());
+    }
+
+    void duplicateThenPasteElsewhere()
+    {
+        Shop shop;
+        shop.selection.set({Id{2}, Id{3}});
+        shop.run("duplicate");
+        QCOMPARE(shop.part().particles.size(), std::size_t(5));
+        QCOMPARE(shop.selection.ids().size(), std::size_t(3)); // two and their link
+        QCOMPARE(shop.window.viewport().transformTool().shaping(), Shaping::Move);
+        shop.run("copy");
+        Shop other(fallingPair());
+        const auto items = other.scene().items.size();
+        other.run("paste");
+        QCOMPARE(other.scene().items.size(), items + 2); // a part and its material
+        other.document.history().undo();
+        QCOMPARE(other.scene().items.size(), items);
+        QGuiApplication::clipboard()->setText("a shopping list");
+        other.run("paste");
+        QCOMPARE(other.scene().items.size(), items);
+    }
+
+    void cutAndPasteBringItBack()
+    {
+        Shop shop;
+        shop.selection.set({Id{5}, Id{6}, Id{7}, Id{8}, Id{2}, Id{3}, Id{4}});
+        shop.run("cut");
+        QVERIFY(shop.part().particles.empty());
+        shop.run("paste");
+        const Part* pasted = findItem<Part>(shop.scene(), shop.selection.ids().front());
+        QVERIFY(pasted && pasted->particles.size() == 3 && pasted->panels.size() == 1);
+    }
+
+    void pinningTogglesAll()
+    {
+        Shop shop;
+        shop.selection.set({Id{2}, Id{3}}); // one of them is pinned
+        shop.run("pin");
+        QVERIFY(shop.part().particles[0].pinned && shop.part().particles[1].pinned);
+        shop.run("pin");
+        QVERIFY(!shop.part().particles[0].pinned && !shop.part().particles[1].pinned);
+    }
+
+    void aligningFollowsTheMenu()
+    {
+        Shop shop;
+        shop.selection.set({Id{2}, Id{3}});
+        shop.run("alignMostX");
+        QCOMPARE(shop.place(Id{2}), Vec3(1, 1, 0));
+    }
+
+    // The dialog shows the outcome in the design; dismissed it leaves nothing behind, accepted one
+    // step.
+    void dialogsPreviewAndTakeBack()
+    {
+        Shop shop;
+        shop.document.history().setClean();
+        shop.selection.set({Id{1}});
+        const std::vector<Id> before = shop.selection.ids();
+        {
+            OperationDialog dialog(operation("mirror"), shop.document, shop.selection,
+                                   &shop.window);
+            // particles 2 and 4 lie on x = 0: 1 comes, with 2 links and 1 panel
+            QCOMPARE(shop.part().particles.size(), std::size_t(4));
+            QVERIFY(dialog.findChild<QLabel*>("outcome")->text().contains("1 particle, 2 links"));
+            dialog.findChild<QComboBox*>("plane")->setCurrentIndex(2); // all lie in z = 0
+            QTRY_COMPARE(shop.part().particles.size(), std::size_t(3));
+            QVERIFY(dialog.findChild<QLabel*>("outcome")->text().contains("another plane"));
+            dialog.reject();
+        }
+        QCOMPARE(shop.document.history().count(), 0);
+        QVERIFY(!shop.document.isModified());
+        QCOMPARE(shop.selection.ids(), before);
+        OperationDialog dialog(operation("mirror"), shop.document, shop.selection, &shop.window);
+        dialog.accept();
+        QCOMPARE(shop.document.history().count(), 1);
+        QCOMPARE(shop.part().panels.size(), std::size_t(2));
+        shop.document.history().undo();
+        QCOMPARE(shop.part().particles.size(), std::size_t(3));
+    }
+
+    // What a preview removes leaves the selection, and comes back with it.
+    void aPreviewOfAWeldKeepsTheSelection()
+    {
+        Shop shop;
+        shop.selection.set({Id{2}, Id{3}, Id{4}});
+        OperationDialog dialog(operation("weld"), shop.document, shop.selection, &shop.window);
+        QVERIFY(!dialog.findChild<QLabel*>("outcome")->text().isEmpty());
+        dialog.findChild<QComboBox*>("which")->setCurrentIndex(1);
+        QTRY_COMPARE(shop.part().particles.size(), std::size_t(1));
+        dialog.reject();
+        QCOMPARE(shop.selection.ids().size(), std::size_t(3));
+        QCOMPARE(shop.part().particles.size(), std::size_t(3));
+    }
+
+    void badNumbersAreRefused()
+    {
+        Shop shop;
+        shop.selection.set({Id{1}});
+        OperationDialog dialog(operation("row"), shop.document, shop.selection, &shop.window);
+        auto* count = dialog.findChild<QWidget*>("count")->findChild<QLineEdit*>();
+        count->clear();
+        QTest::keyClicks(count, "many");
+        QTRY_VERIFY(dialog.findChild<QLabel*>("outcome")->text().contains("Count"));
+        dialog.accept();
+        QCOMPARE(shop.document.history().count(), 0);
+    }
+};
+
+QTEST_MAIN(TestShaping)
+#include "test_shaping.moc"
