@@ -266,6 +266,19 @@ private slots:
         QVERIFY(!view.tool.acts());
     }
 
+    // A camera that follows the fabric in flight stays where it is while the design is moved.
+    void theCameraStays()
+    {
+        View view(fallingPair());
+        view.selection.set({Id{1}});
+        QTRY_VERIFY(view.player.frame());
+        const Vec3 focus = view.viewport.camera().focus;
+        view.tool.setShaping(Shaping::Move);
+        view.tool.shape(Vec3(0, 3, 0));
+        QTRY_COMPARE(view.player.frame()->position[0], Vec3(0, 13, 0));
+        QCOMPARE(view.viewport.camera().focus, focus);
+    }
+
     // What is pulled follows the hand on screen, not only in the design.
     void theViewFollowsTheHand()
     {

@@ -174,7 +174,9 @@ void Viewport::Private::moveWith(const Frame& frame)
     const Vec3 middle = middleOf(frame);
     if (!following || !middle.allFinite())
         return;
-    if (followed)
+    // what an author does to the design is to be seen against the ground
+    const bool isShaped = frame.step == 0 && stage.frame() && stage.frame()->step == 0;
+    if (followed && !isShaped)
         camera.focus += middle - *followed;
     followed = middle;
 }
