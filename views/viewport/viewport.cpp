@@ -175,7 +175,9 @@ void Viewport::Private::moveWith(const Frame& frame)
     if (!following || !middle.allFinite())
         return;
     // what an author does to the design is to be seen against the ground
-    const bool isShaped = frame.step == 0 && stage.frame() && stage.frame()->step == 0;
+    const Frame* before = stage.frame().get();
+    const bool isShaped =
+        frame.step == 0 && before && before->step == 0 && frame.generation != before->generation;
     if (followed && !isShaped)
         camera.focus += middle - *followed;
     followed = middle;
