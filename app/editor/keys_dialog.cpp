@@ -55,6 +55,14 @@ KeysDialog::KeysDialog(const std::vector<QAction*>& actions, const Scene& scene,
     new QTreeWidgetItem(table, {tr("Wheel"), tr("Zoom"), tr("Towards the cursor.")});
     new QTreeWidgetItem(table, {tr("Click"), tr("Select"),
                                 tr("With Shift or Ctrl, add to the selection or take away.")});
+    section(tr("While a handle is pulled"));
+    new QTreeWidgetItem(
+        table, {tr("X, Y, Z"), tr("Keep to an axis"), tr("The same key again lets it go.")});
+    new QTreeWidgetItem(table, {tr("0 to 9, −, ."), tr("Type the amount"),
+                                tr("Metres, degrees or a factor. Enter takes it.")});
+    new QTreeWidgetItem(
+        table, {tr("Ctrl"), tr("Snap"), tr("To a grid, to particles, to 15°, to tenths.")});
+    new QTreeWidgetItem(table, {tr("Esc, right button"), tr("Take back"), QString()});
     table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);

@@ -27,8 +27,27 @@ QString text(std::string_view words)
     return QString::fromUtf8(words.data(), qsizetype(words.size()));
 }
 
+// What the particles weigh whose mass is set, and weighed before.
+QString weightOf(const Scene& before, const Edit& edit)
+{
+    const Property* property = findProperty(Kind::Particle, "mass");
+    for (const Change& change : edit.changes) {
+        const auto* values = std::get_if<SetValues>(&change);
+        if (!values || values->property != property)
+            continue;
+        double now = 0.0, then = 0.0; // kg
+        for (std::size_t i = 0; i < values->targets.size(); ++i) {
+            now += std::get<double>(values->values[values->values.size() == 1 ? 0 : i]);
+            then += std::get<double>(property->get(*find(before, values->targets[i])));
+        }
+        return OperationDialog::tr("They weigh %1 kg, before %2 kg.")
+            .arg(compactNumber(now), compactNumber(then));
+    }
+    return {};
+}
+
 // "Adds 5 particles, 10 links. Removes 1 link."
-QString outcomeOf(const Edit& edit)
+QString outcomeOf(const Scene& before, const Edit& edit)
 {
     const Tolls tolls = tollsOf(edit);
     QStringList said;
@@ -43,6 +62,8 @@ QString outcomeOf(const Edit& edit)
                 most = std::max(most, values->targets.size());
     if (most > 0)
         said << OperationDialog::tr("Changes %1.").arg(counted(Kind::Particle, qsizetype(most)));
+    if (const QString weight = weightOf(before, edit); !weight.isEmpty())
+        said << weight;
     return said.join(QChar(' '));
 }
 
@@ -169,7 +190,7 @@ void OperationDialog::preview()
     Result<Shaped> outcome = shaped();
     if (!outcome)
         return say(QString::fromStdString(outcome.message()), true);
-    say(outcomeOf(outcome->edit), false);
+    say(outcomeOf(m_document.scene(), outcome->edit), false);
     if (!m_preview->isChecked() || outcome->edit.changes.empty())
         return;
     m_gesture = m_document.beginGesture();

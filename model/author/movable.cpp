@@ -76,7 +76,7 @@ std::vector<Id> particlesOf(const Scene& scene, const std::vector<Id>& ids)
     return found;
 }
 
-Movable movableOf(const Scene& scene, const std::vector<Id>& ids)
+Movable movableOf(const Scene& scene, const std::vector<Id>& ids, Ties ties)
 {
     Movable movable;
     const std::vector<Id> wanted = particlesOf(scene, ids);
@@ -104,6 +104,8 @@ Movable movableOf(const Scene& scene, const std::vector<Id>& ids)
         movable.mass.push_back(row->mass);
     }
     forEachPart(scene, [&](Id, const Part& part) {
+        if (ties == Ties::Left)
+            return;
         for (const Link& row : part.links) {
             const int from = place(std::uint32_t(row.from));
             const int to = place(std::uint32_t(row.to));

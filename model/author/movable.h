@@ -45,7 +45,8 @@ struct Movable
     bool isEmpty() const { return particles.empty() && colliders.empty(); }
 };
 
-Movable movableOf(const Scene& scene, const std::vector<Id>& ids);
+enum class Ties { Found, Left };
+Movable movableOf(const Scene& scene, const std::vector<Id>& ids, Ties ties = Ties::Found);
 
 enum class Pivot { Mass, Median, Box, Particle };
 

@@ -162,7 +162,7 @@ std::span<const Operation> allOperations()
         Operation{"row",    "Array in a row", "Copies what is selected again and again, each copy a step further.", rowParameters, row},
         Operation{"ring",   "Array in a ring", "Copies what is selected around an axis: gores of a canopy, spokes.", ringParameters, ring},
         Operation{"weld",   "Weld", "Makes one particle of several, with the mass of all. Links and panels that fall together become one.", weldParameters, weld},
-        Operation{"mass",   "Mass", "Gives mass to the selected particles.", massParameters, mass},
+        Operation{"mass",   "Set mass", "Gives mass to the selected particles.", massParameters, mass},
         Operation{"split",  "Split links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
     };
     // clang-format on

@@ -117,7 +117,7 @@ std::optional<Gizmo> TransformTool::gizmo() const
         return Gizmo{m_shaping, m_drag->gizmo.pivot + moved, lens()};
     }
     if (!m_known) {
-        const Movable movable = movableOf(m_document.scene(), m_selection.ids());
+        const Movable movable = movableOf(m_document.scene(), m_selection.ids(), Ties::Left);
         m_place.reset();
         if (!movable.isEmpty())
             m_place = pivotOf(m_document.scene(), movable, m_pivot,
@@ -127,6 +127,13 @@ std::optional<Gizmo> TransformTool::gizmo() const
     if (!m_place)
         return std::nullopt;
     return Gizmo{m_shaping, *m_place, lens()};
+}
+
+// Links only matter where they are bound anew.
+Movable TransformTool::movable() const
+{
+    return movableOf(m_document.scene(), m_selection.ids(),
+                     m_restLengths == RestLengths::Rebind ? Ties::Found : Ties::Left);
 }
 
 Handle TransformTool::active() const { return m_drag ? m_drag->handle : m_hovered; }
@@ -269,9 +276,9 @@ void TransformTool::shape(const Vec3& numbers)
     const Vec3 idle = m_shaping == Shaping::Scale ? Vec3(Vec3::Ones()) : Vec3(Vec3::Zero());
     if (numbers == idle || (m_shaping == Shaping::Scale && numbers.minCoeff() <= 0.0))
         return;
-    const Movable movable = movableOf(m_document.scene(), m_selection.ids());
-    m_document.push(moved(movable, motionOf(numbers, handles->pivot), m_restLengths,
-                          movingLabel(verbOf(m_shaping), movable)));
+    const Movable all = movable();
+    m_document.push(moved(all, motionOf(numbers, handles->pivot), m_restLengths,
+                          movingLabel(verbOf(m_shaping), all)));
 }
 
 // --- the hand ----------------------------------------------------------------------------------
@@ -287,8 +294,7 @@ bool TransformTool::press(const QMouseEvent& event)
     const Handle handle = handles ? handles->at(event.position()) : Handle{};
     if (!handle || event.button() != Qt::LeftButton)
         return false;
-    m_drag = Drag{movableOf(m_document.scene(), m_selection.ids()), *handles, handle,
-                  event.position(), event.position()};
+    m_drag = Drag{movable(), *handles, handle, event.position(), event.position()};
     m_drag->lastAngle = handles->angle(handle, event.position());
     m_drag->gesture = m_document.beginGesture();
     emit changed();

@@ -94,6 +94,7 @@ private:
     std::optional<Vec3> particleUnder(QPointF cursor) const;
     Motion motionOf(const Vec3& numbers, const Vec3& pivot) const;
     std::optional<double> typedNumber() const;
+    Movable movable() const; // what is selected
     Lens lens() const;
     void forget(); // where the pivot was
 

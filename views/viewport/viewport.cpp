@@ -4,6 +4,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "viewport/centre_mark.h"
+#include "viewport/chase.h"
 #include "viewport/compass.h"
 #include "viewport/element_places.h"
 #include "viewport/gizmo_overlay.h"
@@ -26,22 +27,6 @@ namespace {
 
 constexpr int corner = 12; // pixels between the edge and what lies over the view
 constexpr double zoomPerNotch = 0.85;
-
-// What a following camera keeps in place: the fabric, or the network where there is none.
-Vec3 middleOf(const Frame& frame)
-{
-    Vec3 sum = Vec3::Zero();
-    double count = 0.0;
-    for (std::size_t i = 0; i < frame.gone.size(); ++i)
-        if (!frame.gone[i])
-            for (const int particle : frame.layout->panelCorners[i]) {
-                sum += frame.position[particle];
-                count += 1.0;
-            }
-    for (std::size_t i = 0; count == 0.0 && i < frame.position.size(); ++i)
-        sum += frame.position[i] / double(frame.position.size());
-    return count > 0.0 ? Vec3(sum / count) : sum;
-}
 
 } // namespace
 
@@ -75,7 +60,6 @@ public:
     void place();
     std::optional<Sight> sight(); // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
-    void moveWith(const Frame& frame);
     void fitNow();
     void grip(Id id);
     void drag(const QPointF& way);
@@ -93,10 +77,9 @@ public:
     CentreMark centre;
     GizmoOverlay gizmo;
 
-    bool untouched = true;        // the camera still shows all it should, as nobody has moved it
-    bool wholeScene = false;      // should show: everything, or the fabric and what it carries
-    bool following = true;        // the camera goes with the fabric
-    std::optional<Vec3> followed; // m, where the middle was in the last frame
+    bool untouched = true;   // the camera still shows all it should, as nobody has moved it
+    bool wholeScene = false; // should show: everything, or the fabric and what it carries
+    Chase chase;
     QPointF pressed;
     QPointF last;
     bool dragging = false;
@@ -116,7 +99,7 @@ void Viewport::Private::sceneReplaced()
 {
     untouched = true;
     wholeScene = false;
-    followed.reset();
+    chase.forget();
     camera.look(PresetView::Iso);
     showDesign();
     fitNow();
@@ -169,26 +152,11 @@ void Viewport::Private::click(Id id, Qt::KeyboardModifiers keys)
         selection.set({id});
 }
 
-void Viewport::Private::moveWith(const Frame& frame)
-{
-    const Vec3 middle = middleOf(frame);
-    if (!following || !middle.allFinite())
-        return;
-    // what an author does to the design is to be seen against the ground
-    const Frame* before = stage.frame().get();
-    const bool isShaped =
-        frame.step == 0 && before && before->step == 0 && frame.generation != before->generation;
-    if (followed && !isShaped)
-        camera.focus += middle - *followed;
-    followed = middle;
-}
-
 void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
     camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect());
-    if (following && stage.frame())
-        followed = middleOf(*stage.frame());
+    chase.settle(stage.frame().get());
     screen.update();
 }
 
@@ -264,7 +232,7 @@ Viewport::~Viewport() = default;
 
 void Viewport::show(std::shared_ptr<const Frame> frame)
 {
-    d->moveWith(*frame);
+    d->chase.move(d->camera, *frame, d->stage.frame().get());
     d->stage.show(std::move(frame));
     d->pointing.moved();
     d->screen.update();
@@ -398,13 +366,7 @@ void Viewport::view(PresetView preset)
     emit cameraChanged();
 }
 
-void Viewport::setFollow(bool follow)
-{
-    d->following = follow;
-    d->followed.reset();
-    if (follow && d->stage.frame())
-        d->followed = middleOf(*d->stage.frame());
-}
+void Viewport::setFollow(bool follow) { d->chase.set(follow, d->stage.frame().get()); }
 
 void Viewport::setOrthographic(bool orthographic)
 {
@@ -488,7 +450,7 @@ void Viewport::wheelEvent(QWheelEvent* event)
     const double x = 2.0 * event->position().x() / width() - 1.0;
     const double y = 1.0 - 2.0 * event->position().y() / height();
     // a following camera keeps its object in the middle
-    const bool centred = d->following;
+    const bool centred = d->chase.isOn();
     d->camera.zoom(std::pow(zoomPerNotch, notches), centred ? 0.0 : x, centred ? 0.0 : y,
                    d->aspect());
     d->untouched = false;
