@@ -54,7 +54,10 @@ KeysDialog::KeysDialog(const std::vector<QAction*>& actions, const Scene& scene,
                                 tr("Drags what controls move: corners, pilots, colliders.")});
     new QTreeWidgetItem(table, {tr("Wheel"), tr("Zoom"), tr("Towards the cursor.")});
     new QTreeWidgetItem(table, {tr("Click"), tr("Select"),
-                                tr("With Shift or Ctrl, add to the selection or take away.")});
+                                tr("With Shift, add to the selection; with Ctrl, take away.")});
+    new QTreeWidgetItem(table, {tr("Left drag, with box or lasso"), tr("Select what lies inside"),
+                                tr("With Shift, add; with Ctrl, take away; Escape gives up.")});
+    new QTreeWidgetItem(table, {tr("Right drag, with box or lasso"), tr("Turn"), QString()});
     section(tr("While a handle is pulled"));
     new QTreeWidgetItem(
         table, {tr("X, Y, Z"), tr("Keep to an axis"), tr("The same key again lets it go.")});

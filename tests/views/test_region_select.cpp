@@ -6,12 +6,14 @@
 #include "document/selection.h"
 #include "viewport/pointing.h"
 #include "viewport/region_tool.h"
+#include "viewport/scene_frame.h"
 #include "viewport/viewport.h"
 
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QSurfaceFormat>
 #include <QtTest>
+
+#include <ctime>
 
 using namespace ripstop;
 
@@ -110,6 +112,13 @@ struct View
         send(QEvent::MouseButtonRelease, path.back(), keys);
     }
 };
+
+double cpuSeconds()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
 
 std::vector<Id> particlesWhere(const Sheets& sheets, auto isIn)
 {
@@ -330,6 +339,99 @@ private slots:
             QCOMPARE(view.viewport.pick(place) == particle.id, !covered);
         }
         QVERIFY(hidden > 20 && hidden < int(part.particles.size()) / 2);
+    }
+
+    // What a closed body hides: of an octahedron seen from a corner above, one face of four and the
+    // corner behind are not visible, also where the view has no perspective.
+    void aClosedBodyHidesItsBack()
+    {
+        Scene scene;
+        Part part;
+        const std::array corners{Vec3(1, 0, 0),  Vec3(-1, 0, 0), Vec3(0, 1, 0),
+                                 Vec3(0, -1, 0), Vec3(0, 0, 1),  Vec3(0, 0, -1)};
+        std::uint32_t id = 2;
+        for (const Vec3& corner : corners)
+            part.particles.push_back({.id = Id{id++}, .position = corner, .pinned = true});
+        std::vector<Id> facing; // panels that turn towards the eye, and later particles that do
+        const Vec3 towards = Vec3(0.3, 0.2, 1.0).normalized();
+        for (const int x : {0, 1})
+            for (const int y : {2, 3})
+                for (const int z : {4, 5}) {
+                    part.panels.push_back({Id{id}, Id(2 + x), Id(2 + y), Id(2 + z), Id{99}});
+                    if ((corners[x] + corners[y] + corners[z]).dot(towards) > 0.0)
+                        facing.push_back(Id{id});
+                    ++id;
+                }
+        scene.items = {{Id{1}, part}, {Id{99}, Material{}}};
+        scene.nextId = Id{100};
+
+        const auto frame = sceneFrame(scene);
+        const Look look = lookOf(scene, *frame->layout);
+        Turntable camera;
+        camera.azimuth = std::atan2(towards.x(), towards.z());
+        camera.elevation = std::asin(towards.y());
+        camera.fit(corners, 1.0);
+        camera.orthographic = true;
+        const Sight sight{*frame, look, {}, camera, 400.0, 400.0};
+        const Region everything({{0, 0}, {400, 0}, {400, 400}, {0, 400}});
+        const std::vector<Id> seen = elementsIn(sight, {}, everything, Depth::Visible);
+        std::vector<Id> expected{Id{2}, Id{3}, Id{4}, Id{5}, Id{6}}; // but not the one at -z
+        expected.insert(expected.end(), facing.begin(), facing.end());
+        QString text;
+        for (const Id one : seen)
+            text += QString(" %1").arg(std::uint32_t(one));
+        QVERIFY2(seen == expected, qPrintable(text));
+        QCOMPARE(elementsIn(sight, {}, everything, Depth::Through).size(), std::size_t(6 + 8));
+    }
+
+    // On 100 000 particles a click, a hover and a box answer in less than 50 ms.
+    void largeSheetsAreFast()
+    {
+        const auto scene =
+            build(*findBuilder("cloth"), {{"columns", 315}, {"rows", 315}, {"sphere", 0}});
+        QVERIFY(scene);
+        const auto frame = sceneFrame(*scene);
+        const Look look = lookOf(*scene, *frame->layout);
+        Turntable camera;
+        camera.look(PresetView::Iso);
+        camera.fit(frame->position, 1.25);
+        double worst = 0.0;
+        const auto time = [&](const char* what, const auto& run) {
+            double best = 1e9;
+            for (int i = 0; i < 3; ++i) {
+                const double start = cpuSeconds();
+                run();
+                best = std::min(best, cpuSeconds() - start);
+            }
+            qInfo("%-28s %6.1f ms", what, 1e3 * best);
+            worst = std::max(worst, best);
+        };
+        for (const double factor : {1.0, 0.05, 20.0}) {
+            Turntable near = camera;
+            near.focus = frame->position[158 * 316 + 158]; // the middle
+            near.zoom(factor, 0.0, 0.0, 1.25);
+            const Sight sight{*frame, look, {}, near, 1000.0, 800.0};
+            qInfo("the sheet %g times as large as the picture", 1.0 / factor);
+            Id found = noId;
+            time("click", [&] { found = Picker{sight, {}}.at(500.0, 400.0); });
+            QVERIFY(found != noId);
+            std::size_t count = 0;
+            const Region box({{0, 0}, {1000, 0}, {1000, 800}, {0, 800}});
+            time("box, particles seen", [&] {
+                count = elementsIn(sight, {{}, {true, false, false}}, box, Depth::Visible).size();
+            });
+            time("box, particles through", [&] {
+                count = elementsIn(sight, {{}, {true, false, false}}, box, Depth::Through).size();
+            });
+            time("box, all through",
+                 [&] { count = elementsIn(sight, {}, box, Depth::Through).size(); });
+            QVERIFY(count > 100);
+            time("box, all seen",
+                 [&] { count = elementsIn(sight, {}, box, Depth::Visible).size(); });
+        }
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+        QVERIFY2(worst < 0.05, qPrintable(QString("%1 ms").arg(1e3 * worst)));
+#endif
     }
 
     void whatAClickWouldTakeIsNamed()

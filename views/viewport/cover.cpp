@@ -7,8 +7,9 @@ namespace ripstop {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double seam = 1e-9;     // 1, no ray slips through where panels meet
-constexpr double touching = 1e-5; // over the distance from the eye: lies on it, not behind it
+constexpr double seam = 1e-9;      // 1, no ray slips through where panels meet
+constexpr double nearPlane = 0.02; // over the distance of the focus: nothing nearer is drawn
+constexpr double touching = 1e-5;  // over the distance from the eye: lies on it, not behind it
 
 struct Cells
 {
@@ -29,20 +30,15 @@ Cover::Cover(const Sight& sight, std::span<const OnScreen> points, const Eigen::
     for (std::size_t i = 0; panelsHide && i < layout.panelId.size(); ++i) {
         if (sight.frame.gone[i] || !sight.look.panelShown[i])
             continue;
-        Eigen::AlignedBox2d bounds;
-        int seen = 0;
-        for (const int corner : layout.panelCorners[i])
-            if (const OnScreen& at = points[std::size_t(corner)]; at.isSeen()) {
-                bounds.extend(Eigen::Vector2d(at.x, at.y));
-                ++seen;
-            }
-        if (seen > 0 && seen < 3)
-            bounds = box; // it reaches behind the eye
+        const Eigen::AlignedBox2d bounds = boundsOf(int(i), points);
         if (bounds.intersects(box)) {
             met.push_back(int(i));
             over.push_back(bounds.intersection(box));
         }
     }
+    m_box.setEmpty(); // cells are for where panels are
+    for (const Eigen::AlignedBox2d& bounds : over)
+        m_box.extend(bounds);
 
     m_side = std::clamp(int(std::sqrt(0.5 * double(met.size()))), 1, 512);
     const auto cellsOf = [&](const Eigen::AlignedBox2d& bounds) {
@@ -71,8 +67,39 @@ Cover::Cover(const Sight& sight, std::span<const OnScreen> points, const Eigen::
         forEachCell(i, [&](std::size_t cell) { m_panels[std::size_t(next[cell]++)] = met[i]; });
 }
 
+// Of what is in front of the picture's near plane.
+Eigen::AlignedBox2d Cover::boundsOf(int panel, std::span<const OnScreen> points) const
+{
+    const auto& corners = m_sight.frame.layout->panelCorners[std::size_t(panel)];
+    const double near = nearPlane * m_sight.camera.distance;
+    const bool flat = m_sight.camera.orthographic;
+    Eigen::AlignedBox2d bounds;
+    bool whole = true;
+    for (const int corner : corners) {
+        const OnScreen& at = points[std::size_t(corner)];
+        if (flat || (at.isSeen() && at.depth >= near))
+            bounds.extend(Eigen::Vector2d(at.x, at.y));
+        else
+            whole = false;
+    }
+    if (whole || bounds.isEmpty())
+        return bounds;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3& a = m_sight.frame.position[std::size_t(corners[i])];
+        const Vec3& b = m_sight.frame.position[std::size_t(corners[(i + 1) % 3])];
+        const double from = m_projection.depthOf(a) - near, to = m_projection.depthOf(b) - near;
+        if ((from < 0.0) == (to < 0.0))
+            continue;
+        const OnScreen cut = m_projection(a + from / (from - to) * (b - a));
+        bounds.extend(Eigen::Vector2d(cut.x, cut.y));
+    }
+    return bounds;
+}
+
 std::span<const int> Cover::panelsAt(double x, double y) const
 {
+    if (m_panels.empty())
+        return {};
     const auto cell = [&](int axis, double place) {
         const double share = (place - m_box.min()[axis]) / std::max(m_box.sizes()[axis], 1e-300);
         return std::size_t(std::clamp(int(share * m_side), 0, m_side - 1));
@@ -101,23 +128,27 @@ double Cover::distanceToPanel(const Projection::Ray& ray, int panel) const
     return u >= -seam && v >= -seam && u + v <= 1.0 + seam && t > 0.0 ? t : never;
 }
 
-bool Cover::hides(const Vec3& place, std::span<const int> own) const
+bool Cover::hides(const Spot& spot) const
 {
-    const Projection::Ray ray = m_projection.rayThrough(place);
-    const double far = (place - ray.origin).norm();
+    const Projection::Ray ray = m_projection.rayThrough(spot.place);
+    const double far = (spot.place - ray.origin).norm();
     // a view without perspective looks from a made-up place far away
     const double eye = m_sight.camera.orthographic ? m_sight.camera.distance : far;
     const double before = far - touching * eye;
-    const OnScreen at = m_projection(place);
-    const auto isOwn = [&](int panel) {
+    const OnScreen at = m_projection(spot.place);
+    const auto shared = [&](int panel) {
         const auto& corners = m_sight.frame.layout->panelCorners[std::size_t(panel)];
-        return std::ranges::any_of(own, [&](int particle) {
+        return std::ranges::count_if(spot.particles, [&](int particle) {
             return std::ranges::find(corners, particle) != corners.end();
         });
     };
-    for (const int panel : panelsAt(at.x, at.y))
-        if (distanceToPanel(ray, panel) < before && !isOwn(panel))
+    for (const int panel : panelsAt(at.x, at.y)) {
+        const auto common = shared(panel);
+        if (common == std::ptrdiff_t(spot.particles.size()))
+            continue;
+        if (distanceToPanel(ray, panel) < before - (common > 0 ? spot.slack : 0.0))
             return true;
+    }
     return std::ranges::any_of(m_sight.colliders, [&](const ColliderBody& body) {
         return body.collider.shown
                && distanceTo(body, placeOf(m_sight.frame, body.id, body.collider), ray.origin,

@@ -18,9 +18,19 @@ public:
     Cover(const Sight& sight, std::span<const OnScreen> points, const Eigen::AlignedBox2d& box,
           bool panelsHide);
 
-    // True when a collider, or a panel that has none of `own` as a corner, lies in front of the
-    // place. What lies in the fabric is not hidden by it.
-    bool hides(const Vec3& place, std::span<const int> own) const;
+    // A place of an element, and the particles of that element. Panels that have all of them as
+    // corners do not hide it. Those that have some do when they lie more than `slack` before it:
+    // a link across a fold of the fabric counts as in the fabric.
+    struct Spot
+    {
+        Vec3 place; // m
+        std::span<const int> particles;
+        double slack = 0.0; // m
+    };
+    static double foldOf(double linkLength) { return 0.05 * linkLength; } // m, slack of a link
+
+    // True when a panel or a collider lies between the eye and the spot.
+    bool hides(const Spot& spot) const;
 
     // The first panel on the ray through a place of the picture, and how far away it is, m; -1 and
     // infinity when there is none.
@@ -33,13 +43,14 @@ public:
 
 private:
     std::span<const int> panelsAt(double x, double y) const;
-    double distanceToPanel(const Projection::Ray& ray, int panel) const; // m
+    Eigen::AlignedBox2d boundsOf(int panel, std::span<const OnScreen> points) const; // pixels
+    double distanceToPanel(const Projection::Ray& ray, int panel) const;             // m
 
     Sight m_sight;
     Projection m_projection;
-    Eigen::AlignedBox2d m_box;
-    int m_side = 1;           // cells along each side
-    std::vector<int> m_first; // [cells + 1] where the panels of a cell begin in m_panels
+    Eigen::AlignedBox2d m_box; // of the cells, pixels
+    int m_side = 1;            // cells along each side
+    std::vector<int> m_first;  // [cells + 1] where the panels of a cell begin in m_panels
     std::vector<int> m_panels;
 };
 

@@ -110,14 +110,15 @@ Id Picker::at(double x, double y) const
 
     for (const Near& near : particlesNear(*this, points, x, y)) {
         const int own[]{int(near.element)};
-        if (!cover.hides(places[near.element], own))
+        if (!cover.hides({places[near.element], own}))
             return Id(layout.particleId[near.element]);
     }
     for (const Near& near : linksNear(*this, points, x, y)) {
         const auto& link = layout.links[near.element];
         const int own[]{link.a, link.b};
         const Vec3& from = places[std::size_t(link.a)];
-        if (!cover.hides(from + near.share * (places[std::size_t(link.b)] - from), own))
+        const Vec3 way = places[std::size_t(link.b)] - from;
+        if (!cover.hides({from + near.share * way, own, Cover::foldOf(way.norm())}))
             return Id(link.id);
     }
     const Cover::Met panel = cover.firstPanel(x, y);

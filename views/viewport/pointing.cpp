@@ -143,7 +143,7 @@ void Pointing::paintHovered(QPainter& painter, const Sight& sight) const
         const OnScreen place = projection(sight.frame.position[std::size_t(particle)]);
         return place.isSeen() ? QPointF(place.x, place.y) : QPointF(-1e4, -1e4);
     };
-    QColor ink = m_theme.accent;
+    const QColor ink = m_theme.text; // the accent is that of the selection
     QColor veil = ink;
     veil.setAlphaF(0.25F);
     painter.setPen(QPen(ink, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -151,7 +151,7 @@ void Pointing::paintHovered(QPainter& painter, const Sight& sight) const
     for (std::size_t i = 0; i < layout.particleId.size(); ++i)
         if (layout.particleId[i] == id)
             painter.drawEllipse(at(int(i)), 7.0, 7.0);
-    painter.setPen(QPen(ink, 4.0, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(ink, 3.0, Qt::SolidLine, Qt::RoundCap));
     for (std::size_t i = 0; i < layout.links.size(); ++i)
         if (layout.links[i].id == id && !sight.frame.torn[i])
             painter.drawLine(at(layout.links[i].a), at(layout.links[i].b));

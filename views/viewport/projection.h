@@ -23,6 +23,9 @@ public:
 
     OnScreen operator()(const Vec3& place) const;
 
+    // m in front of the eye, along the view; negative behind it.
+    double depthOf(const Vec3& place) const { return (m_eye - place).dot(m_back); }
+
     // The ray that runs through a place of the picture: its origin is the eye, or far in front of
     // the picture where the view has no perspective.
     struct Ray

@@ -65,7 +65,7 @@ public:
         for (std::size_t i = 0; i < m_points.size(); ++i) {
             const int own[]{int(i)};
             if (m_inside[i] && m_sight.look.particleShown[i]
-                && isSeen(m_sight.frame.position[i], own))
+                && isSeen({m_sight.frame.position[i], own}))
                 ids.push_back(Id(m_layout.particleId[i]));
         }
     }
@@ -81,7 +81,7 @@ public:
             if (m_through
                 || isAnySeen(
                     std::array<Vec3, 3>{0.5 * (a + b), 0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b},
-                    own))
+                    own, Cover::foldOf((b - a).norm())))
                 ids.push_back(Id(m_layout.links[i].id));
         }
     }
@@ -97,7 +97,7 @@ public:
                 || isAnySeen(std::array<Vec3, 4>{middle, 0.5 * (middle + place(own[0])),
                                                  0.5 * (middle + place(own[1])),
                                                  0.5 * (middle + place(own[2]))},
-                             own))
+                             own, 0.0))
                 ids.push_back(Id(m_layout.panelId[i]));
         }
     }
@@ -110,13 +110,12 @@ private:
         return std::ranges::all_of(particles,
                                    [this](int i) { return m_inside[std::size_t(i)] != 0; });
     }
-    bool isSeen(const Vec3& at, std::span<const int> own) const
+    bool isSeen(const Cover::Spot& spot) const { return m_through || !m_cover.hides(spot); }
+    bool isAnySeen(std::span<const Vec3> places, std::span<const int> own, double slack) const
     {
-        return m_through || !m_cover.hides(at, own);
-    }
-    bool isAnySeen(std::span<const Vec3> places, std::span<const int> own) const
-    {
-        return std::ranges::any_of(places, [&](const Vec3& at) { return isSeen(at, own); });
+        return std::ranges::any_of(places, [&](const Vec3& at) {
+            return isSeen({at, own, slack});
+        });
     }
 
     Sight m_sight;

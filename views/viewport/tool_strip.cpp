@@ -11,6 +11,7 @@ namespace {
 constexpr int inset = 4;     // pixels
 constexpr int iconSide = 20; // pixels
 constexpr int rounding = 8;  // pixels
+constexpr int gap = 3;       // pixels, on either side of a line between groups
 
 } // namespace
 
@@ -26,11 +27,7 @@ ToolStrip::ToolStrip(QWidget* parent)
 void ToolStrip::addGroup(const QList<QAction*>& actions)
 {
     if (m_column->count() > 0) {
-        auto* line = new QFrame(this);
-        line->setFrameShape(QFrame::HLine);
-        line->setFrameShadow(QFrame::Plain);
-        line->setForegroundRole(QPalette::Mid);
-        m_column->addWidget(line);
+        m_column->addSpacing(2 * gap);
     }
     for (QAction* action : actions) {
         auto* button = new QToolButton(this);
@@ -52,6 +49,13 @@ void ToolStrip::paintEvent(QPaintEvent*)
     painter.setPen(Qt::NoPen);
     painter.setBrush(card);
     painter.drawRoundedRect(rect(), rounding, rounding);
+
+    QColor line = palette().color(QPalette::WindowText);
+    line.setAlphaF(0.25F);
+    for (int i = 0; i < m_column->count(); ++i)
+        if (QLayoutItem* item = m_column->itemAt(i); item->spacerItem())
+            painter.fillRect(rounding, item->geometry().center().y(), width() - 2 * rounding, 1,
+                             line);
 }
 
 } // namespace ripstop
