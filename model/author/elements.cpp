@@ -1,5 +1,7 @@
 #include "author/elements.h"
 
+#include "author/rows_among.h"
+
 #include <algorithm>
 
 namespace ripstop {
@@ -42,26 +44,6 @@ void addItem(const Scene& scene, Id id, const Item& item, std::vector<Id>& ids)
         addMembers(control->targets);
     } else if (const Probe* probe = std::get_if<Probe>(&item)) {
         addMembers({probe->target, probe->from});
-    }
-}
-
-// Both are in ascending order. Where many ids lie in the table it is walked along with them.
-template <typename Row>
-void addRows(const std::vector<Row>& rows, const std::vector<Id>& ids,
-             std::vector<const Row*>& found)
-{
-    if (rows.empty())
-        return;
-    const auto first = std::lower_bound(ids.begin(), ids.end(), rows.front().id);
-    const auto last = std::upper_bound(first, ids.end(), rows.back().id);
-    const bool many = 16 * (last - first) > std::ptrdiff_t(rows.size());
-    auto row = rows.begin();
-    for (auto id = first; id != last; ++id) {
-        if (many)
-            while (row->id < *id)
-                ++row;
-        if (const Row* one = many ? &*row : findRow(rows, *id); one && one->id == *id)
-            found.push_back(one);
     }
 }
 
@@ -135,7 +117,9 @@ std::vector<Id> Elements::ids() const
 Elements sortedElements(const Scene& scene, const std::vector<Id>& selected)
 {
     const std::vector<Id> ids = elementsOf(scene, selected);
-    return gathered(scene, [&](const auto& rows, auto& found) { addRows(rows, ids, found); });
+    return gathered(scene, [&](const auto& rows, auto& found) {
+        forEachRowAmong(rows, ids, [&](const auto& row, std::size_t) { found.push_back(&row); });
+    });
 }
 
 Elements everyElement(const Scene& scene)

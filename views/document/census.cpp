@@ -1,25 +1,10 @@
 #include "document/census.h"
 
+#include "author/rows_among.h"
+
 #include <algorithm>
 
 namespace ripstop {
-namespace {
-
-// Only the stretch of `ids` that can lie in the table is searched: parts rarely interleave.
-template <typename Row>
-void findRows(const std::vector<Row>& rows, const std::vector<Id>& ids, Id part,
-              std::vector<Census::Found>& found)
-{
-    if (rows.empty())
-        return;
-    const auto first = std::lower_bound(ids.begin(), ids.end(), rows.front().id);
-    const auto last = std::upper_bound(first, ids.end(), rows.back().id);
-    for (auto id = first; id != last; ++id)
-        if (const Row* row = findRow(rows, *id))
-            found.push_back({*id, row, part});
-}
-
-} // namespace
 
 Census census(const Scene& scene, const std::vector<Id>& ids)
 {
@@ -36,14 +21,20 @@ Census census(const Scene& scene, const std::vector<Id>& ids)
             of(kindOf(ref)).push_back({entry.id, ref, noId});
         }
         if (const Part* part = std::get_if<Part>(&entry.item)) {
-            findRows(part->particles, ids, entry.id, of(Kind::Particle));
-            findRows(part->links, ids, entry.id, of(Kind::Link));
-            findRows(part->panels, ids, entry.id, of(Kind::Panel));
+            const auto findRows = [&](const auto& rows, Kind kind) {
+                forEachRowAmong(rows, ids, [&](const auto& row, std::size_t) {
+                    of(kind).push_back({row.id, &row, entry.id});
+                });
+            };
+            findRows(part->particles, Kind::Particle);
+            findRows(part->links, Kind::Link);
+            findRows(part->panels, Kind::Panel);
         }
     }
+    const auto byId = [](const auto& a, const auto& b) { return a.id < b.id; };
     for (auto& found : result.found)
-        std::sort(found.begin(), found.end(),
-                  [](const auto& a, const auto& b) { return a.id < b.id; });
+        if (!std::is_sorted(found.begin(), found.end(), byId))
+            std::sort(found.begin(), found.end(), byId);
     return result;
 }
 

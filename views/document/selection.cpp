@@ -1,5 +1,6 @@
 #include "document/selection.h"
 
+#include "author/rows_among.h"
 #include "document/document.h"
 
 #include <algorithm>
@@ -15,25 +16,6 @@ bool removesSomething(const Edit& edit)
     });
 }
 
-// Both are in ascending order. Where many ids lie in the table it is walked along with them.
-template <typename Row>
-void mark(const std::vector<Row>& rows, const std::vector<Id>& ids, std::vector<char>& found)
-{
-    if (rows.empty())
-        return;
-    const auto first = std::lower_bound(ids.begin(), ids.end(), rows.front().id);
-    const auto last = std::upper_bound(first, ids.end(), rows.back().id);
-    const bool many = 16 * (last - first) > std::ptrdiff_t(rows.size());
-    auto row = rows.begin();
-    for (auto id = first; id != last; ++id) {
-        if (many)
-            while (row->id < *id)
-                ++row;
-        if (many ? row->id == *id : findRow(rows, *id) != nullptr)
-            found[std::size_t(id - ids.begin())] = 1;
-    }
-}
-
 // Those that are of something in the scene. `ids` are in ascending order.
 std::vector<Id> existing(const Scene& scene, const std::vector<Id>& ids)
 {
@@ -47,9 +29,10 @@ std::vector<Id> existing(const Scene& scene, const std::vector<Id>& ids)
     for (const Entry& entry : scene.items)
         note(entry.id);
     forEachPart(scene, [&](Id, const Part& part) {
-        mark(part.particles, ids, found);
-        mark(part.links, ids, found);
-        mark(part.panels, ids, found);
+        const auto mark = [&](const auto&, std::size_t place) { found[place] = 1; };
+        forEachRowAmong(part.particles, ids, mark);
+        forEachRowAmong(part.links, ids, mark);
+        forEachRowAmong(part.panels, ids, mark);
     });
     std::vector<Id> result;
     for (std::size_t i = 0; i < ids.size(); ++i)
@@ -75,7 +58,8 @@ bool Selection::contains(Id id) const { return std::binary_search(m_ids.begin(),
 
 void Selection::set(std::vector<Id> ids)
 {
-    std::sort(ids.begin(), ids.end());
+    if (!std::is_sorted(ids.begin(), ids.end()))
+        std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     ids = existing(m_document.scene(), ids);
     if (ids == m_ids)

@@ -167,10 +167,13 @@ QString ofMaterials(const Scene& scene, const std::vector<Id>& ids)
 }
 
 // The corners of many panels are found faster together than one by one.
-void addNet(Sums& sums, const Scene& scene, const std::vector<Id>& selected)
+void addAny(Sums& sums, const Scene& scene, const std::vector<Id>& elements)
 {
+    constexpr std::size_t many = 2000;
+    if (elements.size() < many)
+        return addAll(sums, scene, elements);
     const Net net(scene);
-    const Marks marks(net, scene, selected);
+    const Marks marks(net, scene, elements);
     for (std::size_t i = 0; i < marks.particles.size(); ++i)
         if (marks.particles[i])
             sums.add(*net.all.particles[i]);
@@ -189,13 +192,8 @@ void addNet(Sums& sums, const Scene& scene, const std::vector<Id>& selected)
 
 QString totals(const Scene& scene, const std::vector<Id>& selected)
 {
-    constexpr std::size_t many = 2000;
-    const std::vector<Id> ids = elementsOf(scene, selected);
     Sums sums;
-    if (ids.size() > many)
-        addNet(sums, scene, ids);
-    else
-        addAll(sums, scene, ids);
+    addAny(sums, scene, elementsOf(scene, selected));
     return sums.text();
 }
 
@@ -210,7 +208,7 @@ QString totals(const Scene& scene, Kind kind, const std::vector<Id>& ids)
     if (!isElement(kind))
         return {};
     Sums sums;
-    addAll(sums, scene, ids);
+    addAny(sums, scene, ids);
     return sums.text();
 }
 

@@ -1,5 +1,6 @@
 #include "outline/detail.h"
 
+#include "author/rows_among.h"
 #include "document/words.h"
 
 #include <QCoreApplication>
@@ -84,10 +85,9 @@ QString tableDetail(const Part& part, Kind table, const std::vector<Id>& selecte
         const QString all = QLocale().toString(qulonglong(rows.size()));
         if (rows.empty() || selected.empty())
             return all;
-        const auto first = std::lower_bound(selected.begin(), selected.end(), rows.front().id);
-        const auto last = std::upper_bound(first, selected.end(), rows.back().id);
-        const auto count = std::count_if(first, last, [&](Id id) { return findRow(rows, id); });
-        if (count == 0 || std::size_t(count) == rows.size())
+        std::size_t count = 0;
+        forEachRowAmong(rows, selected, [&](const auto&, std::size_t) { ++count; });
+        if (count == 0 || count == rows.size())
             return all;
         return words("%1 of %2").arg(QLocale().toString(qlonglong(count)), all);
     });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <thread>
 
 namespace ripstop {
 
@@ -47,13 +48,12 @@ namespace {
 class Taker
 {
 public:
-    Taker(const Sight& sight, const Pickable& pickable, const Region& region, Depth depth)
+    Taker(const Sight& sight, bool panelsHide, const Region& region, Depth depth)
         : m_sight(sight)
         , m_layout(*sight.frame.layout)
-        , m_pickable(pickable)
         , m_through(depth == Depth::Through)
         , m_points(projected(sight))
-        , m_cover(sight, m_points, region.box(), pickable.drawn.panels && !m_through)
+        , m_cover(sight, m_points, region.box(), panelsHide && !m_through)
     {
         m_inside.reserve(m_points.size());
         for (const OnScreen& point : m_points)
@@ -62,48 +62,72 @@ public:
 
     void takeParticles(std::vector<Id>& ids) const
     {
-        for (std::size_t i = 0; i < m_points.size(); ++i) {
+        const auto takes = [this](std::size_t i) {
             const int own[]{int(i)};
-            if (m_inside[i] && m_sight.look.particleShown[i]
-                && isSeen({m_sight.frame.position[i], own}))
-                ids.push_back(Id(m_layout.particleId[i]));
-        }
+            return m_inside[i] && m_sight.look.particleShown[i]
+                   && isSeen({m_sight.frame.position[i], own});
+        };
+        collect(m_points.size(), takes,
+                [&](std::size_t i) { ids.push_back(Id(m_layout.particleId[i])); });
     }
 
     void takeLinks(std::vector<Id>& ids) const
     {
-        for (std::size_t i = 0; i < m_layout.links.size(); ++i) {
+        const auto takes = [this](std::size_t i) {
             const std::array own{m_layout.links[i].a, m_layout.links[i].b};
             if (m_sight.frame.torn[i] || !m_sight.look.linkShown[i] || !areInside(own))
-                continue;
+                return false;
             const Vec3& a = place(own[0]);
             const Vec3& b = place(own[1]);
-            if (m_through
-                || isAnySeen(
-                    std::array<Vec3, 3>{0.5 * (a + b), 0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b},
-                    own, Cover::foldOf((b - a).norm())))
-                ids.push_back(Id(m_layout.links[i].id));
-        }
+            return isAnySeen(
+                std::array<Vec3, 3>{0.5 * (a + b), 0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b}, own,
+                Cover::foldOf((b - a).norm()));
+        };
+        collect(m_layout.links.size(), takes,
+                [&](std::size_t i) { ids.push_back(Id(m_layout.links[i].id)); });
     }
 
     void takePanels(std::vector<Id>& ids) const
     {
-        for (std::size_t i = 0; i < m_layout.panelId.size(); ++i) {
+        const auto takes = [this](std::size_t i) {
             const std::array<int, 3>& own = m_layout.panelCorners[i];
             if (m_sight.frame.gone[i] || !m_sight.look.panelShown[i] || !areInside(own))
-                continue;
+                return false;
             const Vec3 middle = (place(own[0]) + place(own[1]) + place(own[2])) / 3.0;
-            if (m_through
-                || isAnySeen(std::array<Vec3, 4>{middle, 0.5 * (middle + place(own[0])),
+            return isAnySeen(std::array<Vec3, 4>{middle, 0.5 * (middle + place(own[0])),
                                                  0.5 * (middle + place(own[1])),
                                                  0.5 * (middle + place(own[2]))},
-                             own, 0.0))
-                ids.push_back(Id(m_layout.panelId[i]));
-        }
+                             own, 0.0);
+        };
+        collect(m_layout.panelId.size(), takes,
+                [&](std::size_t i) { ids.push_back(Id(m_layout.panelId[i])); });
     }
 
 private:
     const Vec3& place(int particle) const { return m_sight.frame.position[std::size_t(particle)]; }
+
+    // Calls add(i) for each row that is taken, in order; many are looked at on all processors.
+    template <typename Takes, typename Add>
+    void collect(std::size_t count, Takes takes, Add add) const
+    {
+        std::vector<char> taken(count, 0);
+        const auto look = [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i)
+                taken[i] = takes(i);
+        };
+        constexpr std::size_t share = 20000; // worth a thread
+        const std::size_t most = m_through ? 1 : std::max(1U, std::thread::hardware_concurrency());
+        const std::size_t shares = std::clamp<std::size_t>(count / share, 1, most);
+        {
+            std::vector<std::jthread> others;
+            for (std::size_t i = 1; i < shares; ++i)
+                others.emplace_back(look, count * i / shares, count * (i + 1) / shares);
+            look(0, count / shares);
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            if (taken[i])
+                add(i);
+    }
 
     bool areInside(std::span<const int> particles) const
     {
@@ -120,7 +144,6 @@ private:
 
     Sight m_sight;
     const Layout& m_layout;
-    Pickable m_pickable;
     bool m_through;
     std::vector<OnScreen> m_points;
     std::vector<char> m_inside; // [particles]
@@ -132,7 +155,7 @@ private:
 std::vector<Id> elementsIn(const Sight& sight, const Pickable& pickable, const Region& region,
                            Depth depth)
 {
-    const Taker taker(sight, pickable, region, depth);
+    const Taker taker(sight, pickable.drawn.panels, region, depth);
     std::vector<Id> ids;
     if (pickable.wanted.particles)
         taker.takeParticles(ids);
