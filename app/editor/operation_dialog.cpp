@@ -1,5 +1,6 @@
 #include "editor/operation_dialog.h"
 
+#include "author/movable.h"
 #include "author/toll.h"
 #include "document/document.h"
 #include "document/selection.h"
@@ -19,8 +20,9 @@
 namespace ripstop {
 namespace {
 
-constexpr int patience = 150; // ms after the last change
-constexpr int margin = 24;    // pixels, from the edge of the window
+constexpr int patience = 150;            // ms after the last change
+constexpr std::size_t mostShown = 20000; // particles that are selected
+constexpr int margin = 24;               // pixels, from the edge of the window
 
 QString text(std::string_view words)
 {
@@ -110,7 +112,8 @@ void OperationDialog::layOut()
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     for (const OperationParameter& parameter : m_operation.parameters)
         m_fields.push_back(addField(parameter, *form));
-    m_preview->setChecked(true);
+    // a large design takes too long to be shown at each key
+    m_preview->setChecked(particlesOf(m_document.scene(), m_ids).size() <= mostShown);
     m_preview->setToolTip(tr("The design shows the outcome while this dialog is open."));
     m_outcome->setObjectName(QStringLiteral("outcome"));
     m_outcome->setWordWrap(true);

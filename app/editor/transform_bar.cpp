@@ -97,6 +97,12 @@ void TransformBar::layOut()
                 {tr("Centre of mass"), tr("Median"), tr("Middle of the box"), tr("First particle")},
                 int(m_tool.pivot()), [this](int chosen) { m_tool.setPivot(Pivot(chosen)); }));
     choices->addWidget(chooser(
+        tr("Axes"),
+        tr("What x, y and z are: the axes of the world; the selection's own, x along it and "
+           "z across it; or right, up and towards you in the view."),
+        {tr("World axes"), tr("Own axes"), tr("View axes")}, int(m_tool.axes()),
+        [this](int chosen) { m_tool.setAxes(Axes(chosen)); }));
+    choices->addWidget(chooser(
         tr("Rest lengths"),
         tr("What becomes of the rest lengths of links: they stay, so that what is pulled apart is "
            "under load, or they become the new distances, so that the design is free of load."),

@@ -1,8 +1,10 @@
 #include "author/movable.h"
 
+#include "author/elements.h"
 #include "base/key_index.h"
 #include "scene/property.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,67 +14,30 @@ namespace {
 
 constexpr int whole = 1; // in an index: the thing itself is meant
 
-struct Meant
-{
-    KeyIndex elements;              // that are named, by themselves or by an item
-    std::vector<Id> materials;      // whose links and panels are meant
-    std::vector<Id> parts;          // whose particles are meant
-    std::vector<Id> colliders = {}; // ascending
-
-    void add(const std::vector<Id>& ids)
-    {
-        for (const Id id : ids)
-            elements.add(std::uint32_t(id), whole);
-    }
-    bool names(Id id) const { return elements(std::uint32_t(id)) != KeyIndex::none; }
-};
-
-Meant meantBy(const Scene& scene, const std::vector<Id>& ids)
-{
-    Meant meant{KeyIndex(std::size_t(scene.nextId)), {}, {}};
-    meant.add(ids);
-    for (const Entry& entry : scene.items) {
-        if (!meant.names(entry.id))
-            continue;
-        if (std::get_if<Part>(&entry.item))
-            meant.parts.push_back(entry.id);
-        else if (std::get_if<Material>(&entry.item))
-            meant.materials.push_back(entry.id);
-        else if (std::get_if<Collider>(&entry.item))
-            meant.colliders.push_back(entry.id);
-        else if (const Group* group = std::get_if<Group>(&entry.item))
-            meant.add(group->members);
-        else if (const Control* control = std::get_if<Control>(&entry.item))
-            meant.add(control->targets);
-        else if (const Probe* probe = std::get_if<Probe>(&entry.item))
-            meant.add({probe->target, probe->from});
-    }
-    return meant;
-}
-
 } // namespace
 
 std::vector<Id> particlesOf(const Scene& scene, const std::vector<Id>& ids)
 {
-    const Meant meant = meantBy(scene, ids);
-    const auto has = [](const std::vector<Id>& list, Id id) {
-        return std::find(list.begin(), list.end(), id) != list.end();
-    };
+    const Elements elements = sortedElements(scene, ids);
     std::vector<Id> found;
-    forEachPart(scene, [&](Id id, const Part& part) {
-        const bool all = has(meant.parts, id);
-        for (const Particle& row : part.particles)
-            if (all || meant.names(row.id))
-                found.push_back(row.id);
-        for (const Link& row : part.links)
-            if (meant.names(row.id) || has(meant.materials, row.material))
-                found.insert(found.end(), {row.from, row.to});
-        for (const Panel& row : part.panels)
-            if (meant.names(row.id) || has(meant.materials, row.material))
-                found.insert(found.end(), {row.a, row.b, row.c});
-    });
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    KeyIndex seen(std::size_t(scene.nextId));
+    const auto add = [&](Id id) {
+        if (seen.add(std::uint32_t(id), whole))
+            found.push_back(id);
+    };
+    for (const Particle* row : elements.particles)
+        add(row->id);
+    for (const Link* row : elements.links) {
+        add(row->from);
+        add(row->to);
+    }
+    for (const Panel* row : elements.panels) {
+        add(row->a);
+        add(row->b);
+        add(row->c);
+    }
+    if (!std::is_sorted(found.begin(), found.end()))
+        std::sort(found.begin(), found.end());
     return found;
 }
 
@@ -121,8 +86,13 @@ Movable movableOf(const Scene& scene, const std::vector<Id>& ids, Ties ties)
                             everyPosition[std::size_t(b)], row.restLength});
         }
     });
-    for (const Id id : meantBy(scene, ids).colliders)
-        movable.colliders.push_back({id, *findItem<Collider>(scene, id)});
+    // those that are selected, and those that a selected control moves
+    const std::vector<Id> elements = elementsOf(scene, ids);
+    for (const Entry& entry : scene.items)
+        if (const Collider* collider = std::get_if<Collider>(&entry.item))
+            if (std::find(ids.begin(), ids.end(), entry.id) != ids.end()
+                || std::binary_search(elements.begin(), elements.end(), entry.id))
+                movable.colliders.push_back({entry.id, *collider});
     return movable;
 }
 
@@ -156,6 +126,29 @@ Vec3 pivotOf(const Scene& scene, const Movable& movable, Pivot pivot, Id particl
     for (const Vec3& place : places)
         sum += place;
     return sum / double(places.size());
+}
+
+Eigen::Matrix3d ownAxes(const Movable& movable)
+{
+    const double count = double(movable.position.size());
+    if (count < 2.0)
+        return Eigen::Matrix3d::Identity();
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& place : movable.position)
+        mean += place / count;
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3& place : movable.position)
+        spread += (place - mean) * (place - mean).transpose() / count;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread); // ascending
+    Eigen::Matrix3d axes;
+    for (int i = 0; i < 2; ++i) {
+        Vec3 axis = solver.eigenvectors().col(2 - i);
+        Eigen::Index largest = 0;
+        axis.cwiseAbs().maxCoeff(&largest);
+        axes.col(i) = axis[largest] < 0.0 ? Vec3(-axis) : axis;
+    }
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+    return axes;
 }
 
 } // namespace ripstop

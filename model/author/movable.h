@@ -55,4 +55,9 @@ enum class Pivot { Mass, Median, Box, Particle };
 // `particle` is what Pivot::Particle turns about; the median when it is not there.
 Vec3 pivotOf(const Scene& scene, const Movable& movable, Pivot pivot, Id particle = noId);
 
+// The principal axes, as columns: x along which it spreads most, as a link or a spar; z across what
+// it lies in, as a panel; each so that its largest component is positive but the third, which
+// follows from the others. Those of the world for a single particle.
+Eigen::Matrix3d ownAxes(const Movable& movable);
+
 } // namespace ripstop

@@ -107,6 +107,18 @@ private slots:
         QCOMPARE(pivotOf(scene, movableOf(scene, {}), Pivot::Mass), Vec3(Vec3::Zero()));
     }
 
+    // A link's own x is along it; a panel's own z is across it.
+    void ownAxesFollowTheShape()
+    {
+        const Scene scene = oneOfEverything(); // link 6 from (1,1,0) to (0,0,0)
+        const Eigen::Matrix3d link = ownAxes(movableOf(scene, {Id{6}}));
+        QVERIFY((link.col(0).cwiseAbs() - Vec3(1, 1, 0) / std::sqrt(2.0)).norm() < 1e-12);
+        const Eigen::Matrix3d panel = ownAxes(movableOf(scene, {Id{8}}));
+        QVERIFY(std::abs(std::abs(panel.col(2).z()) - 1.0) < 1e-12);
+        QVERIFY(std::abs(panel.determinant() - 1.0) < 1e-12);
+        QVERIFY(ownAxes(movableOf(scene, {Id{3}})).isIdentity());
+    }
+
     void movingMovesWhatIsSelectedOnly()
     {
         const Scene scene = oneOfEverything();

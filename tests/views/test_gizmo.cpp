@@ -1,6 +1,8 @@
+#include "builders/builder.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "viewport/centre_mark.h"
 #include "viewport/transform_tool.h"
 #include "viewport/viewport.h"
 
@@ -264,6 +266,69 @@ private slots:
         QCOMPARE(view.player.frame()->step, decltype(view.player.frame()->step)(0));
         view.player.play();
         QVERIFY(!view.tool.acts());
+    }
+
+    // Along its own x a link becomes longer and keeps its direction.
+    void axesCanBeChosen()
+    {
+        View view;
+        view.selection.set({Id{6}}); // from (1,1,0) to (0,0,0)
+        view.tool.setShaping(Shaping::Scale);
+        view.tool.setAxes(Axes::Own);
+        view.tool.shape(Vec3(2, 1, 1));
+        QVERIFY((view.place(Id{3}) - Vec3(1.5, 1.5, 0)).norm() < 1e-12);
+        QVERIFY((view.place(Id{4}) - Vec3(-0.5, -0.5, 0)).norm() < 1e-12);
+        view.viewport.view(PresetView::Right); // from +x: right is -z
+        view.tool.setAxes(Axes::View);
+        view.tool.setShaping(Shaping::Move);
+        view.tool.shape(Vec3(0.5, 0, 0));
+        QVERIFY((view.place(Id{3}) - Vec3(1.5, 1.5, -0.5)).norm() < 1e-12);
+    }
+
+    // The centre of gravity of what is selected, else of all, and where it moves to.
+    void theCentreOfGravityIsMarked()
+    {
+        View view(fallingPair()); // 0.5 kg at (0, 10, 0) and at (1, 10, 0)
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY(view.player.frame());
+        auto* mark = view.viewport.findChild<CentreMark*>();
+        QVERIFY(mark && !mark->isVisible());
+        view.viewport.setCentreShown(true);
+        (void)view.viewport.image();
+        QTRY_VERIFY(mark->place());
+        QCOMPARE(*mark->place(), Vec3(0.5, 10, 0));
+        QCOMPARE(mark->mass(), 1.0);
+        view.selection.set({Id{3}});
+        (void)view.viewport.image();
+        QTRY_COMPARE(mark->mass(), 0.5);
+        QCOMPARE(*mark->place(), Vec3(1, 10, 0));
+    }
+
+    // Each step of a drag of 100 489 particles, until the window is free again.
+    void aLargeClothFollowsTheHand()
+    {
+        View view(*build(*findBuilder("cloth"), {{"columns", 316}, {"rows", 316}}));
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        QTRY_VERIFY_WITH_TIMEOUT(view.player.frame(), 20000);
+        std::vector<Id> parts;
+        forEachPart(view.document.scene(), [&](Id id, const Part&) { parts.push_back(id); });
+        view.selection.set(parts);
+        QElapsedTimer clock;
+        clock.start();
+        view.tool.setShaping(Shaping::Move);
+        const QPoint from = view.middle();
+        view.press(from);
+        const double begun = double(clock.nsecsElapsed()) * 1e-6;
+        double worst = 0.0;
+        for (int i = 1; i <= 5; ++i) {
+            clock.restart();
+            view.move(from + QPoint(5 * i, 0));
+            worst = std::max(worst, double(clock.nsecsElapsed()) * 1e-6);
+        }
+        view.release(from + QPoint(25, 0));
+        qInfo("begun in %.0f ms, each step in at most %.0f ms", begun, worst);
+        QVERIFY(worst < 100.0);
+        QCOMPARE(view.document.history().count(), 1);
     }
 
     // A camera that follows the fabric in flight stays where it is while the design is moved.

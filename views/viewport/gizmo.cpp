@@ -36,7 +36,7 @@ double distanceTo(const QPolygonF& line, QPointF cursor)
 }
 
 // Where the ray meets the plane through `place`; `place` when it runs along the plane.
-Vec3 onPlane(const Ray& ray, const Vec3& place, const Vec3& normal)
+Vec3 onPlane(const Projection::Ray& ray, const Vec3& place, const Vec3& normal)
 {
     const double cosine = normal.dot(ray.direction);
     if (std::abs(cosine) < 1e-6)

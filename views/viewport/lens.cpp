@@ -6,26 +6,15 @@
 
 namespace ripstop {
 
-Ray Lens::ray(double x, double y) const
+Projection::Ray Lens::ray(QPointF place) const
 {
-    const double right = (2.0 * x / width - 1.0) * width / height;
-    const double up = 1.0 - 2.0 * y / height;
-    const double half = camera.halfHeight();
-    const Vec3 target = camera.focus + half * (right * camera.right() + up * camera.up());
-    if (camera.orthographic) {
-        // from far behind the eye: an orthographic camera sees what is beside it, too
-        const double away = 1e3 * camera.distance;
-        return {target + away * camera.back(), -camera.back()};
-    }
-    return {camera.eye(), (target - camera.eye()).normalized()};
+    return Projection(camera, width, height).rayAt(place.x(), place.y());
 }
 
 std::optional<QPointF> Lens::pixel(const Vec3& place) const
 {
-    const Eigen::Vector4d p = camera.projection(width / height) * place.homogeneous();
-    if (p.w() <= 0.0)
-        return std::nullopt;
-    return QPointF(0.5 * (p.x() / p.w() + 1.0) * width, 0.5 * (1.0 - p.y() / p.w()) * height);
+    const OnScreen seen = Projection(camera, width, height)(place);
+    return seen.isSeen() ? std::optional(QPointF(seen.x, seen.y)) : std::nullopt;
 }
 
 double Lens::metresPerPixel(const Vec3& place) const

@@ -1,9 +1,8 @@
-// From the world to the picture and back: what lies under a pixel, and under which pixel a place
-// lies. Pixels count from the top left of the picture.
+// The camera and the size of the picture: what a gizmo needs to know of the view. Pixels count from
+// the top left.
 #pragma once
 
-#include "base/vec3.h"
-#include "viewport/turntable.h"
+#include "viewport/projection.h"
 
 #include <QPointF>
 
@@ -11,20 +10,13 @@
 
 namespace ripstop {
 
-struct Ray
-{
-    Vec3 origin;    // m
-    Vec3 direction; // unit
-};
-
 struct Lens
 {
     Turntable camera;
     double width;  // pixels
     double height; // pixels
 
-    Ray ray(double x, double y) const;
-    Ray ray(QPointF place) const { return ray(place.x(), place.y()); }
+    Projection::Ray ray(QPointF place) const;
 
     // Nothing for what lies behind the eye.
     std::optional<QPointF> pixel(const Vec3& place) const;

@@ -5,15 +5,18 @@
 namespace ripstop {
 
 Projection::Projection(const Sight& sight)
-    : m_camera(sight.camera)
-    , m_eye(sight.camera.eye())
-    , m_right(sight.camera.right())
-    , m_up(sight.camera.up())
-    , m_back(sight.camera.back())
-    , m_width(sight.width)
-    , m_height(sight.height)
-    , m_scale(0.5 * sight.height / sight.camera.halfHeight()
-              * (sight.camera.orthographic ? 1.0 : sight.camera.distance))
+    : Projection(sight.camera, sight.width, sight.height)
+{}
+
+Projection::Projection(const Turntable& camera, double width, double height)
+    : m_camera(camera)
+    , m_eye(camera.eye())
+    , m_right(camera.right())
+    , m_up(camera.up())
+    , m_back(camera.back())
+    , m_width(width)
+    , m_height(height)
+    , m_scale(0.5 * height / camera.halfHeight() * (camera.orthographic ? 1.0 : camera.distance))
 {}
 
 OnScreen Projection::operator()(const Vec3& place) const

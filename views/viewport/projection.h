@@ -20,6 +20,7 @@ class Projection
 {
 public:
     explicit Projection(const Sight& sight);
+    Projection(const Turntable& camera, double width, double height); // pixels
 
     OnScreen operator()(const Vec3& place) const;
 

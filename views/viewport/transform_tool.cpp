@@ -94,6 +94,12 @@ void TransformTool::setPivot(Pivot pivot)
     emit changed();
 }
 
+void TransformTool::setAxes(Axes axes)
+{
+    m_axes = axes;
+    emit changed();
+}
+
 bool TransformTool::isAtDesign() const
 {
     return !m_player.isPlaying() && (!m_player.frame() || m_player.frame()->step == 0);
@@ -113,8 +119,11 @@ std::optional<Gizmo> TransformTool::gizmo() const
     if (m_shaping == Shaping::None || (!m_drag && !isAtDesign()))
         return std::nullopt;
     if (m_drag) {
-        const Vec3 moved = m_shaping == Shaping::Move ? dragNumbers() : Vec3(Vec3::Zero());
-        return Gizmo{m_shaping, m_drag->gizmo.pivot + moved, lens()};
+        Gizmo now = m_drag->gizmo;
+        now.lens = lens();
+        if (m_shaping == Shaping::Move)
+            now.pivot += now.axes * dragNumbers();
+        return now;
     }
     if (!m_known) {
         const Movable movable = movableOf(m_document.scene(), m_selection.ids(), Ties::Left);
@@ -122,11 +131,17 @@ std::optional<Gizmo> TransformTool::gizmo() const
         if (!movable.isEmpty())
             m_place = pivotOf(m_document.scene(), movable, m_pivot,
                               movable.particles.empty() ? noId : movable.particles.front());
+        m_own = ownAxes(movable);
         m_known = true;
     }
     if (!m_place)
         return std::nullopt;
-    return Gizmo{m_shaping, *m_place, lens()};
+    Gizmo gizmo{m_shaping, *m_place, lens()};
+    if (m_axes == Axes::Own)
+        gizmo.axes = m_own;
+    else if (m_axes == Axes::View)
+        gizmo.axes << m_camera.right(), m_camera.up(), m_camera.back();
+    return gizmo;
 }
 
 // Links only matter where they are bound anew.
@@ -171,27 +186,27 @@ std::optional<Vec3> TransformTool::particleUnder(QPointF cursor) const
 Vec3 TransformTool::dragShift() const
 {
     const Drag& drag = *m_drag;
-    Vec3 shift = drag.gizmo.shift(drag.handle, drag.from, drag.to);
+    const Gizmo& start = drag.gizmo;
+    Vec3 way = start.axes.transpose() * start.shift(drag.handle, drag.from, drag.to);
     if (!drag.snaps)
-        return shift;
-    const std::array<bool, 3> free = drag.handle.axes();
+        return way;
     if (m_snap == Snap::Particle) {
         if (const auto goal = particleUnder(drag.to))
-            shift = *goal - drag.gizmo.pivot;
+            way = start.axes.transpose() * (*goal - start.pivot);
     } else {
-        // a step of 1, 2 or 5 times a power of ten
-        const double least = gridPixels * lens().metresPerPixel(drag.gizmo.pivot);
+        // a step of 1, 2 or 5 times a power of ten; along the axes of the world, places are round
+        const double least = gridPixels * lens().metresPerPixel(start.pivot);
         const double decade = std::pow(10.0, std::floor(std::log10(least)));
         const double ratio = least / decade;
         const double grid = decade * (ratio > 5.0 ? 10.0 : ratio > 2.0 ? 5.0 : 2.0);
+        const Vec3 zero = m_axes == Axes::World ? start.pivot : Vec3(Vec3::Zero());
         for (int axis = 0; axis < 3; ++axis)
-            shift[axis] =
-                rounded(drag.gizmo.pivot[axis] + shift[axis], grid) - drag.gizmo.pivot[axis];
+            way[axis] = rounded(zero[axis] + way[axis], grid) - zero[axis];
     }
     for (int axis = 0; axis < 3; ++axis)
-        if (!free[std::size_t(axis)])
-            shift[axis] = 0.0;
-    return shift;
+        if (!drag.handle.axes()[std::size_t(axis)])
+            way[axis] = 0.0;
+    return way;
 }
 
 Vec3 TransformTool::dragNumbers() const
@@ -256,15 +271,16 @@ QString TransformTool::told() const
     return told;
 }
 
-Motion TransformTool::motionOf(const Vec3& numbers, const Vec3& pivot) const
+Motion TransformTool::motionOf(const Vec3& numbers, const Gizmo& handles) const
 {
     if (m_shaping == Shaping::Move)
-        return shifted(numbers);
+        return shifted(handles.axes * numbers);
     if (m_shaping == Shaping::Scale)
-        return scaled(pivot, numbers);
+        return scaled(handles.pivot, numbers, handles.axes);
     Motion motion;
     for (int axis = 0; axis < 3; ++axis)
-        motion.map = turned(pivot, Vec3::Unit(axis), numbers[axis] / degrees).map * motion.map;
+        motion.map =
+            turned(handles.pivot, handles.axes.col(axis), numbers[axis] / degrees).map * motion.map;
     return motion;
 }
 
@@ -277,7 +293,7 @@ void TransformTool::shape(const Vec3& numbers)
     if (numbers == idle || (m_shaping == Shaping::Scale && numbers.minCoeff() <= 0.0))
         return;
     const Movable all = movable();
-    m_document.push(moved(all, motionOf(numbers, handles->pivot), m_restLengths,
+    m_document.push(moved(all, motionOf(numbers, *handles), m_restLengths,
                           movingLabel(verbOf(m_shaping), all)));
 }
 
@@ -336,10 +352,10 @@ void TransformTool::step()
 {
     const Vec3 numbers = dragNumbers();
     const bool ofSight = m_shaping == Shaping::Turn && m_drag->handle.sort == Handle::Sort::Free;
-    const Vec3 pivot = m_drag->gizmo.pivot;
-    const Motion motion = ofSight ? turned(pivot, m_drag->gizmo.turningAxis(m_drag->handle),
+    const Gizmo& start = m_drag->gizmo;
+    const Motion motion = ofSight ? turned(start.pivot, start.turningAxis(m_drag->handle),
                                            numbers[m_drag->handle.axis] / degrees)
-                                  : motionOf(numbers, pivot);
+                                  : motionOf(numbers, start);
     m_drag->hasMoved = true;
     m_document.drag(moved(m_drag->movable, motion, m_restLengths,
                           movingLabel(verbOf(m_shaping), m_drag->movable)),

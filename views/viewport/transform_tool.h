@@ -26,6 +26,7 @@ class Player;
 class Selection;
 
 enum class Snap { Grid, Particle };
+enum class Axes { World, Own, View }; // that handles and numbers go along
 
 class TransformTool final : public QObject
 {
@@ -43,6 +44,8 @@ public:
     void setPivot(Pivot pivot); // Pivot::Particle is that of the lowest number in the selection
     RestLengths restLengths() const { return m_restLengths; }
     void setRestLengths(RestLengths restLengths) { m_restLengths = restLengths; }
+    Axes axes() const { return m_axes; }
+    void setAxes(Axes axes);
     Snap snap() const { return m_snap; }
     void setSnap(Snap snap) { m_snap = snap; }
 
@@ -90,9 +93,9 @@ private:
     void end();
     void cancel();
     Vec3 dragNumbers() const;
-    Vec3 dragShift() const;
+    Vec3 dragShift() const; // m along the axes
     std::optional<Vec3> particleUnder(QPointF cursor) const;
-    Motion motionOf(const Vec3& numbers, const Vec3& pivot) const;
+    Motion motionOf(const Vec3& numbers, const Gizmo& handles) const;
     std::optional<double> typedNumber() const;
     Movable movable() const; // what is selected
     Lens lens() const;
@@ -107,6 +110,7 @@ private:
     Shaping m_shaping = Shaping::None;
     Pivot m_pivot = Pivot::Median;
     RestLengths m_restLengths = RestLengths::Keep;
+    Axes m_axes = Axes::World;
     Snap m_snap = Snap::Grid;
     Handle m_hovered;
     std::optional<Drag> m_drag;
@@ -114,6 +118,7 @@ private:
     // of the selection, found when it is asked for; empty where nothing can be moved
     mutable bool m_known = false;
     mutable std::optional<Vec3> m_place; // m
+    mutable Eigen::Matrix3d m_own;
 };
 
 } // namespace ripstop
