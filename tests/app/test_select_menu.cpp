@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMouseEvent>
 #include <QStatusBar>
 #include <QSurfaceFormat>
 #include <QtTest>
@@ -238,6 +239,24 @@ private slots:
         time("all particles", [&] { editor.trigger("allParticles"); });
         time("everything", [&] { editor.trigger("selectAll"); });
         QCOMPARE(editor.count(), all.size());
+
+        // what a rubber band costs each time it moves: the picture below it stays as it is
+        QTRY_VERIFY_WITH_TIMEOUT(editor.player.frame(), 20000);
+        QTest::qWait(300);
+        editor.trigger("toolBox");
+        Viewport& view = editor.window.viewport();
+        const auto send = [&](QEvent::Type type, QPointF place) {
+            QMouseEvent event(type, place, view.mapToGlobal(place), Qt::LeftButton, Qt::LeftButton,
+                              {});
+            QApplication::sendEvent(&view, &event);
+            QApplication::processEvents();
+        };
+        send(QEvent::MouseButtonPress, {20, 20});
+        send(QEvent::MouseMove, {60, 60});
+        clock.start();
+        for (int i = 0; i < 10; ++i)
+            send(QEvent::MouseMove, {100.0 + 10.0 * i, 120.0});
+        qInfo("%-20s %6.1f ms", "rubber band", 1e-7 * double(clock.nsecsElapsed()));
     }
 };
 

@@ -157,7 +157,7 @@ void Viewport::Private::fitNow()
     stage.prepare(document.scene());
     camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect());
     chase.settle(stage.frame().get());
-    screen.update();
+    screen.renderSoon();
 }
 
 // Takes hold of what controls move, if that is what is under the cursor.
@@ -206,18 +206,18 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     connect(&document, &Document::replaced, this, [this] { d->sceneReplaced(); });
     connect(&document, &Document::changed, this, [this](const Edit& edit) {
         d->sceneChanged(edit);
-        d->screen.update();
+        d->screen.renderSoon();
     });
     connect(&selection, &Selection::changed, this, [this] {
         d->stage.setSelected(d->selection.ids());
-        d->screen.update();
+        d->screen.renderSoon();
     });
     connect(&player, &Player::frameReady, this,
             [this](const std::shared_ptr<const Frame>& frame) { show(frame); });
 
     // the files of colliders have been read then, also when there is no frame
-    connect(&player, &Player::stateChanged, this, [this] { d->screen.update(); });
-    connect(&player.follower(), &Follower::checked, this, [this] { d->screen.update(); });
+    connect(&player, &Player::stateChanged, this, [this] { d->screen.renderSoon(); });
+    connect(&player.follower(), &Follower::checked, this, [this] { d->screen.renderSoon(); });
 
     connect(this, &Viewport::cameraChanged, this, [this] { d->pointing.moved(); });
 
@@ -235,7 +235,7 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
     d->chase.move(d->camera, *frame, d->stage.frame().get());
     d->stage.show(std::move(frame));
     d->pointing.moved();
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 const std::shared_ptr<const Frame>& Viewport::frame() const { return d->stage.frame(); }
@@ -245,13 +245,13 @@ ColorBy Viewport::colorBy() const { return d->stage.colorBy(); }
 void Viewport::setColorBy(ColorBy colorBy)
 {
     d->stage.setColorBy(colorBy);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 void Viewport::setFixedRange(std::optional<ValueRange> range)
 {
     d->stage.setFixedRange(range);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 ValueRange Viewport::range() const { return d->stage.range(); }
@@ -262,21 +262,21 @@ void Viewport::setPanelsShown(bool shown)
 {
     d->pointing.pickable.drawn.panels = shown;
     d->stage.setPanelsShown(shown);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 void Viewport::setLinksShown(bool shown)
 {
     d->pointing.pickable.drawn.links = shown;
     d->stage.links.setShown(shown);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 void Viewport::setParticlesShown(bool shown)
 {
     d->pointing.pickable.drawn.particles = shown;
     d->stage.particles.setShown(shown);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
@@ -284,13 +284,13 @@ void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
 void Viewport::setCentreShown(bool shown)
 {
     d->centre.setMarked(shown);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 void Viewport::setWindFieldShown(bool shown)
 {
     d->stage.setWindShown(shown);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 void Viewport::setTheme(const Theme& theme)
@@ -301,7 +301,7 @@ void Viewport::setTheme(const Theme& theme)
     d->compass.setTheme(theme);
     d->centre.setTheme(theme);
     d->gizmo.setTheme(theme);
-    d->screen.update();
+    d->screen.renderSoon();
 }
 
 void Viewport::changeEvent(QEvent* event)
@@ -354,7 +354,7 @@ void Viewport::fit(const std::vector<Id>& ids)
         return fit();
     d->untouched = false;
     d->camera.fit(places, d->aspect());
-    d->screen.update();
+    d->screen.renderSoon();
     emit cameraChanged();
 }
 
@@ -371,7 +371,7 @@ void Viewport::setFollow(bool follow) { d->chase.set(follow, d->stage.frame().ge
 void Viewport::setOrthographic(bool orthographic)
 {
     d->camera.orthographic = orthographic;
-    d->screen.update();
+    d->screen.renderSoon();
     emit cameraChanged();
 }
 
@@ -414,7 +414,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     else
         d->camera.pan(step.x(), step.y(), height());
     d->untouched = false;
-    d->screen.update();
+    d->screen.renderSoon();
     emit cameraChanged();
 }
 
@@ -454,7 +454,7 @@ void Viewport::wheelEvent(QWheelEvent* event)
     d->camera.zoom(std::pow(zoomPerNotch, notches), centred ? 0.0 : x, centred ? 0.0 : y,
                    d->aspect());
     d->untouched = false;
-    d->screen.update();
+    d->screen.renderSoon();
     emit cameraChanged();
 }
 

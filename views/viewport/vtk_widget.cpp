@@ -7,6 +7,8 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
+#include <utility>
+
 namespace ripstop {
 namespace {
 
@@ -67,6 +69,7 @@ void VtkWidget::initializeGL()
 {
     m_window->SetReadyForRendering(true);
     m_window->OpenGLInitContext();
+    m_isOld = true;
     m_contextDies =
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release);
 }
@@ -75,13 +78,22 @@ void VtkWidget::resizeGL(int width, int height)
 {
     const QSize pixels = QSize(width, height) * devicePixelRatioF();
     m_window->SetSize(pixels.width(), pixels.height());
+    m_isOld = true;
+}
+
+void VtkWidget::renderSoon()
+{
+    m_isOld = true;
+    update();
 }
 
 void VtkWidget::paintGL()
 {
-    if (beforePainting)
-        beforePainting();
-    m_window->Render();
+    if (std::exchange(m_isOld, false)) {
+        if (beforePainting)
+            beforePainting();
+        m_window->Render();
+    }
     copyToWidget();
 }
 

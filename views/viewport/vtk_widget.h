@@ -23,7 +23,11 @@ public:
 
     vtkRenderWindow& window() { return *m_window.Get(); }
 
-    // Called before each picture, so that many changes between two pictures cost one.
+    // What is to be seen has changed: a new picture, soon. A mere update() shows the last one
+    // again, as Qt asks for whenever something above this widget is painted.
+    void renderSoon();
+
+    // Called before each new picture, so that many changes between two pictures cost one.
     std::function<void()> beforePainting;
 
 protected:
@@ -37,6 +41,7 @@ private:
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     QMetaObject::Connection m_contextDies;
+    bool m_isOld = true; // the last picture
 };
 
 } // namespace ripstop
