@@ -197,7 +197,8 @@ void addCopy(Copies& copies, Copier& copier, const Scene& scene, const std::vect
         const bool sharesSome = std::ranges::any_of(
             part->particles, [&](const Particle& row) { return copier.isShared(row.id); });
         if (isWhole && !sharesSome) {
-            add(wholePart(copier, entry, motion, winding));
+            // without links to what is not copied
+            add(wholePart(copier, {entry.id, rowsAmong(*part, particles)}, motion, winding));
             continue;
         }
         const Part some = rowsAmong(*part, particles);

@@ -18,13 +18,23 @@ constexpr int whole = 1; // in an index: the thing itself is meant
 
 std::vector<Id> particlesOf(const Scene& scene, const std::vector<Id>& ids)
 {
-    const Elements elements = sortedElements(scene, ids);
+    // a part means its particles, and not those of others that its links lead to
+    std::vector<Id> others = ids;
+    std::vector<const Part*> parts;
+    forEachPart(scene, [&](Id id, const Part& part) {
+        if (std::erase(others, id) > 0)
+            parts.push_back(&part);
+    });
+    const Elements elements = sortedElements(scene, others);
     std::vector<Id> found;
     KeyIndex seen(std::size_t(scene.nextId));
     const auto add = [&](Id id) {
         if (seen.add(std::uint32_t(id), whole))
             found.push_back(id);
     };
+    for (const Part* part : parts)
+        for (const Particle& row : part->particles)
+            add(row.id);
     for (const Particle* row : elements.particles)
         add(row->id);
     for (const Link* row : elements.links) {

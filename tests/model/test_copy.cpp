@@ -124,6 +124,20 @@ private slots:
             QVERIFY(findRow(copy.particles, row.from) && findRow(copy.particles, row.to));
     }
 
+    // A line from a part to another one stays with the original.
+    void copiesAreNotTiedToWhatIsNotCopied()
+    {
+        Scene scene = strip();
+        const Copies second = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 0, 3))}, "");
+        scene = after(scene, second.edit);
+        const Id other = findItem<Part>(scene, second.ids.front())->particles.front().id;
+        (void)apply(scene,
+                    {"", {AddRows{Id{1}, {}, {rod(scene.nextId, Id{2}, other, Id{30})}, {}}}});
+        const Copies third = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 5, 0))}, "");
+        const Scene now = after(scene, third.edit);
+        QCOMPARE(findItem<Part>(now, third.ids.front())->links.size(), std::size_t(7));
+    }
+
     // Of one cell: 4 particles, the 4 links and 2 panels among them, and not what leads out.
     void elementsAreCopiedWithWhatLiesAmongThem()
     {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -306,6 +307,7 @@ bool TransformTool::press(const QMouseEvent& event)
             cancel();
         return true;
     }
+    m_spent = false;
     const auto handles = gizmo();
     const Handle handle = handles ? handles->at(event.position()) : Handle{};
     if (!handle || event.button() != Qt::LeftButton)
@@ -329,7 +331,8 @@ bool TransformTool::move(const QMouseEvent& event)
         return true;
     }
     if (event.buttons() != Qt::NoButton)
-        return false;
+        return m_spent;
+    m_spent = false;
     const auto handles = gizmo();
     const Handle under = handles ? handles->at(event.position()) : Handle{};
     if (under != m_hovered) {
@@ -342,9 +345,12 @@ bool TransformTool::move(const QMouseEvent& event)
 
 bool TransformTool::release(const QMouseEvent& event)
 {
-    if (!m_drag || event.button() != Qt::LeftButton)
+    if (event.button() != Qt::LeftButton)
         return m_drag.has_value();
+    if (!m_drag)
+        return std::exchange(m_spent, false); // not a click
     end();
+    m_spent = false;
     return true;
 }
 
@@ -366,6 +372,7 @@ void TransformTool::step()
 void TransformTool::end()
 {
     m_drag.reset();
+    m_spent = true;
     forget();
     emit changed();
 }

@@ -114,6 +114,7 @@ private:
     Snap m_snap = Snap::Grid;
     Handle m_hovered;
     std::optional<Drag> m_drag;
+    bool m_spent = false; // the drag is over by a key, and the button still down
 
     // of the selection, found when it is asked for; empty where nothing can be moved
     mutable bool m_known = false;
