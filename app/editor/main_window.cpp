@@ -189,7 +189,7 @@ void MainWindow::connectParts()
         if (id == noId)
             statusBar()->clearMessage();
         else
-            statusBar()->showMessage(describe(m_document.scene(), {id}));
+            statusBar()->showMessage(summary({id}));
     });
     connect(m_problems, &ProblemList::countChanged, this, [this](int errors, int warnings) {
         const int count = errors + warnings;
@@ -280,9 +280,15 @@ void MainWindow::showSelected()
     const auto& ids = m_selection.ids();
     if (ids.empty())
         return m_selected->clear();
-    const QString sums = totals(m_document.scene(), ids);
+    m_selected->setText(tr("Selected: %1").arg(summary(ids)));
+}
+
+// "3 particles of kite · 0.2 kg"
+QString MainWindow::summary(const std::vector<Id>& ids) const
+{
     const QString what = describe(m_document.scene(), ids);
-    m_selected->setText(tr("Selected: %1").arg(sums.isEmpty() ? what : what + " · " + sums));
+    const QString sums = totals(m_document.scene(), ids);
+    return sums.isEmpty() ? what : what + " · " + sums;
 }
 
 void MainWindow::showKeys()

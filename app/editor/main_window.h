@@ -70,6 +70,7 @@ private:
     void showPolar();
     void showCondition();
     void showSelected();
+    QString summary(const std::vector<Id>& ids) const;
 
     Document& m_document;
     Selection& m_selection;

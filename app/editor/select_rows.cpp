@@ -10,9 +10,20 @@
 #include "viewport/viewport.h"
 
 #include <QAction>
+#include <QMainWindow>
+#include <QStatusBar>
 
 namespace ripstop {
 namespace {
+
+// A selection of nothing is most likely not what was wanted: it says so and leaves the old one.
+void choose(const Workbench& bench, std::vector<Id> ids)
+{
+    if (!ids.empty())
+        return bench.selection.set(std::move(ids));
+    bench.window.statusBar()->showMessage(
+        Actions::tr("There is none of that here; the selection stays."), 5000);
+}
 
 // A selection from the selection.
 std::function<void()> selecting(const Workbench& bench,
@@ -25,8 +36,8 @@ std::function<void()> selecting(const Workbench& bench,
 
 std::function<void()> turning(const Workbench& bench, Kind kind)
 {
-    return [&document = bench.document, &selection = bench.selection, kind] {
-        selection.set(turnedInto(kind, document.scene(), selection.ids()));
+    return [&bench, kind] {
+        choose(bench, turnedInto(kind, bench.document.scene(), bench.selection.ids()));
     };
 }
 
@@ -62,21 +73,21 @@ std::function<void()> taking(const Workbench& bench, const Actions& actions, con
 // All elements that meet a condition, or all of a kind.
 std::function<void()> finding(const Workbench& bench, const char* condition)
 {
-    return [&document = bench.document, &selection = bench.selection, condition] {
-        if (const auto ids = matching(document.scene(), {}, condition))
-            selection.set(*ids);
+    return [&bench, condition] {
+        if (const auto ids = matching(bench.document.scene(), {}, condition))
+            choose(bench, *ids);
     };
 }
 
 template <typename Row>
 std::function<void()> finding(const Workbench& bench, std::vector<const Row*> Elements::*kind)
 {
-    return [&document = bench.document, &selection = bench.selection, kind] {
+    return [&bench, kind] {
         std::vector<Id> ids;
-        const Elements all = everyElement(document.scene());
+        const Elements all = everyElement(bench.document.scene());
         for (const Row* row : all.*kind)
             ids.push_back(row->id);
-        selection.set(std::move(ids));
+        choose(bench, std::move(ids));
     };
 }
 
@@ -151,7 +162,7 @@ std::vector<MenuRow> selectRows(const Workbench& bench, const Actions& actions)
         {"&Select", "shrink",    tr("&Shrink"),     nullptr,      QKeySequence("Ctrl+-"),  tr("Take one ring away: whatever has a neighbour that is not selected."), from(shrunk)},
         {"&Select", "connected", tr("Co&nnected"),  nullptr,      QKeySequence("Ctrl+L"),  tr("Add all that hangs together with the selection by links and panels."), from(connected)},
         {"&Select", "loop",      tr("L&oop or line"), nullptr,    QKeySequence("Ctrl+Shift+L"), tr("Follow the selected links or particles both ways: along a line, along a thread, around an edge."), from(loop)},
-        {"&Select", "boundary",  tr("Edge o&f fabric"), nullptr,  QKeySequence("Ctrl+Shift+B"), tr("The edge of the selected panels, or of all fabric."), from(boundary)},
+        {"&Select", "boundary",  tr("Edge o&f fabric"), nullptr,  QKeySequence("Ctrl+Shift+B"), tr("The edge of the selected panels, or of all fabric."), [&bench] { choose(bench, boundary(bench.document.scene(), bench.selection.ids())); }},
         {"&Select/&Turn into", "toParticles", tr("&Particles"), "particle", {}, tr("The particles at the ends of the selected links and the corners of the selected panels."), into(Kind::Particle)},
         {"&Select/&Turn into", "toLinks",     tr("&Links"),     "link",     {}, tr("The links between the selected."), into(Kind::Link)},
         {"&Select/&Turn into", "toPanels",    tr("P&anels"),    "panel",    {}, tr("The panels between the selected."), into(Kind::Panel)},

@@ -114,6 +114,8 @@ private slots:
         QCOMPARE(editor.selection.ids(), everyElement(editor.document.scene()).ids());
         editor.trigger("allPinned");
         QCOMPARE(editor.count(), std::size_t(2)); // two corners
+        editor.trigger("allRods");                // there are none: the selection stays
+        QCOMPARE(editor.count(), std::size_t(2));
         editor.trigger("deselect");
         QCOMPARE(editor.count(), std::size_t(0));
         QVERIFY(!editor.document.history().canUndo()); // selecting is no edit

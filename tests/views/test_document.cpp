@@ -1,4 +1,5 @@
 #include "document/document.h"
+#include "document/gauge.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "io/scene_file.h"
@@ -242,6 +243,44 @@ private slots:
         QCOMPARE(selection.ids(), (std::vector<Id>{Id{9}}));
         document.replace(Scene{});
         QVERIFY(selection.ids().empty());
+    }
+
+    // A right triangle of 3, 4 and 5 m whose hypotenuse was 4 m long, one corner on the move, and
+    // 12 N of air on its 6 m^2.
+    void gaugesReadTheInstant()
+    {
+        auto layout = std::make_shared<Layout>();
+        layout->particleId = {2, 3, 4};
+        layout->links = {{5, LinkKind::Rod, 1, 2, 4.0}, {6, LinkKind::Rod, 0, 1, 3.0}};
+        layout->panelId = {7};
+        layout->panelCorners = {{0, 1, 2}};
+        auto frame = std::make_shared<Frame>();
+        frame->layout = layout;
+        frame->position = {Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(0, 4, 0)};
+        frame->velocity = {Vec3(0, 3, 4), Vec3::Zero(), Vec3::Zero()};
+        frame->strain = {0.25, 0.0};
+        frame->tension = {8.0, -1.0};
+        frame->torn = {0, 1};
+        frame->panelLoad = {Vec3(0, 0, 12)};
+        frame->gone = {0};
+        const Gauge gauge = gaugeOf(frame);
+        Scene scene;
+        const auto find = [&](const char* condition) {
+            const auto ids = matching(scene, gauge, condition);
+            return ids ? *ids : std::vector<Id>{settingsId};
+        };
+        using Ids = std::vector<Id>;
+        QCOMPARE(find("speed = 5"), Ids{Id{2}});
+        QCOMPARE(find("speed > 17.9 km/h"), Ids{Id{2}}); // 18
+        QCOMPARE(find("particle.y > 399 cm"), Ids{Id{4}});
+        QCOMPARE(find("y > 1.9"), (Ids{Id{4}, Id{5}})); // the middle of the link is at 2 m
+        QCOMPARE(find("strain > 24 %"), Ids{Id{5}});
+        QCOMPARE(find("strain < 24 %"), Ids{}); // the other one is torn
+        QCOMPARE(find("tension = 8 N"), Ids{Id{5}});
+        QCOMPARE(find("length = 5 m"), Ids{Id{5}});
+        QCOMPARE(find("area = 6 m^2"), Ids{Id{7}});
+        QCOMPARE(find("load = 2 Pa"), Ids{Id{7}});
+        QCOMPARE(find("x > 0 and z = 0 and length > 1"), Ids{Id{5}});
     }
 
     void thingsAreNamed()

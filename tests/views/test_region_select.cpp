@@ -437,6 +437,29 @@ private slots:
 #endif
     }
 
+    // A ball before the middle of the sheet hides what lies within its outline, and is picked
+    // there itself.
+    void collidersHideToo()
+    {
+        Sheets sheets(8);
+        Collider ball;
+        ball.shape = ColliderShape::Sphere;
+        ball.position = Vec3(0.05, 0.03, 2.0);
+        ball.radius = 0.5;
+        const Id id = sheets.scene.nextId;
+        sheets.scene.items.push_back({id, ball});
+        sheets.scene.nextId = Id{std::uint32_t(id) + 1};
+        View view(sheets.scene);
+        takeOnlyParticles(view);
+        view.take(RegionTool::Shape::Box);
+        view.drag({{1, 1}, {50, 50}, {399, 399}});
+        QCOMPARE(view.selection.ids(), particlesWhere(sheets, [&](const Vec3& p) {
+                     return p.z() == 0.0 && std::hypot(p.x() - 0.05, p.y() - 0.03) > 0.5;
+                 }));
+        QCOMPARE(view.viewport.pick(view.at(0.05, 0.03, 0)), id);
+        QCOMPARE(view.viewport.pick(view.at(0.75, 0.75, 0)), sheets.particle(true, 1, 7));
+    }
+
     void whatAClickWouldTakeIsNamed()
     {
         const Sheets sheets(4);
