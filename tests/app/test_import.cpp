@@ -34,6 +34,13 @@ QString spaced(QString text)
     return text.replace(place, QStringLiteral("\\1\u202f\\2"));
 }
 
+// Whether the middle of the picture shows something that is not the pale sky.
+bool hasFabric(const QImage& image)
+{
+    const QColor color = image.pixelColor(image.width() / 2, image.height() / 2);
+    return color.red() > color.blue() + 40; // new materials are red
+}
+
 struct Editor
 {
     Document document;
@@ -157,6 +164,10 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             editor.player.frame() && editor.player.frame()->position.size() == 8u, patience);
 
+        // and in the middle of the view
+        editor.selection.clear(); // which has a colour of its own
+        QTRY_VERIFY_WITH_TIMEOUT(hasFabric(editor.window.viewport().image()), 2000);
+
         editor.document.history().undo();
         QCOMPARE(editor.document.scene().items, before.items);
         editor.document.history().redo();
@@ -263,7 +274,7 @@ int main(int argc, char** argv)
     QSurfaceFormat::setDefaultFormat(format);
     QApplication application(argc, argv);
     QApplication::setApplicationName("RipstopTest");
-    
+
     TestImport test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -93,6 +93,7 @@ void Viewport::Private::showDesign()
 {
     stage.show(sceneFrame(document.scene()));
     stage.sceneChanged();
+    chase.forget(); // what is drawn anew has not moved
 }
 
 void Viewport::Private::sceneReplaced()
@@ -349,7 +350,9 @@ void Viewport::fit()
 void Viewport::fit(const std::vector<Id>& ids)
 {
     const auto& frame = d->stage.frame();
-    const auto places = frame ? placesOf(*frame, d->document.scene(), ids) : std::vector<Vec3>();
+    auto places = frame ? placesOf(*frame, d->document.scene(), ids) : std::vector<Vec3>();
+    if (places.empty() && !ids.empty()) // too new for the frame
+        places = placesOf(*sceneFrame(d->document.scene()), d->document.scene(), ids);
     if (places.empty())
         return fit();
     d->untouched = false;
