@@ -1,6 +1,7 @@
 #include "shapes/mesh_file.h"
 
 #include "shapes/obj_file.h"
+#include "shapes/ply_file.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
@@ -213,6 +214,15 @@ Result<PolygonMesh> readObjFile(const std::filesystem::path& file, const Progres
     return mesh;
 }
 
+using ReadText = Result<PolygonMesh> (*)(std::string_view, const std::string&, const Progress&);
+
+Result<PolygonMesh> readOwn(ReadText read, const std::filesystem::path& file,
+                            const Progress& progress)
+{
+    const Result<std::string> content = contentOf(file);
+    return content ? read(*content, file.string(), progress) : content.failure();
+}
+
 } // namespace
 
 std::span<const std::string_view> meshExtensions() { return extensions; }
@@ -222,8 +232,10 @@ try {
     if (const auto failure = refusal(file))
         return *failure;
     const std::string extension = extensionOf(file);
-    Result<PolygonMesh> mesh =
-        extension == "obj" ? readObjFile(file, progress) : readByAssimp(file, progress);
+    Result<PolygonMesh> mesh = extension == "obj"   ? readObjFile(file, progress)
+                               : extension == "ply" ? readOwn(readPly, file, progress)
+                               : extension == "off" ? readOwn(readOff, file, progress)
+                                                    : readByAssimp(file, progress);
     if (!mesh)
         return mesh;
     if (mesh->faceCount() == 0)

@@ -1,4 +1,5 @@
-// Files of meshes. Assimp reads all of them but OBJ (obj_file.h), and nobody else calls it.
+// Files of meshes. Nobody else calls assimp, which reads all of them but OBJ (obj_file.h), PLY and
+// OFF (ply_file.h).
 #pragma once
 
 #include "base/progress.h"

@@ -1,7 +1,8 @@
 #include "shapes/obj_file.h"
 
+#include "shapes/text_words.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -10,22 +11,6 @@ namespace ripstop {
 namespace {
 
 constexpr int linesBetweenReports = 20000;
-
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-// The next word of a line, which gets shorter.
-std::string_view takeWord(std::string_view& line)
-{
-    std::size_t begin = 0;
-    while (begin < line.size() && isBlank(line[begin]))
-        ++begin;
-    std::size_t end = begin;
-    while (end < line.size() && !isBlank(line[end]))
-        ++end;
-    const std::string_view word = line.substr(begin, end - begin);
-    line.remove_prefix(end);
-    return word;
-}
 
 // What stands after the keyword, without blanks around it: names may have blanks inside.
 std::string rest(std::string_view line)
@@ -37,26 +22,13 @@ std::string rest(std::string_view line)
     return std::string(line);
 }
 
-template <typename Number>
-bool readNumber(std::string_view word, Number& number)
-{
-    if (!word.empty() && word.front() == '+')
-        word.remove_prefix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return !word.empty() && error == std::errc() && end == word.data() + word.size();
-}
-
 // The next line, and what a backslash at its end goes on with.
 std::string_view takeLine(std::string_view& text, int& number, std::string& joined)
 {
     joined.clear();
     for (;;) {
-        const std::size_t end = text.find('\n');
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        std::string_view line = takePlainLine(text);
         ++number;
-        if (!line.empty() && line.back() == '\r')
-            line.remove_suffix(1);
         const bool goesOn = !line.empty() && line.back() == '\\' && !text.empty();
         if (!goesOn && joined.empty())
             return line;

@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <random>
 
 using namespace ripstop;
 
@@ -70,6 +71,61 @@ private slots:
         QCOMPARE(mesh.report.count(MeshFault::OpenEdges), 0u);
     }
 
+    // Two quads with texture points and a colour for each vertex, a list that nobody reads, and an
+    // edge; in both orders of bytes.
+    void binaryPly()
+    {
+        for (const bool isBig : {false, true}) {
+            QByteArray content = QByteArray("ply\nformat binary_") + (isBig ? "big" : "little")
+                                 + "_endian 1.0\ncomment by a scanner\nelement vertex 6\n"
+                                   "property double x\nproperty double y\nproperty float z\n"
+                                   "property uchar red\nproperty float s\nproperty float t\n"
+                                   "element face 2\nproperty list uchar float weights\n"
+                                   "property list uint8 int32 vertex_index\n"
+                                   "element edge 1\nproperty short vertex1\nproperty short "
+                                   "vertex2\nend_header\n";
+            const auto add = [&](auto value) {
+                QByteArray bytes(reinterpret_cast<const char*>(&value), sizeof value);
+                if (isBig)
+                    std::reverse(bytes.begin(), bytes.end());
+                content += bytes;
+            };
+            for (int i = 0; i < 6; ++i) {
+                add(double(i % 3));
+                add(double(i / 3));
+                add(-0.5f);
+                add(quint8(200));
+                add(0.5f * float(i % 3));
+                add(float(i / 3));
+            }
+            for (const std::array<int, 4> corners : {std::array{0, 1, 4, 3}, {1, 2, 5, 4}}) {
+                add(quint8(1));
+                add(9.0f);
+                add(quint8(4));
+                for (const int corner : corners)
+                    add(qint32(corner));
+            }
+            add(qint16(0));
+            add(qint16(5));
+            const PreparedMesh mesh = preparedOf(fileOf("binary.ply", content));
+            const RepairedMesh& surface = mesh.surfaces.front();
+            QCOMPARE(surface.mesh.faceCount(), 2u);
+            QVERIFY((surface.mesh.points[5] - Vec3(2.0, 1.0, -0.5)).norm() < 1e-12);
+            QCOMPARE(surface.texture[5], (PolygonMesh::TexturePoint{1.0, 1.0}));
+            QCOMPARE(mesh.report.count(MeshFault::StrayElements), 1u);
+        }
+    }
+
+    void offWithCommentsAndColours()
+    {
+        const PreparedMesh mesh = preparedOf(
+            fileOf("colours.off", "COFF # colours\n\n4 1 0\n# points\n0 0 0 255 0 0 255\n"
+                                  "1 0 0 255 0 0 255\n1 1 0 255 0 0 255\n0 1 0 255 0 0 255\n"
+                                  "4 0 1 2 3 0.5 0.5 0.5\n"));
+        QCOMPARE(mesh.surfaces.front().mesh.points.size(), 4u);
+        QCOMPARE(mesh.surfaces.front().triangles.size(), 2u);
+    }
+
     // A file that says centimetres and z up: the sail is 2 m high whatever the options say.
     void colladaSaysItsUnit()
     {
@@ -121,6 +177,22 @@ private slots:
         QTest::newRow("a word for a corner")
             << "word.obj" << QByteArray("v 0 0 0\nf 1 a 1\n") << "\"a\" is not a corner";
         QTest::newRow("nonsense") << "bad.ply" << QByteArray("plyff nonsense") << "cannot be read";
+        const QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                               "property float y\nproperty float z\nelement face 1\n"
+                               "property list uchar int vertex_indices\nend_header\n";
+        QTest::newRow("PLY, cut off in its vertices") << "points.ply" << ply + "0 0 0\n1 0"
+                                                      << "vertex 2 of 3 is not there";
+        QTest::newRow("PLY, cut off in its faces")
+            << "faces.ply" << ply + "0 0 0\n1 0 0\n0 1 0\n3 0 1"
+            << "face 1 of 1 is not there";
+        QTest::newRow("PLY, a vertex too high")
+            << "high.ply" << ply + "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"
+            << "face 1 names vertex 7";
+        QTest::newRow("OFF, cut off") << "cut.off" << QByteArray("OFF\n3 1 0\n0 0 0\n1 0 0\n")
+                                      << "vertex 3 of 3 needs three numbers";
+        QTest::newRow("OFF, a vertex too high")
+            << "high.off" << QByteArray("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n")
+            << "line 6: face 1 of 1";
         QTest::newRow("binary STL, cut off")
             << "cut.stl" << QByteArray(80, 'x') + QByteArray("\x09\x00\x00\x00", 4) + "abc"
             << "cannot be read";
@@ -137,6 +209,60 @@ private slots:
         const QString message = QString::fromStdString(refused.message());
         QVERIFY2(message.contains(says), qPrintable(message));
         QVERIFY2(message.contains(name), qPrintable(message));
+    }
+
+    // A file of 2 GiB, none of which is on the disk.
+    void hugeFilesAreRefused()
+    {
+        QFile huge(m_folder.filePath("huge.stl"));
+        QVERIFY(huge.open(QIODevice::WriteOnly));
+        QVERIFY(huge.resize(qint64(2) << 30));
+        huge.close();
+        const Result<PolygonMesh> refused = readPolygonFile(huge.fileName().toStdString());
+        QVERIFY(!refused);
+        QVERIFY(refused.message().find("larger than 1 GiB") != std::string::npos);
+        QVERIFY(huge.remove());
+    }
+
+    // Bytes changed, cut off or doubled: there is a mesh or a sentence, and never a crash.
+    void scrambledFiles()
+    {
+        QByteArray binary(80, ' ');
+        const quint32 count = 4;
+        binary.append(reinterpret_cast<const char*>(&count), 4).append(QByteArray(200, '\x3f'));
+        const std::pair<QString, QByteArray> files[]{
+            {"obj", QByteArray(cubeOfQuads) + "vt 0 0\nf 1/1 2/1 3/1\nf -1 -2 -3\n"},
+            {"stl", cubeAsStl()},
+            {"stl", binary},
+            {"off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"},
+            {"ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                    "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}};
+        std::mt19937 random(7);
+        int read = 0;
+        for (const auto& [ending, content] : files)
+            for (int round = 0; round < 120; ++round) {
+                QByteArray text = content;
+                for (int change = 0; change < 1 + round % 4; ++change) {
+                    const auto at = qsizetype(random() % unsigned(text.size()));
+                    if (round % 3 == 0)
+                        text[at] = char(random() % 256);
+                    else if (round % 3 == 1)
+                        text.truncate(std::max<qsizetype>(at, 1));
+                    else
+                        text.insert(at, text.mid(qsizetype(random() % unsigned(text.size())), 9));
+                }
+                const QString name = QStringLiteral("scrambled.") + ending;
+                const Result<PolygonMesh> mesh = readPolygonFile(write(name, text).toStdString());
+                if (!mesh) {
+                    QVERIFY(mesh.message().find(name.toStdString()) != std::string::npos);
+                    continue;
+                }
+                ++read;
+                if (const Result<PreparedMesh> made = prepared(*mesh, {}))
+                    QVERIFY(fabricOf(*made, plainFabric(), "sail", {}));
+            }
+        QVERIFY(read > 0);
     }
 
     void missingFilesAndFolders()

@@ -1,0 +1,101 @@
+#include "shapes/ply_file.h"
+#include "shapes/text_words.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr long long linesBetweenReports = 20000;
+
+// Lines that say something: neither empty nor a comment.
+class Lines
+{
+public:
+    Lines(std::string_view text, const Progress& progress)
+        : m_text(text)
+        , m_size(double(text.size()))
+        , m_progress(progress)
+    {}
+
+    // Empty at the end of the file.
+    std::string_view take()
+    {
+        while (!m_text.empty()) {
+            if (++m_number % linesBetweenReports == 0
+                && !goesOn(m_progress, 1.0 - double(m_text.size()) / m_size))
+                m_text = {};
+            std::string_view line = takePlainLine(m_text);
+            line = line.substr(0, line.find('#'));
+            std::string_view rest = line;
+            if (!takeWord(rest).empty())
+                return line;
+        }
+        return {};
+    }
+    long long number() const { return m_number; }
+
+private:
+    std::string_view m_text;
+    double m_size;
+    const Progress& m_progress;
+    long long m_number = 0;
+};
+
+} // namespace
+
+Result<PolygonMesh> readOff(std::string_view content, const std::string& name,
+                            const Progress& progress)
+{
+    Lines lines(content, progress);
+    const auto refuse = [&](const std::string& what) {
+        return Failure{"The mesh " + name + ", line " + std::to_string(lines.number()) + ": " + what
+                       + ". The file may be cut off; save it again."};
+    };
+    std::string_view line = lines.take();
+    std::string_view rest = line;
+    if (takeWord(rest).ends_with("OFF")) {
+        std::string_view counts = rest;
+        line = takeWord(counts).empty() ? lines.take() : rest;
+    }
+    long long pointCount = 0;
+    long long faceCount = 0;
+    if (!readNumber(takeWord(line), pointCount) || !readNumber(takeWord(line), faceCount)
+        || pointCount < 0 || faceCount < 0)
+        return refuse("the numbers of vertices and faces are missing");
+    PolygonMesh mesh;
+    mesh.objects.emplace_back();
+    mesh.materials.emplace_back();
+    for (long long i = 0; i < pointCount; ++i) {
+        line = lines.take();
+        Vec3 point;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!readNumber(takeWord(line), point[axis]))
+                return refuse("vertex " + std::to_string(i + 1) + " of "
+                              + std::to_string(pointCount) + " needs three numbers");
+        mesh.points.push_back(point);
+    }
+    for (long long i = 0; i < faceCount; ++i) {
+        line = lines.take();
+        int corners = 0;
+        bool isWhole = readNumber(takeWord(line), corners) && corners >= 1;
+        for (int c = 0; c < corners && isWhole; ++c) {
+            int corner = 0;
+            isWhole = readNumber(takeWord(line), corner) && corner >= 0 && corner < pointCount;
+            if (isWhole && corners >= 3)
+                mesh.corners.push_back(corner);
+        }
+        if (!isWhole)
+            return refuse("face " + std::to_string(i + 1) + " of " + std::to_string(faceCount)
+                          + " needs a count and as many vertices of the file");
+        if (corners >= 3)
+            mesh.endFace(0, 0);
+        else
+            ++mesh.strayElements;
+    }
+    if (!goesOn(progress, 1.0))
+        return Failure{"The import was cancelled."};
+    return mesh;
+}
+
+} // namespace ripstop
