@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "shapes/polygon_mesh.h"
+#include "shapes/polygon_split.h"
 
 #include <array>
 #include <cstdint>
@@ -40,19 +41,5 @@ Result<RepairedMesh> repaired(PolygonMesh mesh, double weldTolerance,
 
 // Each object as a mesh of its own, without what it does not use; those without faces are left out.
 std::vector<PolygonMesh> byObject(const PolygonMesh& mesh);
-
-// The point of each point that is joined with one before it, or its own index (see repaired()).
-std::vector<int> welded(const std::vector<Vec3>& points, double tolerance);
-
-// Splits one polygon into triangles, point indices: a convex quad along its shorter diagonal,
-// others by cutting ears (Meisters 1975), so that hollow ones keep their area.
-void splitPolygon(std::span<const int> corners, const std::vector<Vec3>& points,
-                  std::vector<std::array<int, 3>>& triangles);
-
-// Twice the area vector of a polygon (Newell), m^2.
-Vec3 doubleArea(std::span<const int> corners, const std::vector<Vec3>& points);
-
-// Whether a quad has no hollow or straight corner, seen along its area vector.
-bool isConvexQuad(std::span<const int> corners, const std::vector<Vec3>& points);
 
 } // namespace ripstop

@@ -2,11 +2,10 @@
 
 #include "shapes/obj_file.h"
 #include "shapes/ply_file.h"
+#include "shapes/polygon_split.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -195,7 +194,8 @@ Result<PolygonMesh> readByAssimp(const std::filesystem::path& file, const Progre
         return Failure{"The import was cancelled."};
     if (!scene || !scene->mRootNode)
         return about(file, std::string("cannot be read (") + importer.GetErrorString()
-                               + "). The file may be cut off or of another format; save it again.");
+                               + "). The file may be cut off or of another format; save it again, "
+                                 "or choose another file.");
     return Collector(*scene).collect();
 }
 
@@ -255,44 +255,28 @@ try {
 
 Result<TriangleTree> readMeshFile(const std::filesystem::path& file)
 {
-    Assimp::Importer importer;
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    // positions only, so that corners which differ in colour or normal alone are one
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
-                                aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS
-                                    | aiComponent_COLORS | aiComponent_TEXCOORDS
-                                    | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS
-                                    | aiComponent_TEXTURES | aiComponent_LIGHTS
-                                    | aiComponent_CAMERAS | aiComponent_MATERIALS);
-    const aiScene* scene = importer.ReadFile(
-        file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent
-                           | aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
-    if (!scene)
-        return Failure{"The mesh " + file.string() + " cannot be read (" + importer.GetErrorString()
-                       + "); save it as OBJ, STL or PLY, or choose another file."};
-    std::vector<Vec3> points;
+    const Result<PolygonMesh> mesh = readPolygonFile(file);
+    if (!mesh)
+        return mesh.failure();
     std::vector<std::array<int, 3>> triangles;
-    for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-        const aiMesh& mesh = *scene->mMeshes[m];
-        const int first = int(points.size());
-        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-            const aiVector3D& p = mesh.mVertices[i];
-            points.emplace_back(p.x, p.y, p.z);
-            if (!points.back().allFinite())
-                return Failure{"The mesh " + file.string()
-                               + " has a point that is not a number; save it again or choose "
-                                 "another file."};
-        }
-        for (unsigned i = 0; i < mesh.mNumFaces; ++i)
-            if (const aiFace& face = mesh.mFaces[i]; face.mNumIndices == 3)
-                triangles.push_back({first + int(face.mIndices[0]), first + int(face.mIndices[1]),
-                                     first + int(face.mIndices[2])});
+    for (std::size_t i = 0; i < mesh->faceCount(); ++i)
+        splitPolygon(mesh->face(i), mesh->points, triangles);
+    // corners that differ in texture alone, or are those of loose triangles, are one
+    const std::vector<int> target = welded(mesh->points, 0.0);
+    std::vector<int> place(target.size());
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < target.size(); ++i) {
+        const bool stays = target[i] == int(i);
+        place[i] = stays ? int(points.size()) : place[std::size_t(target[i])];
+        if (stays)
+            points.push_back(mesh->points[i]);
     }
+    for (std::array<int, 3>& triangle : triangles)
+        for (int& corner : triangle)
+            corner = place[std::size_t(corner)];
     TriangleTree tree(std::move(points), triangles);
     if (tree.faces().empty())
-        return Failure{"The mesh " + file.string()
-                       + " has no triangles; choose a file with a surface."};
+        return about(file, "has no face with an area; choose a file with a surface.");
     return tree;
 }
 

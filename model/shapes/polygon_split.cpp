@@ -1,4 +1,4 @@
-#include "author/mesh_repair.h"
+#include "shapes/polygon_split.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,10 @@
 // Points sorted into cells that are larger than the tolerance, so that most of them look into one.
-#include "author/mesh_repair.h"
+#include "shapes/polygon_split.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 namespace ripstop {

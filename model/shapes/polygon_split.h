@@ -1,0 +1,27 @@
+// Polygons as triangles, and points that lie on each other as one.
+#pragma once
+
+#include "base/vec3.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ripstop {
+
+// For each point the one before it that it is joined with, or its own index: the nearest within
+// `tolerance` (m) of those that stay, so that chains of points do not collapse.
+std::vector<int> welded(const std::vector<Vec3>& points, double tolerance);
+
+// Splits one polygon into triangles, point indices: a convex quad along its shorter diagonal,
+// others by cutting ears (Meisters 1975), so that hollow ones keep their area.
+void splitPolygon(std::span<const int> corners, const std::vector<Vec3>& points,
+                  std::vector<std::array<int, 3>>& triangles);
+
+// Twice the area vector of a polygon (Newell), m^2.
+Vec3 doubleArea(std::span<const int> corners, const std::vector<Vec3>& points);
+
+// Whether a quad has no hollow or straight corner, seen along its area vector.
+bool isConvexQuad(std::span<const int> corners, const std::vector<Vec3>& points);
+
+} // namespace ripstop
