@@ -31,6 +31,7 @@ struct ImportOptions
     std::string name;
     std::string preset = "ripstop_075";
     std::string material;
+    std::string materials = "one";
     std::optional<double> density;
     std::optional<double> membrane;
     std::optional<double> shearStiffness;
@@ -98,6 +99,7 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
             material.shearStiffness = options.shearStiffness;
         material.bendingStiffness = options.bending.value_or(material.bendingStiffness);
     }
+    fabric.isPerFileMaterial = options.materials == "file";
     fabric.structural = styleCalled(options.structural);
     fabric.shear = styleCalled(options.shear);
     fabric.bend = styleCalled(options.bend);
@@ -211,8 +213,10 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
         return fail(BadInput, file + ": " + made.message());
     (void)apply(scene, made->edit);
     const Part& part = *findItem<Part>(scene, made->parts.front());
-    fabric.existing = part.panels.front().material; // the next file is of the same
-    fabric.material = *findItem<Material>(scene, fabric.existing);
+    if (!fabric.isPerFileMaterial) { // the next file is of the same
+        fabric.existing = part.panels.front().material;
+        fabric.material = *findItem<Material>(scene, fabric.existing);
+    }
     if (options.json)
         list.push_back(jsonOf(file, *mesh, *made));
     else
@@ -322,6 +326,12 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
     command.add_option("--material", options.material, "A material of the scene instead")
         ->type_name("NAME")
         ->excludes(preset);
+    command
+        .add_option("--materials", options.materials,
+                    "One material, or one for each of the file, with its name and colour")
+        ->check(CLI::IsMember({"one", "file"}))
+        ->capture_default_str()
+        ->type_name("one|file");
     command.add_option("--density", options.density, "Mass per area of the fabric, kg/m^2")
         ->check(numberBetween(1e-6, 1e3));
     command.add_option("--membrane", options.membrane, "Stiffness E t along threads, N/m")

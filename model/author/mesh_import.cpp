@@ -119,6 +119,34 @@ double areaOf(const RepairedMesh& surface)
     return area;
 }
 
+// The new materials, by the index of the file's; those that no face has are noId.
+std::vector<Id> addFabrics(Scene& scratch, const PreparedMesh& mesh, const MeshFabric& fabric,
+                           double density, std::vector<std::string>& names)
+{
+    if (fabric.existing != noId)
+        return {fabric.existing};
+    Material material = fabric.material;
+    material.arealDensity = density;
+    const std::vector<PolygonMesh::Material>& listed = mesh.surfaces.front().mesh.materials;
+    if (!fabric.isPerFileMaterial || listed.size() < 2) {
+        material.name = freeName(names, material.name);
+        return {addItem(scratch, std::move(material))};
+    }
+    std::vector<Id> ids(listed.size(), noId);
+    for (const RepairedMesh& surface : mesh.surfaces)
+        for (const int used : surface.mesh.material) {
+            Id& id = ids[std::size_t(used)];
+            if (id != noId)
+                continue;
+            const PolygonMesh::Material& file = listed[std::size_t(used)];
+            Material one = material;
+            one.name = freeName(names, file.name.empty() ? material.name : file.name);
+            one.color = file.color.empty() ? one.color : file.color;
+            id = addItem(scratch, std::move(one));
+        }
+    return ids;
+}
+
 Id addBendMaterial(Scene& scratch, const MeshFabric& fabric, std::vector<std::string>& names)
 {
     const Material& cloth = fabric.material;
@@ -252,13 +280,7 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
     Scene scratch;
     scratch.nextId = surroundings.nextId;
     const Weave weave = weaveOf(mesh, fabric);
-    WeaveMaterials materials{fabric.existing, noId};
-    if (fabric.existing == noId) {
-        Material material = fabric.material;
-        material.name = freeName(names, material.name);
-        material.arealDensity = density;
-        materials.fabric = addItem(scratch, std::move(material));
-    }
+    WeaveMaterials materials{addFabrics(scratch, mesh, fabric, *density, names), noId};
     if (weave.bend != LinkStyle::None)
         materials.bend = addBendMaterial(scratch, fabric, names);
 

@@ -57,6 +57,8 @@ struct MeshFabric
     Id existing{};                       // noId for the new one
     Material material;                   // as it is in the scene, or is to be
     std::optional<double> density;       // kg/m^2, where the material does not say
+    bool isPerFileMaterial = false;      // one new material for each of the file, with its name and
+                                         // colour and the numbers of `material`
     double bendStiffness = 0.0;          // N/m, of bend links; 0: 0.02 of the fabric's stiffness
     std::optional<LinkStyle> structural; // absent: defaultWeave()
     std::optional<LinkStyle> shear;

@@ -21,6 +21,7 @@ struct Thread
     double area;                 // m^2, that it stands for
     std::array<int, 2> opposite; // corners of the triangles beside it; -1 for those of cells
     int sides;                   // faces beside it
+    int material;                // of the file, of the first of these faces
 };
 
 class Weaver
@@ -40,22 +41,24 @@ public:
     {
         addParticles();
         const bool isDone =
-            (styles.structural == LinkStyle::None
-             || addThreads(styles.structural, materials.fabric))
+            (styles.structural == LinkStyle::None || addThreads(styles.structural, materials))
             && (styles.shear == LinkStyle::None
-                || (addDiagonals(styles.shear, materials.fabric)
-                    && addAcross(styles.shear, materials.fabric)))
+                || (addDiagonals(styles.shear, materials) && addAcross(styles.shear, materials)))
             && (styles.bend == LinkStyle::None || addBends(styles.bend, materials.bend));
         if (!isDone || !goesOn(m_progress, 0.8))
             return false;
-        for (const auto& [a, b, c] : m_mesh.triangles)
-            m_network.panel(particle(a), particle(b), particle(c), materials.fabric);
+        for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
+            const auto& [a, b, c] = m_mesh.triangles[i];
+            m_network.panel(particle(a), particle(b), particle(c),
+                            materials.of(materialOf(m_mesh.faceOf[i])));
+        }
         m_network.addFabricMass(density);
         return goesOn(m_progress, 1.0);
     }
 
 private:
     const Vec3& at(int point) const { return m_mesh.mesh.points[std::size_t(point)]; }
+    int materialOf(int face) const { return m_mesh.mesh.material[std::size_t(face)]; }
     Id particle(int point) const { return m_particles[std::size_t(point)]; }
 
     void addParticles()
@@ -70,17 +73,19 @@ private:
     void findThreads()
     {
         std::vector<Thread> sides;
-        const auto add = [&](int a, int b, double area, int opposite) {
-            sides.push_back({std::min(a, b), std::max(a, b), area, {opposite, -1}, 1});
+        const auto add = [&](int a, int b, double area, int opposite, int face) {
+            sides.push_back(
+                {std::min(a, b), std::max(a, b), area, {opposite, -1}, 1, materialOf(face)});
         };
         for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t) {
             if (m_isCell[std::size_t(m_mesh.faceOf[t])])
                 continue;
             const auto& [a, b, c] = m_mesh.triangles[t];
             const double area = 0.5 * (at(b) - at(a)).cross(at(c) - at(a)).norm();
-            add(a, b, area, c);
-            add(b, c, area, a);
-            add(c, a, area, b);
+            const int face = m_mesh.faceOf[t];
+            add(a, b, area, c, face);
+            add(b, c, area, a, face);
+            add(c, a, area, b, face);
         }
         for (std::size_t i = 0; i < m_isCell.size(); ++i) {
             if (!m_isCell[i])
@@ -88,7 +93,7 @@ private:
             const std::span<const int> corners = m_mesh.mesh.face(i);
             const double half = 0.25 * doubleArea(corners, m_mesh.mesh.points).norm();
             for (std::size_t c = 0; c < 4; ++c)
-                add(corners[c], corners[(c + 1) % 4], half, -1);
+                add(corners[c], corners[(c + 1) % 4], half, -1, int(i));
         }
         std::ranges::stable_sort(sides, [](const Thread& s, const Thread& t) {
             return std::pair(s.a, s.b) < std::pair(t.a, t.b);
@@ -119,21 +124,21 @@ private:
         return true;
     }
 
-    bool addThreads(LinkStyle style, Id material)
+    bool addThreads(LinkStyle style, const WeaveMaterials& materials)
     {
         for (std::size_t i = 0; i < m_threads.size(); ++i) {
             if (i % betweenReports == 0
                 && !goesOn(m_progress, 0.3 * double(i) / double(m_threads.size())))
                 return false;
             const Thread& thread = m_threads[i];
-            if (tie(thread.a, thread.b, style, material))
+            if (tie(thread.a, thread.b, style, materials.of(thread.material)))
                 m_network.asFabric(LinkRole::Thread,
                                    thread.area / (at(thread.b) - at(thread.a)).norm());
         }
         return true;
     }
 
-    bool addDiagonals(LinkStyle style, Id material)
+    bool addDiagonals(LinkStyle style, const WeaveMaterials& materials)
     {
         for (std::size_t i = 0; i < m_isCell.size(); ++i) {
             if (!m_isCell[i])
@@ -144,13 +149,13 @@ private:
             };
             const double width = biasWidth(0.5 * (side(0) + side(2)), 0.5 * (side(1) + side(3)));
             for (const std::size_t from : {0u, 1u})
-                if (tie(corner[from], corner[from + 2], style, material))
+                if (tie(corner[from], corner[from + 2], style, materials.of(materialOf(int(i)))))
                     m_network.asFabric(LinkRole::Bias, width);
         }
         return goesOn(m_progress, 0.4);
     }
 
-    bool addAcross(LinkStyle style, Id material)
+    bool addAcross(LinkStyle style, const WeaveMaterials& materials)
     {
         for (std::size_t i = 0; i < m_threads.size(); ++i) {
             if (i % betweenReports == 0
@@ -158,7 +163,8 @@ private:
                 return false;
             const Thread& thread = m_threads[i];
             const auto [from, to] = thread.opposite;
-            if (thread.sides != 2 || from < 0 || to < 0 || !tie(from, to, style, material))
+            if (thread.sides != 2 || from < 0 || to < 0
+                || !tie(from, to, style, materials.of(thread.material)))
                 continue;
             m_network.asFabric(LinkRole::Bias,
                                8.0 / 3.0 * thread.area / (at(to) - at(from)).norm());

@@ -39,8 +39,14 @@ bool isCell(const PolygonMesh& mesh, std::size_t face);
 
 struct WeaveMaterials
 {
-    Id fabric; // of panels, structural and shear links
-    Id bend;   // of bend links
+    std::vector<Id> fabric; // of panels, structural and shear links, by the material of the file;
+                            // one id is for all
+    Id bend;                // of bend links
+
+    Id of(int fileMaterial) const
+    {
+        return fabric[fabric.size() == 1 ? 0 : std::size_t(fileMaterial)];
+    }
 };
 
 // Adds particles, links and panels of the mesh, and the mass of the fabric (density in kg/m^2).

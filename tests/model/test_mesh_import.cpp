@@ -204,6 +204,36 @@ private slots:
         QVERIFY(problemsOf(many).empty());
     }
 
+    // Red and blue panels: two materials with their colours, or one for all.
+    void materialsOfTheFile()
+    {
+        PolygonMesh mesh = meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"
+                                  "usemtl blue\nf 1 3 4\nusemtl unused\n");
+        readMtlColors("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n", mesh);
+        const PreparedMesh ready = preparedOf(mesh);
+        const auto materialsOf = [](const Scene& scene) {
+            std::vector<Material> materials;
+            for (const Entry& entry : scene.items)
+                if (const Material* material = std::get_if<Material>(&entry.item))
+                    materials.push_back(*material);
+            return materials;
+        };
+        QCOMPARE(materialsOf(sceneOf(ready)).size(), 1u);
+        MeshFabric fabric = plainFabric();
+        fabric.isPerFileMaterial = true;
+        const Scene scene = sceneOf(ready, fabric);
+        const std::vector<Material> materials = materialsOf(scene);
+        QCOMPARE(materials.size(), 2u);
+        QCOMPARE(materials[0].name, "red");
+        QCOMPARE(materials[0].color, "#ff0000");
+        QCOMPARE(materials[1].color, "#0000ff");
+        QCOMPARE(materials[1].membraneStiffness, fabric.material.membraneStiffness);
+        const Part part = firstPart(scene);
+        QCOMPARE(nameOf(*findItem(scene, part.panels[0].material)), "red");
+        QCOMPARE(nameOf(*findItem(scene, part.panels[1].material)), "blue");
+        QVERIFY(problemsOf(scene).empty());
+    }
+
     void theEditIsOneStepAndBack()
     {
         Scene scene;

@@ -61,6 +61,7 @@ ImportForm::ImportForm(const Scene& scene, QWidget* parent)
     , m_flip(new QCheckBox(tr("Turn the fabric over")))
     , m_parts(new QComboBox)
     , m_material(new QComboBox)
+    , m_perMaterial(new QCheckBox(tr("One for each of the file")))
     , m_density(number(0.1, 1e5, 1, tr("g/m\u00b2")))
 {
     auto* layout = new QVBoxLayout(this);
@@ -89,9 +90,10 @@ ImportForm::ImportForm(const Scene& scene, QWidget* parent)
     });
     connect(m_flip, &QCheckBox::toggled, this, &ImportForm::changed);
     connect(m_parts, &QComboBox::currentIndexChanged, this, &ImportForm::changed);
+    connect(m_perMaterial, &QCheckBox::toggled, this, &ImportForm::changed);
     connect(m_density, &QDoubleSpinBox::valueChanged, this, &ImportForm::changed);
     connect(m_material, &QComboBox::currentIndexChanged, this, [this] {
-        takeDensity();
+        takeMaterial();
         emit changed();
     });
     for (std::size_t i = 0; i < m_styles.size(); ++i)
@@ -147,6 +149,10 @@ void ImportForm::addFabricRows(QFormLayout& form)
     m_material->setMinimumContentsLength(22);
     addRow(form, tr("Material"), m_material,
            tr("A fabric that one can buy, or a material of this scene."));
+    m_perMaterial->setObjectName(QStringLiteral("perMaterial"));
+    m_perMaterial->setToolTip(tr("Makes as many materials as the file has, with their names and "
+                                 "colours and all the numbers of this one."));
+    form.addRow(QString(), m_perMaterial);
     addRow(form, tr("Mass per area"), m_density,
            tr("Each triangle gives a third of its mass to each of its corners."));
     const char* const names[]{"structural", "shear", "bend"};
@@ -207,10 +213,10 @@ void ImportForm::fillMaterials(const Scene& scene)
         if (!m_material->itemData(i).isValid())
             m_material->setItemData(i, i);
     m_material->setCurrentIndex(chosen);
-    takeDensity();
+    takeMaterial();
 }
 
-void ImportForm::takeDensity()
+void ImportForm::takeMaterial()
 {
     const Choice& choice = m_choices[std::size_t(m_material->currentData().toInt())];
     const QSignalBlocker quiet(m_density);
@@ -218,6 +224,13 @@ void ImportForm::takeDensity()
         m_density->setValue(1000.0 * *choice.material.arealDensity);
     // the density of a material of the scene is for the inspector to change
     m_density->setEnabled(choice.existing == noId || !choice.material.arealDensity);
+    m_perMaterial->setEnabled(mayColor());
+}
+
+bool ImportForm::mayColor() const
+{
+    return m_fileMaterials > 1
+           && m_choices[std::size_t(m_material->currentData().toInt())].existing == noId;
 }
 
 bool ImportForm::wantsSize() const { return m_unit->currentData().toDouble() == 0.0; }
@@ -246,6 +259,7 @@ MeshFabric ImportForm::fabric() const
     fabric.density = 1e-3 * m_density->value();
     if (choice.existing == noId)
         fabric.material.arealDensity = fabric.density;
+    fabric.isPerFileMaterial = mayColor() && m_perMaterial->isChecked();
     std::optional<LinkStyle>* const styles[]{&fabric.structural, &fabric.shear, &fabric.bend};
     for (std::size_t i = 0; i < m_styles.size(); ++i)
         if (m_ownStyle[i])
@@ -274,6 +288,11 @@ void ImportForm::follow(const ImportOutcome& outcome)
         const QSignalBlocker quiet(m_up);
         if (outcome.isUpright)
             m_up->setCurrentIndex(int(UpAxis::Y));
+        m_fileMaterials = outcome.materials;
+        m_perMaterial->setText(m_fileMaterials > 1
+                                   ? tr("One for each of %1 in the file").arg(m_fileMaterials)
+                                   : tr("One for each of the file"));
+        m_perMaterial->setEnabled(mayColor());
         m_parts->setEnabled(outcome.objects > 1);
         m_parts->setItemText(1, outcome.objects > 1
                                     ? tr("One for each of %1 objects").arg(outcome.objects)

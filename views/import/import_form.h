@@ -37,7 +37,8 @@ private:
     void addFabricRows(QFormLayout& form);
     void fillUnits(bool isKnown);
     void fillMaterials(const Scene& scene);
-    void takeDensity(); // of the chosen material
+    void takeMaterial();   // density and so on, of the chosen one
+    bool mayColor() const; // there may be one material for each of the file
     bool wantsSize() const;
 
     struct Choice // in the list of materials
@@ -55,6 +56,7 @@ private:
     QCheckBox* m_flip;
     QComboBox* m_parts;
     QComboBox* m_material;
+    QCheckBox* m_perMaterial;
     QDoubleSpinBox* m_density;            // g/m^2
     std::array<QComboBox*, 3> m_styles{}; // structural, shear, bend
 
@@ -62,6 +64,7 @@ private:
     bool m_ownWeld = false;           // typed, not by itself
     std::array<bool, 3> m_ownStyle{}; // chosen, not by itself
     bool m_unitIsKnown = false;
+    std::size_t m_fileMaterials = 0; // that faces have
     QFormLayout* m_shapeRows = nullptr;
 };
 

@@ -62,6 +62,7 @@ bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress&
     outcome.unit = read.unit;
     outcome.isUpright = read.isUpright;
     outcome.objects = std::set(read.object.begin(), read.object.end()).size();
+    outcome.materials = std::set(read.material.begin(), read.material.end()).size();
     if (!m_kept.mesh || !(m_kept.shape == wish.shape)) {
         m_kept.mesh = nullptr;
         Result<PreparedMesh> mesh = prepared(read, wish.shape, stageOf(progress, 0.4, 0.7));

@@ -30,6 +30,7 @@ struct ImportOutcome
     std::optional<double> unit;               // m, that the file says
     bool isUpright = false;                   // the file says which way is up
     std::size_t objects = 0;                  // with faces
+    std::size_t materials = 0;                // that faces have
     std::shared_ptr<const PreparedMesh> mesh; // or null
     MeshImport made;
     Weave weave; // as chosen, or by default
