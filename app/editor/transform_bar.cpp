@@ -93,8 +93,10 @@ void TransformBar::layOut()
     numbers->addWidget(m_unit);
     auto* choices = new QHBoxLayout;
     numbers->addWidget(
-        chooser(tr("Pivot"), tr("What it turns and scales about."),
-                {tr("Centre of mass"), tr("Median"), tr("Middle of the box"), tr("First particle")},
+        chooser(tr("Pivot"),
+                tr("What it turns and scales about: it stays where it is. \"A particle…\" waits "
+                   "for a click on one."),
+                {tr("Centre of mass"), tr("Median"), tr("Middle of the box"), tr("A particle…")},
                 int(m_tool.pivot()), [this](int chosen) { m_tool.setPivot(Pivot(chosen)); }));
     choices->addWidget(chooser(
         tr("Axes"),

@@ -243,8 +243,13 @@ private slots:
         view.tool.setShaping(Shaping::Scale);
         view.tool.shape(Vec3(0, 1, 1)); // nothing can have no width
         QCOMPARE(view.document.history().count(), 1);
-        view.tool.setPivot(Pivot::Particle);
         view.selection.set({Id{2}, Id{3}});
+        view.tool.setPivot(Pivot::Particle);
+        QVERIFY(view.tool.awaitsPivot());
+        const QPoint second = view.tool.gizmo()->lens.pixel(view.place(Id{2}))->toPoint();
+        QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, second + QPoint(3, 2));
+        QVERIFY(!view.tool.awaitsPivot());
+        QCOMPARE(view.selection.ids(), (std::vector{Id{2}, Id{3}}));
         view.tool.setRestLengths(RestLengths::Rebind);
         view.tool.shape(Vec3(2, 2, 2)); // about particle 2 at (0, 1, 0)
         QVERIFY((view.place(Id{3}) - Vec3(2.2, 1.0, -0.4)).norm() < 1e-15);

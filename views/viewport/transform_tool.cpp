@@ -91,6 +91,23 @@ void TransformTool::goToDesign()
 void TransformTool::setPivot(Pivot pivot)
 {
     m_pivot = pivot;
+    m_awaitsPivot = pivot == Pivot::Particle;
+    if (m_awaitsPivot) {
+        m_pivotParticle = noId;
+        emit said(tr("Click the particle that is to stay where it is."));
+    }
+    forget();
+    emit changed();
+}
+
+void TransformTool::takePivot(QPointF cursor)
+{
+    const auto under = particleUnder(cursor, {});
+    if (!under)
+        return emit said(tr("There is no particle here. Click the one that is to stay."));
+    m_pivotParticle = under->id;
+    m_awaitsPivot = false;
+    m_spent = true;
     forget();
     emit changed();
 }
@@ -130,8 +147,7 @@ std::optional<Gizmo> TransformTool::gizmo() const
         const Movable movable = movableOf(m_document.scene(), m_selection.ids(), Ties::Left);
         m_place.reset();
         if (!movable.isEmpty())
-            m_place = pivotOf(m_document.scene(), movable, m_pivot,
-                              movable.particles.empty() ? noId : movable.particles.front());
+            m_place = pivotOf(m_document.scene(), movable, m_pivot, m_pivotParticle);
         m_own = ownAxes(movable);
         m_known = true;
     }
@@ -163,21 +179,21 @@ std::optional<double> TransformTool::typedNumber() const
     return isNumber ? std::optional(number) : std::nullopt;
 }
 
-// The particle under the cursor that does not move along.
-std::optional<Vec3> TransformTool::particleUnder(QPointF cursor) const
+std::optional<TransformTool::Under>
+TransformTool::particleUnder(QPointF cursor, const std::vector<Id>& without) const
 {
-    std::optional<Vec3> found;
+    std::optional<Under> found;
     double nearest = particleReach;
-    const auto& moving = m_drag->movable.particles;
+    const Lens lens = this->lens();
     forEachPart(m_document.scene(), [&](Id, const Part& part) {
         for (const Particle& row : part.particles) {
-            const auto pixel = lens().pixel(row.position);
+            const auto pixel = lens.pixel(row.position);
             if (!pixel)
                 continue;
             const double distance = std::hypot(pixel->x() - cursor.x(), pixel->y() - cursor.y());
-            if (distance < nearest && !std::binary_search(moving.begin(), moving.end(), row.id)) {
+            if (distance < nearest && !std::binary_search(without.begin(), without.end(), row.id)) {
                 nearest = distance;
-                found = row.position;
+                found = Under{row.id, row.position};
             }
         }
     });
@@ -192,8 +208,8 @@ Vec3 TransformTool::dragShift() const
     if (!drag.snaps)
         return way;
     if (m_snap == Snap::Particle) {
-        if (const auto goal = particleUnder(drag.to))
-            way = start.axes.transpose() * (*goal - start.pivot);
+        if (const auto goal = particleUnder(drag.to, drag.movable.particles))
+            way = start.axes.transpose() * (goal->place - start.pivot);
     } else {
         // a step of 1, 2 or 5 times a power of ten; along the axes of the world, places are round
         const double least = gridPixels * lens().metresPerPixel(start.pivot);
@@ -308,6 +324,10 @@ bool TransformTool::press(const QMouseEvent& event)
         return true;
     }
     m_spent = false;
+    if (m_awaitsPivot && acts() && event.button() == Qt::LeftButton) {
+        takePivot(event.position());
+        return true;
+    }
     const auto handles = gizmo();
     const Handle handle = handles ? handles->at(event.position()) : Handle{};
     if (!handle || event.button() != Qt::LeftButton)

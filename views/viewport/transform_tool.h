@@ -41,7 +41,8 @@ public:
     void setShaping(Shaping shaping);
 
     Pivot pivot() const { return m_pivot; }
-    void setPivot(Pivot pivot); // Pivot::Particle is that of the lowest number in the selection
+    void setPivot(Pivot pivot); // Pivot::Particle waits for a click on one
+    bool awaitsPivot() const { return m_awaitsPivot; }
     RestLengths restLengths() const { return m_restLengths; }
     void setRestLengths(RestLengths restLengths) { m_restLengths = restLengths; }
     Axes axes() const { return m_axes; }
@@ -94,7 +95,14 @@ private:
     void cancel();
     Vec3 dragNumbers() const;
     Vec3 dragShift() const; // m along the axes
-    std::optional<Vec3> particleUnder(QPointF cursor) const;
+    void takePivot(QPointF cursor);
+    struct Under
+    {
+        Id id;
+        Vec3 place; // m
+    };
+    // Nearest to the cursor, and none of `without`, which are in ascending order.
+    std::optional<Under> particleUnder(QPointF cursor, const std::vector<Id>& without) const;
     Motion motionOf(const Vec3& numbers, const Gizmo& handles) const;
     std::optional<double> typedNumber() const;
     Movable movable() const; // what is selected
@@ -109,6 +117,8 @@ private:
 
     Shaping m_shaping = Shaping::None;
     Pivot m_pivot = Pivot::Median;
+    Id m_pivotParticle = noId;
+    bool m_awaitsPivot = false;
     RestLengths m_restLengths = RestLengths::Keep;
     Axes m_axes = Axes::World;
     Snap m_snap = Snap::Grid;
