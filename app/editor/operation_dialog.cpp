@@ -64,7 +64,8 @@ QString outcomeOf(const Scene& before, const Edit& edit)
                 most = std::max(most, values->targets.size());
     if (most > 0)
         said << OperationDialog::tr("Changes %1.").arg(counted(Kind::Particle, qsizetype(most)));
-    if (const QString weight = weightOf(before, edit); !weight.isEmpty())
+    if (const QString weight = weightOf(before, edit);
+        edit.changes.size() == 1 && !weight.isEmpty()) // nothing but masses
         said << weight;
     return said.join(QChar(' '));
 }

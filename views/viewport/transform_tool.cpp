@@ -17,10 +17,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double snapAngle = 15.0;     // degrees
-constexpr double snapFactor = 0.1;     // 1
-constexpr double gridPixels = 12.0;    // a step of the grid is at least this long
 constexpr double particleReach = 14.0; // pixels
 
 const char* verbOf(Shaping shaping)
@@ -37,8 +33,6 @@ const char* verbOf(Shaping shaping)
     }
     return "";
 }
-
-double rounded(double value, double step) { return step * std::round(value / step); }
 
 } // namespace
 
@@ -137,10 +131,10 @@ std::optional<Gizmo> TransformTool::gizmo() const
     if (m_shaping == Shaping::None || (!m_drag && !isAtDesign()))
         return std::nullopt;
     if (m_drag) {
-        Gizmo now = m_drag->gizmo;
+        Gizmo now = m_drag->pull.start;
         now.lens = lens();
         if (m_shaping == Shaping::Move)
-            now.pivot += now.axes * dragNumbers();
+            now.pivot += now.axes * m_drag->numbers;
         return now;
     }
     if (!m_known) {
@@ -168,29 +162,22 @@ Movable TransformTool::movable() const
                      m_restLengths == RestLengths::Rebind ? Ties::Found : Ties::Left);
 }
 
-Handle TransformTool::active() const { return m_drag ? m_drag->handle : m_hovered; }
+Handle TransformTool::active() const { return m_drag ? m_drag->pull.handle : m_hovered; }
 
-// --- what a drag comes to ----------------------------------------------------------------------
-
-std::optional<double> TransformTool::typedNumber() const
-{
-    bool isNumber = false;
-    const double number = QString(m_drag->typed).replace(',', '.').toDouble(&isNumber);
-    return isNumber ? std::optional(number) : std::nullopt;
-}
+// --- numbers ----------------------------------------------------------------------
 
 std::optional<TransformTool::Under>
 TransformTool::particleUnder(QPointF cursor, const std::vector<Id>& without) const
 {
     std::optional<Under> found;
     double nearest = particleReach;
-    const Lens lens = this->lens();
+    const Projection projection(m_camera, m_view.width(), m_view.height());
     forEachPart(m_document.scene(), [&](Id, const Part& part) {
         for (const Particle& row : part.particles) {
-            const auto pixel = lens.pixel(row.position);
-            if (!pixel)
+            const OnScreen seen = projection(row.position);
+            if (!seen.isSeen())
                 continue;
-            const double distance = std::hypot(pixel->x() - cursor.x(), pixel->y() - cursor.y());
+            const double distance = std::hypot(seen.x - cursor.x(), seen.y - cursor.y());
             if (distance < nearest && !std::binary_search(without.begin(), without.end(), row.id)) {
                 nearest = distance;
                 found = Under{row.id, row.position};
@@ -200,105 +187,14 @@ TransformTool::particleUnder(QPointF cursor, const std::vector<Id>& without) con
     return found;
 }
 
-Vec3 TransformTool::dragShift() const
-{
-    const Drag& drag = *m_drag;
-    const Gizmo& start = drag.gizmo;
-    Vec3 way = start.axes.transpose() * start.shift(drag.handle, drag.from, drag.to);
-    if (!drag.snaps)
-        return way;
-    if (m_snap == Snap::Particle) {
-        if (const auto goal = particleUnder(drag.to, drag.movable.particles))
-            way = start.axes.transpose() * (goal->place - start.pivot);
-    } else {
-        // a step of 1, 2 or 5 times a power of ten; along the axes of the world, places are round
-        const double least = gridPixels * lens().metresPerPixel(start.pivot);
-        const double decade = std::pow(10.0, std::floor(std::log10(least)));
-        const double ratio = least / decade;
-        const double grid = decade * (ratio > 5.0 ? 10.0 : ratio > 2.0 ? 5.0 : 2.0);
-        const Vec3 zero = m_axes == Axes::World ? start.pivot : Vec3(Vec3::Zero());
-        for (int axis = 0; axis < 3; ++axis)
-            way[axis] = rounded(zero[axis] + way[axis], grid) - zero[axis];
-    }
-    for (int axis = 0; axis < 3; ++axis)
-        if (!drag.handle.axes()[std::size_t(axis)])
-            way[axis] = 0.0;
-    return way;
-}
-
-Vec3 TransformTool::dragNumbers() const
-{
-    const Drag& drag = *m_drag;
-    const auto typed = typedNumber();
-    const int axis = drag.handle.axis;
-    if (m_shaping == Shaping::Move) {
-        if (!typed)
-            return dragShift();
-        Vec3 shift = Vec3::Zero();
-        shift[drag.handle.sort == Handle::Sort::Axis ? axis : 0] = *typed;
-        return shift;
-    }
-    if (m_shaping == Shaping::Turn) {
-        const double turned = degrees * drag.angle;
-        Vec3 angles = Vec3::Zero();
-        angles[axis] = typed ? *typed : drag.snaps ? rounded(turned, snapAngle) : turned;
-        return angles;
-    }
-    Vec3 factors = drag.gizmo.factors(drag.handle, drag.from, drag.to);
-    for (int i = 0; i < 3; ++i)
-        if (drag.handle.axes()[std::size_t(i)]) {
-            if (drag.snaps)
-                factors[i] = std::max(rounded(factors[i], snapFactor), snapFactor);
-            if (typed && *typed > 0.0)
-                factors[i] = *typed;
-        }
-    return factors;
-}
-
 Vec3 TransformTool::numbers() const
 {
-    if (!m_drag)
-        return m_shaping == Shaping::Scale ? Vec3(Vec3::Ones()) : Vec3(Vec3::Zero());
-    const bool ofAxis = m_drag->handle.sort == Handle::Sort::Axis;
-    return m_shaping == Shaping::Turn && !ofAxis ? Vec3(Vec3::Zero()) : dragNumbers();
+    return m_drag && !m_drag->pull.isAboutSight() ? m_drag->numbers : idleNumbers(m_shaping);
 }
 
 QString TransformTool::told() const
 {
-    if (!m_drag)
-        return {};
-    const Vec3 n = dragNumbers();
-    const auto text = [](double value, int digits) {
-        return QString::number(value, 'f', digits).replace('-', QChar(0x2212));
-    };
-    QStringList words;
-    const std::array<bool, 3> changed = m_drag->handle.axes();
-    if (m_shaping == Shaping::Turn)
-        words << tr("%1\u00b0").arg(text(n[m_drag->handle.axis], 1));
-    else
-        for (int i = 0; i < 3; ++i)
-            if (changed[std::size_t(i)])
-                words << (m_shaping == Shaping::Move ? tr("%1 %2 m") : tr("%1 \u00d7%2"))
-                             .arg(QChar('x' + i), text(n[i], 3));
-    if (m_shaping == Shaping::Scale && m_drag->handle.sort == Handle::Sort::Free)
-        words = {tr("\u00d7%1").arg(text(n[0], 3))};
-    QString told = words.join(QStringLiteral("   "));
-    if (!m_drag->typed.isEmpty())
-        told += tr("   typed: %1").arg(m_drag->typed);
-    return told;
-}
-
-Motion TransformTool::motionOf(const Vec3& numbers, const Gizmo& handles) const
-{
-    if (m_shaping == Shaping::Move)
-        return shifted(handles.axes * numbers);
-    if (m_shaping == Shaping::Scale)
-        return scaled(handles.pivot, numbers, handles.axes);
-    Motion motion;
-    for (int axis = 0; axis < 3; ++axis)
-        motion.map =
-            turned(handles.pivot, handles.axes.col(axis), numbers[axis] / degrees).map * motion.map;
-    return motion;
+    return m_drag ? m_drag->pull.told(m_drag->numbers) : QString();
 }
 
 void TransformTool::shape(const Vec3& numbers)
@@ -306,11 +202,11 @@ void TransformTool::shape(const Vec3& numbers)
     const auto handles = gizmo();
     if (m_drag || !handles)
         return;
-    const Vec3 idle = m_shaping == Shaping::Scale ? Vec3(Vec3::Ones()) : Vec3(Vec3::Zero());
-    if (numbers == idle || (m_shaping == Shaping::Scale && numbers.minCoeff() <= 0.0))
+    if (numbers == idleNumbers(m_shaping)
+        || (m_shaping == Shaping::Scale && numbers.minCoeff() <= 0.0))
         return;
     const Movable all = movable();
-    m_document.push(moved(all, motionOf(numbers, *handles), m_restLengths,
+    m_document.push(moved(all, motionOf(*handles, numbers), m_restLengths,
                           movingLabel(verbOf(m_shaping), all)));
 }
 
@@ -332,9 +228,9 @@ bool TransformTool::press(const QMouseEvent& event)
     const Handle handle = handles ? handles->at(event.position()) : Handle{};
     if (!handle || event.button() != Qt::LeftButton)
         return false;
-    m_drag = Drag{movable(), *handles, handle, event.position(), event.position()};
-    m_drag->lastAngle = handles->angle(handle, event.position());
-    m_drag->gesture = m_document.beginGesture();
+    m_drag = Drag{movable(), Pull::at(*handles, handle, event.position()),
+                  m_document.beginGesture(), idleNumbers(m_shaping)};
+    m_drag->pull.placesAreRound = m_axes == Axes::World;
     emit changed();
     return true;
 }
@@ -342,11 +238,8 @@ bool TransformTool::press(const QMouseEvent& event)
 bool TransformTool::move(const QMouseEvent& event)
 {
     if (m_drag) {
-        m_drag->to = event.position();
-        m_drag->snaps = event.modifiers().testFlag(Qt::ControlModifier);
-        const double angle = m_drag->gizmo.angle(m_drag->handle, event.position());
-        m_drag->angle += std::remainder(angle - m_drag->lastAngle, 2.0 * std::numbers::pi);
-        m_drag->lastAngle = angle;
+        m_drag->pull.snaps = event.modifiers().testFlag(Qt::ControlModifier);
+        m_drag->pull.follow(event.position());
         step();
         return true;
     }
@@ -376,16 +269,16 @@ bool TransformTool::release(const QMouseEvent& event)
 
 void TransformTool::step()
 {
-    const Vec3 numbers = dragNumbers();
-    const bool ofSight = m_shaping == Shaping::Turn && m_drag->handle.sort == Handle::Sort::Free;
-    const Gizmo& start = m_drag->gizmo;
-    const Motion motion = ofSight ? turned(start.pivot, start.turningAxis(m_drag->handle),
-                                           numbers[m_drag->handle.axis] / degrees)
-                                  : motionOf(numbers, start);
-    m_drag->hasMoved = true;
-    m_document.drag(moved(m_drag->movable, motion, m_restLengths,
-                          movingLabel(verbOf(m_shaping), m_drag->movable)),
-                    m_drag->gesture);
+    Drag& drag = *m_drag;
+    std::optional<Vec3> goal;
+    if (m_shaping == Shaping::Move && drag.pull.snaps && m_snap == Snap::Particle)
+        if (const auto under = particleUnder(drag.pull.to, drag.movable.particles))
+            goal = under->place;
+    drag.numbers = drag.pull.numbers(goal);
+    drag.hasMoved = true;
+    m_document.drag(moved(drag.movable, drag.pull.motion(drag.numbers), m_restLengths,
+                          movingLabel(verbOf(m_shaping), drag.movable)),
+                    drag.gesture);
     emit changed();
 }
 
@@ -406,17 +299,6 @@ void TransformTool::cancel()
 
 // --- keys --------------------------------------------------------------------------------------
 
-void TransformTool::keepTo(int axis)
-{
-    const Handle wanted{Handle::Sort::Axis, axis};
-    const bool again = m_drag->handle == wanted;
-    m_drag->handle = again ? Handle{Handle::Sort::Free, 0} : wanted;
-    m_drag->angle = 0.0;
-    m_drag->from = m_shaping == Shaping::Turn ? m_drag->to : m_drag->from;
-    m_drag->lastAngle = m_drag->gizmo.angle(m_drag->handle, m_drag->to);
-    step();
-}
-
 bool TransformTool::key(const QKeyEvent& event)
 {
     if (!m_drag) {
@@ -425,7 +307,7 @@ bool TransformTool::key(const QKeyEvent& event)
         setShaping(Shaping::None);
         return true;
     }
-    QString& typed = m_drag->typed;
+    QString& typed = m_drag->pull.typed;
     const QString text = event.text();
     switch (event.key()) {
     case Qt::Key_Escape:
@@ -438,7 +320,8 @@ bool TransformTool::key(const QKeyEvent& event)
     case Qt::Key_X:
     case Qt::Key_Y:
     case Qt::Key_Z:
-        keepTo(event.key() - Qt::Key_X);
+        m_drag->pull.keepTo(event.key() - Qt::Key_X);
+        step();
         return true;
     case Qt::Key_Backspace:
         typed.chop(1);
@@ -449,10 +332,7 @@ bool TransformTool::key(const QKeyEvent& event)
     }
     if (text.size() == 1 && (text.at(0).isDigit() || QStringLiteral(".,-").contains(text))) {
         typed += text;
-        if (typedNumber())
-            step();
-        else
-            emit changed();
+        step();
     }
     return true; // a shortcut in the middle of a drag would cut its ground away
 }

@@ -6,8 +6,7 @@
 // right button take everything back.
 #pragma once
 
-#include "author/transform.h"
-#include "viewport/gizmo.h"
+#include "viewport/pull.h"
 
 #include <QObject>
 #include <QSizeF>
@@ -73,15 +72,9 @@ private:
     struct Drag
     {
         Movable movable;
-        Gizmo gizmo; // where it began
-        Handle handle;
-        QPointF from;
-        QPointF to;
-        double angle = 0.0;     // rad, turned so far
-        double lastAngle = 0.0; // rad, as the gizmo saw it last
-        bool snaps = false;
-        QString typed = {};
-        int gesture = 0;
+        Pull pull;
+        int gesture;
+        Vec3 numbers; // that the pull comes to now
         bool hasMoved = false;
     };
 
@@ -89,12 +82,9 @@ private:
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     bool key(const QKeyEvent& event);
-    void keepTo(int axis);
     void step(); // takes the design to where the hand is now
     void end();
     void cancel();
-    Vec3 dragNumbers() const;
-    Vec3 dragShift() const; // m along the axes
     void takePivot(QPointF cursor);
     struct Under
     {
@@ -103,8 +93,6 @@ private:
     };
     // Nearest to the cursor, and none of `without`, which are in ascending order.
     std::optional<Under> particleUnder(QPointF cursor, const std::vector<Id>& without) const;
-    Motion motionOf(const Vec3& numbers, const Gizmo& handles) const;
-    std::optional<double> typedNumber() const;
     Movable movable() const; // what is selected
     Lens lens() const;
     void forget(); // where the pivot was
