@@ -29,8 +29,15 @@ void choose(const Workbench& bench, std::vector<Id> ids)
 std::function<void()> selecting(const Workbench& bench,
                                 std::vector<Id> (*from)(const Scene&, const std::vector<Id>&))
 {
-    return [&document = bench.document, &selection = bench.selection, from] {
-        selection.set(from(document.scene(), selection.ids()));
+    return [&bench, from] { choose(bench, from(bench.document.scene(), bench.selection.ids())); };
+}
+
+// One that may well be of nothing: all but everything, or a ring less than one ring.
+std::function<void()> reducing(const Workbench& bench,
+                               std::vector<Id> (*from)(const Scene&, const std::vector<Id>&))
+{
+    return [&bench, from] {
+        bench.selection.set(from(bench.document.scene(), bench.selection.ids()));
     };
 }
 
@@ -156,13 +163,13 @@ std::vector<MenuRow> selectRows(const Workbench& bench, const Actions& actions)
     const std::vector<MenuRow> more{
         {"&Select", "selectAll", tr("&All"),        "select-all", QKeySequence::SelectAll, tr("Select all particles, links and panels."), all},
         {"&Select", "deselect",  tr("Non&e"),       "deselect",   QKeySequence("Esc"),     tr("Select nothing; the inspector then shows the settings."), [&selection = bench.selection] { selection.clear(); }},
-        {"&Select", "invert",    tr("&Invert"),     nullptr,      QKeySequence("Ctrl+I"),  tr("Select all others of the same kinds: the other particles, where particles are selected."), from(inverted)},
+        {"&Select", "invert",    tr("&Invert"),     nullptr,      QKeySequence("Ctrl+I"),  tr("Select all others of the same kinds: the other particles, where particles are selected."), reducing(bench, inverted)},
         line,
         {"&Select", "grow",      tr("&Grow"),       nullptr,      QKeySequence("Ctrl++"),  tr("Add one ring: the neighbours of particles, the links and panels that touch the selected ones."), from(grown)},
-        {"&Select", "shrink",    tr("&Shrink"),     nullptr,      QKeySequence("Ctrl+-"),  tr("Take one ring away: whatever has a neighbour that is not selected."), from(shrunk)},
+        {"&Select", "shrink",    tr("&Shrink"),     nullptr,      QKeySequence("Ctrl+-"),  tr("Take one ring away: whatever has a neighbour that is not selected."), reducing(bench, shrunk)},
         {"&Select", "connected", tr("Co&nnected"),  nullptr,      QKeySequence("Ctrl+L"),  tr("Add all that hangs together with the selection by links and panels."), from(connected)},
         {"&Select", "loop",      tr("L&oop or line"), nullptr,    QKeySequence("Ctrl+Shift+L"), tr("Follow the selected links or particles both ways: along a line, along a thread, around an edge."), from(loop)},
-        {"&Select", "boundary",  tr("Edge o&f fabric"), nullptr,  QKeySequence("Ctrl+Shift+B"), tr("The edge of the selected panels, or of all fabric."), [&bench] { choose(bench, boundary(bench.document.scene(), bench.selection.ids())); }},
+        {"&Select", "boundary",  tr("Edge o&f fabric"), nullptr,  QKeySequence("Ctrl+Shift+B"), tr("The edge of the selected panels, or of all fabric."), from(boundary)},
         {"&Select/&Turn into", "toParticles", tr("&Particles"), "particle", {}, tr("The particles at the ends of the selected links and the corners of the selected panels."), into(Kind::Particle)},
         {"&Select/&Turn into", "toLinks",     tr("&Links"),     "link",     {}, tr("The links between the selected."), into(Kind::Link)},
         {"&Select/&Turn into", "toPanels",    tr("P&anels"),    "panel",    {}, tr("The panels between the selected."), into(Kind::Panel)},

@@ -116,6 +116,9 @@ private slots:
         QCOMPARE(editor.count(), std::size_t(2)); // two corners
         editor.trigger("allRods");                // there are none: the selection stays
         QCOMPARE(editor.count(), std::size_t(2));
+        editor.trigger("shrink"); // that leaves nothing
+        QCOMPARE(editor.count(), std::size_t(0));
+        editor.trigger("selectAll");
         editor.trigger("deselect");
         QCOMPARE(editor.count(), std::size_t(0));
         QVERIFY(!editor.document.history().canUndo()); // selecting is no edit
