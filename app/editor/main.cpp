@@ -1,10 +1,12 @@
 #include "document/document.h"
+#include "document/gauge.h"
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/screenshot.h"
 #include "icons/icon.h"
+#include "viewport/scene_frame.h"
 #include "viewport/viewport.h"
 
 #include <QApplication>
@@ -29,6 +31,20 @@ std::vector<Id> itemCalled(const QString& name, const Scene& scene)
         if (!name.isEmpty() && nameOf(entry.item) == name.toStdString())
             return {entry.id};
     return {};
+}
+
+// An item by its name, or all that meets a condition in the design.
+Result<std::vector<Id>> meant(const QString& text, const Scene& scene)
+{
+    if (text.isEmpty())
+        return std::vector<Id>();
+    if (std::vector<Id> item = itemCalled(text, scene); !item.empty())
+        return item;
+    const auto ids = matching(scene, gaugeOf(sceneFrame(scene)), text.toStdString());
+    if (!ids)
+        return Failure{"no item of the scene is called \"" + text.toStdString()
+                       + "\", and it is no condition: " + ids.message()};
+    return ids;
 }
 
 } // namespace
@@ -57,9 +73,11 @@ int main(int argc, char** argv)
     if (!options->scene.isEmpty())
         if (const auto failure = document.open(options->scene))
             return refuse(QString::fromStdString(failure->message), 1);
-    for (const QString& name : {options->select, options->fit})
-        if (!name.isEmpty() && itemCalled(name, document.scene()).empty())
-            return refuse(QString("no item of the scene is called \"%1\"").arg(name), 1);
+    if (!options->fit.isEmpty() && itemCalled(options->fit, document.scene()).empty())
+        return refuse(QString("no item of the scene is called \"%1\"").arg(options->fit), 1);
+    const Result<std::vector<Id>> selected = meant(options->select, document.scene());
+    if (!selected)
+        return refuse(QString::fromStdString(selected.message()), 1);
     Selection selection(document);
     Player player(document);
     const bool stays = options->screenshot.isEmpty();
@@ -72,7 +90,7 @@ int main(int argc, char** argv)
     if (options->viewOnly)
         window.showViewOnly();
     window.viewport().setColorBy(options->colorBy);
-    selection.set(itemCalled(options->select, document.scene()));
+    selection.set(*selected);
     window.show();
 
     std::optional<Screenshot> screenshot;

@@ -53,7 +53,9 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
                                    "desktop");
     const QCommandLineOption colorBy(
         "color-by", tr("Colour by material, strain, tension, speed or load."), "NAME", "material");
-    const QCommandLineOption select("select", tr("Select the item of this name."), "NAME");
+    const QCommandLineOption select(
+        "select", tr("Select the item of this name, or what meets this condition: \"mass < 1 g\"."),
+        "WHAT");
     const QCommandLineOption fit("fit", tr("Fill the picture with the item of this name."), "NAME");
     parser.addOptions(
         {play, screenshot, after, frames, viewOnly, size, theme, colorBy, select, fit});
