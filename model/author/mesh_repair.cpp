@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace ripstop {
@@ -201,6 +202,8 @@ private:
         m_result.texture.resize(mesh().points.size());
         for (std::size_t i = 0; i < mesh().corners.size(); ++i) {
             const std::size_t point = std::size_t(mesh().corners[i]);
+            if (std::isnan(mesh().texture[i][0]))
+                continue;
             if (has[point] == 0) {
                 m_result.texture[point] = mesh().texture[i];
                 has[point] = 1;

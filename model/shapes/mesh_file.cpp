@@ -169,7 +169,7 @@ private:
             for (unsigned c = 0; c < face.mNumIndices; ++c) {
                 const unsigned at = face.mIndices[isMirrored ? face.mNumIndices - 1 - c : c];
                 m_mesh.corners.push_back(firstPoint + int(at));
-                m_mesh.texture.push_back({});
+                m_mesh.texture.push_back(PolygonMesh::noTexture());
                 if (const aiVector3D* texture = mesh.mTextureCoords[0]) {
                     m_mesh.texture.back() = {texture[at].x, texture[at].y};
                     m_hasTexture = true;

@@ -160,7 +160,7 @@ private:
     void checkFaces()
     {
         const int points = int(m_mesh.points.size());
-        m_mesh.texture.resize(m_mesh.corners.size());
+        m_mesh.texture.resize(m_mesh.corners.size(), PolygonMesh::noTexture());
         for (std::size_t i = 0; i < m_mesh.faceCount(); ++i)
             for (int c = m_mesh.first[i]; c < m_mesh.first[i + 1]; ++c) {
                 const int corner = m_mesh.corners[std::size_t(c)];

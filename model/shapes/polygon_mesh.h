@@ -4,6 +4,7 @@
 #include "base/vec3.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,13 @@ namespace ripstop {
 struct PolygonMesh
 {
     using TexturePoint = std::array<double, 2>; // u, v
+
+    // Of a corner without a texture point in a file that has some.
+    static TexturePoint noTexture()
+    {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return {none, none};
+    }
 
     struct Material
     {

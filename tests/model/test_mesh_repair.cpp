@@ -63,6 +63,10 @@ private slots:
         row("a cube without a side", QByteArray(cube).replace("f 5 6 7 8\n", ""),
             MeshFault::OpenEdges, 4, 10);
         row("polygons", square, MeshFault::SplitPolygons, 1, 2);
+        row("a seam of the texture",
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\n"
+            "f 1/1 2/2 3/3\nf 1/1 3/4 4/2\nf 2 5 3\n",
+            MeshFault::TextureSeams, 1, 3);
         row("lines", square + "l 1 2 3\nl 2 4\n", MeshFault::StrayElements, 2, 2);
         row("a square of a thousand metres", "v 0 0 0\nv 1000 0 0\nv 1000 1000 0\nf 1 2 3\n",
             MeshFault::OddSize, 1, 1);
