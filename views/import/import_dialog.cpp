@@ -99,8 +99,7 @@ ImportDialog::ImportDialog(const Scene& scene, const QString& file, QWidget* par
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(this, &QDialog::rejected, &m_work, &ImportWork::stop);
     connect(m_report, &QListWidget::currentRowChanged, this, [this](int row) {
-        const auto findings = m_outcome && m_outcome->mesh ? m_outcome->mesh->report.findings()
-                                                           : std::vector<MeshFinding>();
+        const auto findings = m_shown ? m_shown->report.findings() : std::vector<MeshFinding>();
         m_preview->mark(row >= 0 && std::size_t(row) < findings.size()
                             ? findings[std::size_t(row)].places
                             : std::vector<Vec3>());
@@ -197,6 +196,7 @@ void ImportDialog::openFile(const QString& file)
     m_fileName->setText(QFileInfo(file).fileName());
     m_fileName->setToolTip(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()));
     m_form->startFile(file);
+    m_shown = nullptr;
     m_preview->setMesh(nullptr);
     m_preview->setHint(tr("Reading\u2026"));
     post();
@@ -239,11 +239,15 @@ void ImportDialog::take(std::shared_ptr<const ImportOutcome> outcome)
     m_form->follow(*m_outcome);
     if (!m_outcome->refusal.isEmpty())
         m_preview->setHint(m_outcome->refusal);
-    m_preview->setMesh(m_outcome->mesh);
-    m_size->setText(m_outcome->mesh ? sizeText(m_outcome->mesh->size) : QString());
+    if (!m_outcome->mesh || m_outcome->mesh != m_shown) { // or the eye and the marks stay
+        m_shown = m_outcome->mesh;
+        m_preview->setMesh(m_shown);
+        m_size->setText(m_shown ? sizeText(m_shown->size) : QString());
+        showReport();
+    }
     m_counts->setText(isReady() ? countsText(m_outcome->made) : m_outcome->refusal);
-    showReport();
     setReady(isReady() && !m_delay.isActive());
+    m_counts->setEnabled(!m_delay.isActive()); // a refusal is to be read, too
     if (!m_delay.isActive())
         emit settled();
 }
@@ -252,10 +256,10 @@ void ImportDialog::showReport()
 {
     const QSignalBlocker quiet(m_report);
     m_report->clear();
-    if (!m_outcome->mesh)
+    if (!m_shown)
         return;
     const char* const icons[]{"about", "ok", "warning"}; // as MeshGravity
-    for (const MeshFinding& finding : m_outcome->mesh->report.findings())
+    for (const MeshFinding& finding : m_shown->report.findings())
         m_report->addItem(new QListWidgetItem(
             icon(QLatin1String(icons[int(gravityOf(finding.fault))])), reportText(finding)));
     if (m_report->count() == 0)

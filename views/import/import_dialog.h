@@ -62,6 +62,7 @@ private:
     QProgressBar* m_progress;
     QDialogButtonBox* m_buttons;
     std::shared_ptr<const ImportOutcome> m_outcome; // null while work goes on
+    std::shared_ptr<const PreparedMesh> m_shown;    // stays until there is another one
     QTimer m_delay;
     QTimer m_watch;
     ImportWork m_work;
