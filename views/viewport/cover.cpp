@@ -77,12 +77,12 @@ Eigen::AlignedBox2d Cover::boundsOf(int panel, std::span<const OnScreen> points)
     bool whole = true;
     for (const int corner : corners) {
         const OnScreen& at = points[std::size_t(corner)];
-        if (flat || (at.isSeen() && at.depth >= near))
+        if (at.isSeen() && (flat || at.depth >= near))
             bounds.extend(Eigen::Vector2d(at.x, at.y));
         else
             whole = false;
     }
-    if (whole || bounds.isEmpty())
+    if (whole || flat || bounds.isEmpty())
         return bounds;
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3& a = m_sight.frame.position[std::size_t(corners[i])];
