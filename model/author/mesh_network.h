@@ -9,11 +9,10 @@
 // Polygons that are not convex or have more corners are taken as the triangles that they are split
 // into.
 //
-// Shear links are both diagonals of a quad, with biasWidth(). Across the edge between two
-// triangles there is one, between the corners that lie opposite. Such a link
-// is to its pair of triangles what an edge is to its own, and three families of them resist shear
-// with 3/8 of what a thread has for G; for the fabric's own G t it gets 8/3 as much: width 8/3 (A +
-// A') / D.
+// Shear links are both diagonals of a quad, with biasWidth(). Across the edge between two triangles
+// there is one, between the corners that lie opposite. It is to its pair of triangles what an edge
+// is to its own, so three families of them resist shear with 3/8 of their stiffness. For the
+// fabric's own G t they get 8/3 of it: width 8/3 (A + A') / D.
 //
 // Bend links skip one particle: over two edges that go on into each other, the straightest first,
 // where they turn by less than 45 degrees (Provot 1995, for any mesh).

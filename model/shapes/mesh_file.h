@@ -15,8 +15,8 @@ namespace ripstop {
 Result<TriangleTree> readMeshFile(const std::filesystem::path& file);
 
 // A mesh as it is, to be brought in: polygons stay polygons, and nothing is joined or left out but
-// lines and single points. OBJ, STL, PLY, OFF, glTF, GLB, Collada and what else assimp reads. The
-// last two formats say their unit and their upward axis; their points come in metres with y up.
+// lines and single points. OBJ, STL, PLY, OFF, glTF, GLB, Collada and what else assimp reads. glTF
+// and Collada say their unit and which way is up: their points come in metres, with y up.
 Result<PolygonMesh> readPolygonFile(const std::filesystem::path& file,
                                     const Progress& progress = {});
 
