@@ -1,4 +1,5 @@
 // What a designer does with the menus that shape a design, by its actions and dialogs.
+#include "builders/builder.h"
 #include "document/clipboard.h"
 #include "document/document.h"
 #include "document/player.h"
@@ -184,6 +185,37 @@ private slots:
         dialog.reject();
         QCOMPARE(shop.selection.ids().size(), std::size_t(3));
         QCOMPARE(shop.part().particles.size(), std::size_t(3));
+    }
+
+    // All docks look at what the hand moves: 100 489 particles, with the window free in between.
+    void theWindowFollowsALargeDrag()
+    {
+        Shop shop(*build(*findBuilder("cloth"), {{"columns", 316}, {"rows", 316}}));
+        QVERIFY(QTest::qWaitForWindowExposed(&shop.window));
+        QTRY_VERIFY_WITH_TIMEOUT(shop.player.frame(), 20000);
+        std::vector<Id> parts;
+        forEachPart(shop.scene(), [&](Id id, const Part&) { parts.push_back(id); });
+        shop.selection.set(parts);
+        shop.run("move");
+        QCoreApplication::processEvents();
+        Viewport& view = shop.window.viewport();
+        const QPoint from = view.transformTool().gizmo()->centre()->toPoint();
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        double worst = 0.0;
+        QElapsedTimer clock;
+        for (int i = 1; i <= 5; ++i) {
+            const QPointF at = from + QPoint(4 * i, 2 * i);
+            QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton,
+                             Qt::LeftButton, {});
+            clock.restart();
+            QApplication::sendEvent(&view, &move);
+            worst = std::max(worst, double(clock.nsecsElapsed()) * 1e-6);
+            QTest::qWait(50);
+        }
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(20, 10));
+        qInfo("each step of the drag took at most %.0f ms", worst);
+        QVERIFY(worst < 100.0);
+        QCOMPARE(shop.document.history().count(), 1);
     }
 
     void badNumbersAreRefused()

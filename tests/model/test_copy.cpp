@@ -423,6 +423,47 @@ private slots:
         QVERIFY(!nothing && nothing.message().ends_with("."));
     }
 
+    void everyDesignTakesEveryOperation_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const Builder& builder : allBuilders())
+            QTest::newRow(builder.name.data()) << QString::fromUtf8(builder.name.data());
+    }
+
+    // What comes out is sound, and can be taken back; also of a part of the design.
+    void everyDesignTakesEveryOperation()
+    {
+        QFETCH(QString, name);
+        const Scene scene = *build(*findBuilder(name.toStdString()), {});
+        std::vector<Id> whole, some;
+        forEachPart(scene, [&](Id id, const Part& part) {
+            whole.push_back(id);
+            for (std::size_t i = 0; i < part.particles.size(); i += 2)
+                some.push_back(part.particles[i].id);
+            for (std::size_t i = 0; i < part.links.size(); i += 3)
+                some.push_back(part.links[i].id);
+        });
+        int done = 0;
+        for (const Operation& operation : allOperations())
+            for (const auto& ids : {whole, some}) {
+                Parameters values;
+                for (const OperationParameter& one : operation.parameters)
+                    values[std::string(one.number.key)] = one.number.initial;
+                if (const Result<Shaped> shaped = operation.apply(scene, ids, values)) {
+                    (void)after(scene, shaped->edit);
+                    ++done;
+                }
+            }
+        QVERIFY(done >= 6);
+        for (const int axis : {0, 1, 2})
+            (void)after(scene, aligned(scene, some, axis, Side::Middle, RestLengths::Keep));
+        (void)after(scene, flattened(scene, whole, RestLengths::Keep));
+        const Scene text = excerpt(scene, some);
+        const Result<Scene> read = parseScene(sceneText(text), "the clipboard");
+        QVERIFY2(read, read ? "" : read.message().c_str());
+        (void)after(scene, pasted(scene, *read).edit);
+    }
+
     void largeDesignsAreQuick()
     {
         const Scene scene = *build(*findBuilder("cloth"), {{"columns", 316}, {"rows", 316}});

@@ -25,7 +25,7 @@ const char* verbOf(Shaping shaping)
     case Shaping::Move:
         return "Move";
     case Shaping::Turn:
-        return "Turn";
+        return "Rotate";
     case Shaping::Scale:
         return "Scale";
     case Shaping::None:
@@ -112,9 +112,11 @@ void TransformTool::setAxes(Axes axes)
     emit changed();
 }
 
+// A design that cannot run sends no frames; the view then shows it as it is.
 bool TransformTool::isAtDesign() const
 {
-    return !m_player.isPlaying() && (!m_player.frame() || m_player.frame()->step == 0);
+    const auto& frame = m_player.frame();
+    return !m_player.isPlaying() && (!frame || frame->step == 0 || !m_player.problem().isEmpty());
 }
 
 bool TransformTool::acts() const { return gizmo().has_value(); }
