@@ -1,0 +1,16 @@
+// Time that the calling thread has worked, ms: unlike a clock on the wall it is not longer on a
+// machine that is busy with something else.
+#pragma once
+
+#include <ctime>
+
+namespace ripstop {
+
+inline double threadTime()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+}
+
+} // namespace ripstop
