@@ -210,7 +210,7 @@ private slots:
             const double start = threadTime();
             QApplication::sendEvent(&view, &move);
             worst = std::max(worst, threadTime() - start);
-            QTest::qWait(50);
+            QTest::qWait(20);
         }
         QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(20, 10));
         qInfo("each step of the drag took at most %.0f ms", worst);
