@@ -10,7 +10,6 @@
 #include <numeric>
 #include <set>
 #include <tuple>
-#include <unordered_map>
 
 namespace ripstop {
 namespace {
@@ -147,85 +146,113 @@ void renameReferences(Edit& edit, const Scene& scene, const Renamed& renamed,
     }
 }
 
-// New ends and corners, and what has none any more or what another one is already.
-void renameRows(Weld& weld, const Scene& scene, const Renamed& renamed)
+// New ends and corners; and what has none any more, or has become what another one is already.
+class RowRenamer
 {
-    Columns from(Kind::Link, "from"), to(Kind::Link, "to");
-    std::array<Columns, 3> corners{Columns(Kind::Panel, "a"), Columns(Kind::Panel, "b"),
-                                   Columns(Kind::Panel, "c")};
-    std::vector<RemoveRows> removals;
-    std::vector<Id> removed;
+public:
+    RowRenamer(const Scene& scene, const Renamed& renamed)
+        : m_scene(scene)
+        , m_renamed(renamed)
+    {
+        // those that stay as they are come first, so that a changed one gives way to them
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Link& row : part.links)
+                if (!changes({row.from, row.to}))
+                    m_links.insert(keyOf(row));
+            for (const Panel& row : part.panels)
+                if (!changes({row.a, row.b, row.c}))
+                    m_panels.insert(keyOf(row));
+        });
+    }
+
+    void addTo(Weld& weld)
+    {
+        std::vector<RemoveRows> removals;
+        std::vector<Id> removed; // links and panels
+        forEachPart(m_scene, [&](Id id, const Part& part) {
+            RemoveRows rows{id, {}, {}, {}};
+            for (const Particle& row : part.particles)
+                if (m_renamed.isGone(row.id))
+                    rows.particles.push_back(row.id);
+            for (const Link& row : part.links)
+                if (changes({row.from, row.to}) && !rename(row))
+                    rows.links.push_back(row.id);
+            for (const Panel& row : part.panels)
+                if (changes({row.a, row.b, row.c}) && !rename(row))
+                    rows.panels.push_back(row.id);
+            weld.links += rows.links.size();
+            weld.panels += rows.panels.size();
+            removed.insert(removed.end(), rows.links.begin(), rows.links.end());
+            removed.insert(removed.end(), rows.panels.begin(), rows.panels.end());
+            if (!rows.particles.empty() || !rows.links.empty() || !rows.panels.empty())
+                removals.push_back(std::move(rows));
+        });
+        m_from.addTo(weld.edit);
+        m_to.addTo(weld.edit);
+        for (Columns& column : m_corners)
+            column.addTo(weld.edit);
+        std::sort(removed.begin(), removed.end());
+        renameReferences(weld.edit, m_scene, m_renamed, removed);
+        for (RemoveRows& rows : removals)
+            weld.edit.changes.emplace_back(std::move(rows));
+    }
+
+private:
     using LinkKey = std::tuple<Id, Id, LinkKind, Id>;
-    std::map<LinkKey, Id> links;
-    std::set<std::array<Id, 3>> panels;
-    // those that stay as they are come first, so that a changed one gives way to them
-    const auto linkKey = [&](const Link& row) {
-        const Id a = renamed(row.from), b = renamed(row.to);
-        return LinkKey{std::min(a, b), std::max(a, b), row.kind, row.material};
-    };
-    const auto panelKey = [&](const Panel& row) {
-        std::array<Id, 3> key{renamed(row.a), renamed(row.b), renamed(row.c)};
+    using PanelKey = std::array<Id, 3>;
+
+    bool changes(std::initializer_list<Id> ends) const
+    {
+        return std::ranges::any_of(ends, [&](Id id) { return m_renamed.isGone(id); });
+    }
+
+    LinkKey keyOf(const Link& row) const
+    {
+        const Id a = m_renamed(row.from), b = m_renamed(row.to);
+        return {std::min(a, b), std::max(a, b), row.kind, row.material};
+    }
+
+    PanelKey keyOf(const Panel& row) const
+    {
+        PanelKey key{m_renamed(row.a), m_renamed(row.b), m_renamed(row.c)};
         std::sort(key.begin(), key.end());
         return key;
-    };
-    const auto changes = [&](std::initializer_list<Id> ends) {
-        return std::ranges::any_of(ends, [&](Id id) { return renamed.isGone(id); });
-    };
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Link& row : part.links)
-            if (!changes({row.from, row.to}))
-                links.emplace(linkKey(row), row.id);
-        for (const Panel& row : part.panels)
-            if (!changes({row.a, row.b, row.c}))
-                panels.insert(panelKey(row));
-    });
-    forEachPart(scene, [&](Id id, const Part& part) {
-        RemoveRows rows{id, {}, {}, {}};
-        for (const Particle& row : part.particles)
-            if (renamed.isGone(row.id))
-                rows.particles.push_back(row.id);
-        for (const Link& row : part.links) {
-            if (!changes({row.from, row.to}))
-                continue;
-            const LinkKey key = linkKey(row);
-            if (std::get<0>(key) == std::get<1>(key) || !links.emplace(key, row.id).second) {
-                rows.links.push_back(row.id);
-                continue;
-            }
-            if (renamed.isGone(row.from))
-                from.set(row.id, renamed(row.from));
-            if (renamed.isGone(row.to))
-                to.set(row.id, renamed(row.to));
-        }
-        for (const Panel& row : part.panels) {
-            if (!changes({row.a, row.b, row.c}))
-                continue;
-            const auto key = panelKey(row);
-            if (key[0] == key[1] || key[1] == key[2] || !panels.insert(key).second) {
-                rows.panels.push_back(row.id);
-                continue;
-            }
-            const std::array<Id, 3> ends{row.a, row.b, row.c};
-            for (std::size_t k = 0; k < 3; ++k)
-                if (renamed.isGone(ends[k]))
-                    corners[k].set(row.id, renamed(ends[k]));
-        }
-        weld.links += rows.links.size();
-        weld.panels += rows.panels.size();
-        removed.insert(removed.end(), rows.links.begin(), rows.links.end());
-        removed.insert(removed.end(), rows.panels.begin(), rows.panels.end());
-        if (!rows.particles.empty() || !rows.links.empty() || !rows.panels.empty())
-            removals.push_back(std::move(rows));
-    });
-    from.addTo(weld.edit);
-    to.addTo(weld.edit);
-    for (Columns& column : corners)
-        column.addTo(weld.edit);
-    std::sort(removed.begin(), removed.end());
-    renameReferences(weld.edit, scene, renamed, removed);
-    for (RemoveRows& rows : removals)
-        weld.edit.changes.emplace_back(std::move(rows));
-}
+    }
+
+    // False when the row has to go.
+    bool rename(const Link& row)
+    {
+        const LinkKey key = keyOf(row);
+        if (std::get<0>(key) == std::get<1>(key) || !m_links.insert(key).second)
+            return false;
+        if (m_renamed.isGone(row.from))
+            m_from.set(row.id, m_renamed(row.from));
+        if (m_renamed.isGone(row.to))
+            m_to.set(row.id, m_renamed(row.to));
+        return true;
+    }
+
+    bool rename(const Panel& row)
+    {
+        const PanelKey key = keyOf(row);
+        if (key[0] == key[1] || key[1] == key[2] || !m_panels.insert(key).second)
+            return false;
+        const std::array<Id, 3> ends{row.a, row.b, row.c};
+        for (std::size_t k = 0; k < 3; ++k)
+            if (m_renamed.isGone(ends[k]))
+                m_corners[k].set(row.id, m_renamed(ends[k]));
+        return true;
+    }
+
+    const Scene& m_scene;
+    const Renamed& m_renamed;
+    std::set<LinkKey> m_links;
+    std::set<PanelKey> m_panels;
+    Columns m_from{Kind::Link, "from"};
+    Columns m_to{Kind::Link, "to"};
+    std::array<Columns, 3> m_corners{Columns(Kind::Panel, "a"), Columns(Kind::Panel, "b"),
+                                     Columns(Kind::Panel, "c")};
+};
 
 Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows, Clusters& clusters,
                   WeldAt at)
@@ -271,7 +298,7 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows, 
     position.addTo(weld.edit);
     mass.addTo(weld.edit);
     pinned.addTo(weld.edit);
-    renameRows(weld, scene, renamed);
+    RowRenamer(scene, renamed).addTo(weld);
     return weld;
 }
 
