@@ -7,7 +7,9 @@
 #include "measure/diagnostics.h"
 #include "measure/polar.h"
 #include "run/simulation.h"
+#include "verify/case.h"
 #include "verify/small_systems.h"
+#include "vortex_lattice.h"
 
 #include <QtTest>
 
@@ -55,6 +57,18 @@ System delta(int rows)
                          wingAir());
         }
     return system;
+}
+
+FlatWing rectangle(double aspect) // chord 1 m
+{
+    return {[](double) { return 0.0; }, [](double) { return 1.0; }, cosineStrips(aspect, 32), 8};
+}
+
+FlatWing triangle(double aspect) // keel 1 m, nose to the wind
+{
+    const double tip = 0.25 * aspect;
+    return {[=](double y) { return std::abs(y) / tip; }, [](double) { return 1.0; },
+            cosineStrips(2.0 * tip, 24), 12};
 }
 
 Vec3 sum(const std::vector<Vec3>& loads)
@@ -148,6 +162,50 @@ private slots:
         QCOMPARE(sum(panelLoads(system, state)), Vec3(Vec3::Zero()));
     }
 
+    // The lattice itself, by an example that is solved in print (Bertin and Smith, 2nd ed., example
+    // 7.2: aspect ratio 5, swept by 45 degrees, one row of eight cells: 1.096 pi)
+    void latticeOfTheBook()
+    {
+        const auto sweep = [](double y) { return std::abs(y); };
+        const FlatWing wing{sweep, [=](double y) { return sweep(y) + 1.0; }, evenStrips(5.0, 8), 1};
+        QVERIFY(std::abs(latticeAnswer(wing).slope / (1.096 * M_PI) - 1.0) < 1e-3);
+    }
+
+    // and by the limit of slender wings, pi A / 2 (Jones 1946, NACA TR 835)
+    void latticeOfSlenderWings()
+    {
+        const double aspect = 0.02;
+        const FlatWingAnswer slender = latticeAnswer(triangle(aspect));
+        QVERIFY(std::abs(slender.slope / (0.5 * M_PI * aspect) - 1.0) < 0.02);
+        QVERIFY(std::abs(slender.efficiency - 1.0) < 1e-3);
+    }
+
+    // What the cases of verify expect of flat wings is what the lattice says.
+    void latticeIsBehindTheCases_data()
+    {
+        QTest::addColumn<QString>("title");
+        QTest::addColumn<double>("answer");
+        for (const double aspect : {2.0, 4.0, 6.0}) {
+            const FlatWingAnswer answer = latticeAnswer(rectangle(aspect));
+            const QString wing = QString("rectangular wing of aspect ratio %1, ").arg(aspect);
+            QTest::newRow(qPrintable(wing + "slope")) << wing + "lift slope" << answer.slope;
+            QTest::newRow(qPrintable(wing + "efficiency"))
+                << wing + "span efficiency" << answer.efficiency;
+        }
+        QTest::newRow("delta") << QString("equilateral delta of 14 segments, lift slope")
+                               << latticeAnswer(triangle(4.0 / std::sqrt(3.0))).slope;
+    }
+
+    void latticeIsBehindTheCases()
+    {
+        QFETCH(QString, title);
+        QFETCH(double, answer);
+        const std::vector<Case> cases = casesWith(title.toStdString());
+        QCOMPARE(cases.size(), std::size_t(1));
+        QVERIFY2(std::abs(answer / cases.front().expected - 1.0) < 1e-3,
+                 qPrintable(QString::number(answer)));
+    }
+
     // Shapes that are no wings: nothing worse than the load of plates comes out.
     void oddShapes()
     {
@@ -222,8 +280,8 @@ private slots:
     {
         const MaterialAir air = wingAir();
         const std::vector<PolarRow> rows = platePolar(air, 2.0);
-        // lifting surface, aspect ratio 2
-        QVERIFY(std::abs(rows[1].lift / std::sin(2.0 * M_PI / 180.0) / 2.474 - 1.0) < 0.03);
+        const double lift = latticeAnswer(rectangle(2.0)).slope * std::sin(2.0 * M_PI / 180.0);
+        QVERIFY(std::abs(rows[1].lift / lift - 1.0) < 0.03);
         QVERIFY(rows[1].drag > 0.0);
         QVERIFY(std::abs(rows.back().normal - air.normalCoefficient) < 1e-9);
     }
