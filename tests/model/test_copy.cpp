@@ -476,9 +476,8 @@ private slots:
         qInfo("mirrored 100 489 particles in %.0f ms", threadTime() - start);
         start = threadTime();
         const Weld weld = weldedWithin(now, ids, 1e-4, WeldAt::First);
-        const double took = threadTime() - start;
-        qInfo("looked for %zu welds among 200 978 in %.0f ms", weld.merged, took);
-        QVERIFY(took < 5000.0);
+        qInfo("looked for %zu welds among 200 978 in %.0f ms", weld.merged, threadTime() - start);
+        QCOMPARE(weld.merged, std::size_t(0));
     }
 };
 
