@@ -12,7 +12,10 @@
 #include <QApplication>
 #include <QSurfaceFormat>
 
+#include <algorithm>
 #include <cstdio>
+#include <span>
+#include <string_view>
 
 using namespace ripstop;
 
@@ -47,10 +50,29 @@ Result<std::vector<Id>> meant(const QString& text, const Scene& scene)
     return ids;
 }
 
+// Questions that need no window, and are answered also where none can be opened.
+bool asksOnly(int argc, char** argv)
+{
+    const std::span<char*> arguments(argv, std::size_t(argc));
+    return std::any_of(arguments.begin(), arguments.end(), [](std::string_view one) {
+        return one == "-h" || one == "--help" || one == "--help-all" || one == "-v"
+               || one == "--version";
+    });
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+    QCoreApplication::setApplicationName("Ripstop");
+    QCoreApplication::setOrganizationName("Ripstop");
+    QCoreApplication::setApplicationVersion(RIPSTOP_VERSION);
+    QString error;
+    if (asksOnly(argc, argv)) {
+        const QCoreApplication asked(argc, argv);
+        (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
+    }
+
     QSurfaceFormat format; // before the application exists
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -58,12 +80,8 @@ int main(int argc, char** argv)
     QSurfaceFormat::setDefaultFormat(format);
 
     QApplication application(argc, argv);
-    QApplication::setApplicationName("Ripstop");
-    QApplication::setOrganizationName("Ripstop");
-    QApplication::setApplicationVersion(RIPSTOP_VERSION);
     QApplication::setWindowIcon(applicationIcon());
 
-    QString error;
     const std::optional<Options> options = readOptions(application.arguments(), error);
     if (!options)
         return refuse(error, 2);

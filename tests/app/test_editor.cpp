@@ -42,9 +42,15 @@ struct Finished
     QString error;
 };
 
-Finished run(const QString& program, const QStringList& arguments)
+Finished run(const QString& program, const QStringList& arguments, bool display = true)
 {
     QProcess process;
+    if (!display) {
+        QProcessEnvironment without = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            without.remove(name);
+        process.setProcessEnvironment(without);
+    }
     process.start(program, arguments);
     if (!process.waitForFinished(120000))
         return {};
@@ -231,6 +237,16 @@ private slots:
         QVERIFY(done.output.contains("step 120"));
         const QImage image(picture);
         QCOMPARE(image.size(), QSize(900, 600));
+    }
+
+    void helpsWithoutADisplay()
+    {
+        const Finished help = run(EDITOR_PROGRAM, {"--help"}, false);
+        QCOMPARE(help.exitCode, 0);
+        QVERIFY(help.output.contains("--screenshot"));
+        const Finished version = run(EDITOR_PROGRAM, {"--version"}, false);
+        QCOMPARE(version.exitCode, 0);
+        QVERIFY(version.output.startsWith("Ripstop "));
     }
 
     void refusesWhatItCannotDo_data()
