@@ -1,41 +1,13 @@
 #include "author/mesh_winding.h"
 
+#include "base/joined_sets.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numeric>
 
 namespace ripstop {
 namespace {
-
-// Sets that grow together; the smallest member stands for a set.
-class Sets
-{
-public:
-    explicit Sets(std::size_t count)
-        : m_parent(count)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0);
-    }
-
-    int of(int i)
-    {
-        while (m_parent[std::size_t(i)] != i)
-            i = m_parent[std::size_t(i)] =
-                m_parent[std::size_t(m_parent[std::size_t(i)])]; // shorter next time
-        return i;
-    }
-
-    void join(int a, int b)
-    {
-        a = of(a);
-        b = of(b);
-        m_parent[std::size_t(std::max(a, b))] = std::min(a, b);
-    }
-
-private:
-    std::vector<int> m_parent;
-};
 
 // Whether the face goes from a to b, and not from b to a.
 bool goesAlong(std::span<const int> corners, int a, int b)
@@ -207,7 +179,7 @@ private:
 
 void reportEdges(const PolygonMesh& mesh, const std::vector<MeshEdge>& edges, MeshReport& report)
 {
-    Sets rims(mesh.points.size());
+    JoinedSets rims(mesh.points.size());
     std::vector<std::uint8_t> isOnRim(mesh.points.size());
     for (const MeshEdge& edge : edges) {
         if (edge.faceCount > 2)
@@ -230,7 +202,7 @@ void reportEdges(const PolygonMesh& mesh, const std::vector<MeshEdge>& edges, Me
 
 void reportPieces(const PolygonMesh& mesh, MeshReport& report)
 {
-    Sets pieces(mesh.points.size());
+    JoinedSets pieces(mesh.points.size());
     for (std::size_t i = 0; i < mesh.faceCount(); ++i)
         for (const int corner : mesh.face(i))
             pieces.join(mesh.face(i)[0], corner);

@@ -1,9 +1,9 @@
 #include "author/select.h"
 
 #include "author/net.h"
+#include "base/joined_sets.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace ripstop {
 namespace {
@@ -116,35 +116,6 @@ std::vector<Id> moved(const Scene& scene, const std::vector<Id>& selected, char 
     return after.ids(net);
 }
 
-// Sets of particles that are tied (Tarjan 1975, with path halving).
-class Sets
-{
-public:
-    explicit Sets(std::size_t count)
-        : m_parent(count)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0);
-    }
-    int of(int particle)
-    {
-        while (m_parent[std::size_t(particle)] != particle) {
-            int& parent = m_parent[std::size_t(particle)];
-            parent = m_parent[std::size_t(parent)];
-            particle = parent;
-        }
-        return particle;
-    }
-    // the lower number stays, so that long rows do not become deep trees
-    void join(int a, int b)
-    {
-        const auto [low, high] = std::minmax({of(a), of(b)});
-        m_parent[std::size_t(high)] = low;
-    }
-
-private:
-    std::vector<int> m_parent;
-};
-
 } // namespace
 
 std::vector<Id> grown(const Scene& scene, const std::vector<Id>& selected)
@@ -161,7 +132,7 @@ std::vector<Id> connected(const Scene& scene, const std::vector<Id>& selected)
 {
     const Net net(scene);
     const Marks seeds(net, scene, selected);
-    Sets sets(net.all.particles.size());
+    JoinedSets sets(net.all.particles.size());
     for (const auto& ends : net.ends)
         if (net.isWhole(ends))
             sets.join(ends[0], ends[1]);

@@ -1,5 +1,7 @@
 #include "author/split.h"
 
+#include "scene/references.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -190,33 +192,12 @@ private:
     // Pieces stand in the groups of what they come from.
     void renewGroups()
     {
-        for (const Entry& entry : m_scene.items) {
-            const ConstRef ref =
-                std::visit([](const auto& item) -> ConstRef { return &item; }, entry.item);
-            for (const Property& property : propertiesOf(kindOf(ref))) {
-                if (property.pointsAt.empty())
-                    continue;
-                const Value before = property.get(ref);
-                Value value = before;
-                if (Id* id = std::get_if<Id>(&value))
-                    if (const auto found = m_pieces.find(*id); found != m_pieces.end())
-                        *id = found->second.front();
-                if (auto* list = std::get_if<std::vector<Id>>(&value)) {
-                    std::vector<Id> renewed;
-                    for (const Id id : *list)
-                        if (const auto found = m_pieces.find(id); found != m_pieces.end())
-                            renewed.insert(renewed.end(), found->second.begin(),
-                                           found->second.end());
-                        else
-                            renewed.push_back(id);
-                    std::sort(renewed.begin(), renewed.end());
-                    if (renewed.size() != list->size())
-                        *list = std::move(renewed);
-                }
-                if (value != before)
-                    m_split.edit.changes.emplace_back(SetValues{&property, {entry.id}, {value}});
-            }
-        }
+        passOn(m_split.edit, m_scene, [&](Id id, std::vector<Id>& heirs) {
+            if (const auto found = m_pieces.find(id); found != m_pieces.end())
+                heirs.insert(heirs.end(), found->second.begin(), found->second.end());
+            else
+                heirs.push_back(id);
+        });
     }
 
     const Scene& m_scene;

@@ -1,49 +1,22 @@
 #include "author/weld.h"
 
 #include "author/movable.h"
+#include "base/joined_sets.h"
 #include "base/key_index.h"
+#include "scene/references.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 
 namespace ripstop {
 namespace {
 
-// Particles that become one, as places in a list: each points at the first of its own.
-class Clusters
-{
-public:
-    explicit Clusters(std::size_t count)
-        : m_first(count)
-    {
-        std::iota(m_first.begin(), m_first.end(), 0);
-    }
-
-    int operator()(int i)
-    {
-        while (m_first[std::size_t(i)] != i)
-            i = m_first[std::size_t(i)] = m_first[std::size_t(m_first[std::size_t(i)])];
-        return i;
-    }
-
-    void join(int a, int b)
-    {
-        a = (*this)(a);
-        b = (*this)(b);
-        m_first[std::size_t(std::max(a, b))] = std::min(a, b);
-    }
-
-private:
-    std::vector<int> m_first;
-};
-
 // Cells of the size of the distance: only neighbours in 27 of them can be near enough.
-void joinNear(Clusters& clusters, const std::vector<const Particle*>& rows, double distance)
+void joinNear(JoinedSets& clusters, const std::vector<const Particle*>& rows, double distance)
 {
     using Cell = std::array<std::int64_t, 3>;
     std::map<Cell, std::vector<int>> cells;
@@ -116,36 +89,6 @@ private:
     SetValues m_change;
 };
 
-// References of items, as the property table knows them.
-void renameReferences(Edit& edit, const Scene& scene, const Renamed& renamed,
-                      const std::vector<Id>& removed)
-{
-    const auto isRemoved = [&](Id id) {
-        return std::binary_search(removed.begin(), removed.end(), id);
-    };
-    for (const Entry& entry : scene.items) {
-        const ConstRef ref =
-            std::visit([](const auto& item) -> ConstRef { return &item; }, entry.item);
-        for (const Property& property : propertiesOf(kindOf(ref))) {
-            if (property.pointsAt.empty())
-                continue;
-            const Value before = property.get(ref);
-            Value value = before;
-            if (Id* id = std::get_if<Id>(&value))
-                *id = isRemoved(*id) ? noId : renamed(*id);
-            if (auto* list = std::get_if<std::vector<Id>>(&value)) {
-                std::erase_if(*list, isRemoved);
-                for (Id& id : *list)
-                    id = renamed(id);
-                std::sort(list->begin(), list->end());
-                list->erase(std::unique(list->begin(), list->end()), list->end());
-            }
-            if (value != before)
-                edit.changes.emplace_back(SetValues{&property, {entry.id}, {value}});
-        }
-    }
-}
-
 // New ends and corners; and what has none any more, or has become what another one is already.
 class RowRenamer
 {
@@ -192,7 +135,10 @@ public:
         for (Columns& column : m_corners)
             column.addTo(weld.edit);
         std::sort(removed.begin(), removed.end());
-        renameReferences(weld.edit, m_scene, m_renamed, removed);
+        passOn(weld.edit, m_scene, [&](Id id, std::vector<Id>& heirs) {
+            if (!std::binary_search(removed.begin(), removed.end(), id))
+                heirs.push_back(m_renamed(id));
+        });
         for (RemoveRows& rows : removals)
             weld.edit.changes.emplace_back(std::move(rows));
     }
@@ -254,8 +200,8 @@ private:
                                      Columns(Kind::Panel, "c")};
 };
 
-Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows, Clusters& clusters,
-                  WeldAt at)
+Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
+                  JoinedSets& clusters, WeldAt at)
 {
     Weld weld{{"Weld", {}}, {}};
     struct Sum
@@ -269,7 +215,7 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows, 
     Renamed renamed(rows.size());
     for (int i = 0; i < int(rows.size()); ++i) {
         const Particle& row = *rows[std::size_t(i)];
-        const int first = clusters(i);
+        const int first = clusters.of(i);
         Sum& sum = sums[std::size_t(first)];
         sum.place += row.position;
         sum.mass += row.mass;
@@ -315,7 +261,7 @@ std::vector<const Particle*> rowsOf(const Scene& scene, const std::vector<Id>& i
 Weld welded(const Scene& scene, const std::vector<Id>& ids, WeldAt at)
 {
     const auto rows = rowsOf(scene, ids);
-    Clusters clusters(rows.size());
+    JoinedSets clusters(rows.size());
     for (int i = 1; i < int(rows.size()); ++i)
         clusters.join(0, i);
     return weldClusters(scene, rows, clusters, at);
@@ -324,7 +270,7 @@ Weld welded(const Scene& scene, const std::vector<Id>& ids, WeldAt at)
 Weld weldedWithin(const Scene& scene, const std::vector<Id>& ids, double distance, WeldAt at)
 {
     const auto rows = rowsOf(scene, ids);
-    Clusters clusters(rows.size());
+    JoinedSets clusters(rows.size());
     joinNear(clusters, rows, std::max(distance, 1e-12));
     return weldClusters(scene, rows, clusters, at);
 }

@@ -1,46 +1,16 @@
 #include "base/wing_strips.h"
 
+#include "base/joined_sets.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ripstop {
 namespace {
 
 constexpr double tiny = 1e-9; // of the span, lengths that are rounding
-
-// Everything that hangs together has the same number, that of its lowest particle.
-class Pieces
-{
-public:
-    explicit Pieces(std::size_t particles)
-        : m_parent(particles)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0);
-    }
-
-    int of(int particle)
-    {
-        while (m_parent[std::size_t(particle)] != particle) {
-            int& parent = m_parent[std::size_t(particle)];
-            parent = m_parent[std::size_t(parent)];
-            particle = parent;
-        }
-        return particle;
-    }
-
-    void join(int a, int b)
-    {
-        a = of(a);
-        b = of(b);
-        m_parent[std::size_t(std::max(a, b))] = std::min(a, b);
-    }
-
-private:
-    std::vector<int> m_parent;
-};
 
 struct Place // on the wing laid flat, m
 {
@@ -394,7 +364,7 @@ std::vector<WingStrips> wingsOf(std::span<const std::array<int, 3>> corners,
                                 std::span<const std::uint8_t> member,
                                 std::span<const PaddedVec3> position, std::span<const Vec3> wind)
 {
-    Pieces pieces(position.size());
+    JoinedSets pieces(position.size());
     for (std::size_t p = 0; p < corners.size(); ++p)
         if (member[p]) {
             pieces.join(corners[p][0], corners[p][1]);

@@ -1,5 +1,7 @@
 #include "scene/edit.h"
 
+#include "scene/references.h"
+
 #include <algorithm>
 #include <cassert>
 #include <set>
@@ -175,29 +177,21 @@ Edit removal(const Scene& scene, const std::vector<Id>& ids)
     Edit edit{"Remove", {}};
 
     // References first, so that undo restores what they point at before the references themselves.
-    const auto forget = [&](Id holder, const ConstRef& ref) {
-        for (const Property& property : propertiesOf(kindOf(ref))) {
-            if (property.pointsAt.empty() || gone.contains(holder))
-                continue;
-            const Value value = property.get(ref);
-            if (const Id* id = std::get_if<Id>(&value); id && gone.contains(*id))
-                edit.changes.emplace_back(SetValues{&property, {holder}, {noId}});
-            if (const auto* list = std::get_if<std::vector<Id>>(&value)) {
-                std::vector<Id> left = *list;
-                if (std::erase_if(left, [&](Id id) { return gone.contains(id); }) > 0)
-                    edit.changes.emplace_back(SetValues{&property, {holder}, {left}});
-            }
-        }
+    const Heirs left = [&](Id id, std::vector<Id>& heirs) {
+        if (!gone.contains(id))
+            heirs.push_back(id);
     };
     for (const Entry& entry : scene.items)
-        std::visit([&](const auto& item) { forget(entry.id, &item); }, entry.item);
+        if (!gone.contains(entry.id))
+            std::visit([&](const auto& item) { passOn(edit, entry.id, &item, left); }, entry.item);
+    const auto forget = [&](const auto& rows) {
+        for (const auto& row : rows)
+            if (gone.contains(row.material) && !gone.contains(row.id))
+                passOn(edit, row.id, &row, left);
+    };
     forEachPart(scene, [&](Id, const Part& part) {
-        for (const Link& link : part.links)
-            if (gone.contains(link.material))
-                forget(link.id, &link);
-        for (const Panel& panel : part.panels)
-            if (gone.contains(panel.material))
-                forget(panel.id, &panel);
+        forget(part.links);
+        forget(part.panels);
     });
 
     const auto goneOf = [&](const auto& rows) {

@@ -1,5 +1,6 @@
 #include "sim/solver_plan.h"
 
+#include "base/joined_sets.h"
 #include "base/portable_math.h"
 #include "sim/bend_force.h"
 #include "sim/direct_choice.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 namespace ripstop {
 namespace {
@@ -23,38 +23,27 @@ class Networks
 {
 public:
     explicit Networks(const System& system)
-        : m_parent(system.inverseMass.size())
-        , m_mass(m_parent.size(), 0.0)
-        , m_rodsAtPins(m_parent.size(), 0)
+        : m_sets(system.inverseMass.size())
+        , m_mass(system.inverseMass.size(), 0.0)
+        , m_rodsAtPins(system.inverseMass.size(), 0)
     {
-        std::iota(m_parent.begin(), m_parent.end(), 0);
         const auto pinned = [&](int p) { return system.inverseMass[std::size_t(p)] == 0.0; };
         for (const Rod& rod : system.rods)
             if (!pinned(rod.a) && !pinned(rod.b))
-                m_parent[std::size_t(root(rod.a))] = root(rod.b);
-        for (std::size_t p = 0; p < m_parent.size(); ++p)
+                m_sets.join(rod.a, rod.b);
+        for (std::size_t p = 0; p < m_mass.size(); ++p)
             if (!pinned(int(p)))
-                m_mass[std::size_t(root(int(p)))] += 1.0 / system.inverseMass[p];
+                m_mass[std::size_t(m_sets.of(int(p)))] += 1.0 / system.inverseMass[p];
         for (const Rod& rod : system.rods)
             if (pinned(rod.a) != pinned(rod.b))
-                ++m_rodsAtPins[std::size_t(root(pinned(rod.a) ? rod.b : rod.a))];
+                ++m_rodsAtPins[std::size_t(m_sets.of(pinned(rod.a) ? rod.b : rod.a))];
     }
 
-    double mass(int p) { return m_mass[std::size_t(root(p))]; } // kg
-    int rodsAtPins(int p) { return m_rodsAtPins[std::size_t(root(p))]; }
+    double mass(int p) { return m_mass[std::size_t(m_sets.of(p))]; } // kg
+    int rodsAtPins(int p) { return m_rodsAtPins[std::size_t(m_sets.of(p))]; }
 
 private:
-    int root(int p)
-    {
-        while (m_parent[std::size_t(p)] != p) {
-            int& parent = m_parent[std::size_t(p)];
-            parent = m_parent[std::size_t(parent)];
-            p = parent;
-        }
-        return p;
-    }
-
-    std::vector<int> m_parent;
+    JoinedSets m_sets;
     std::vector<double> m_mass;
     std::vector<int> m_rodsAtPins;
 };

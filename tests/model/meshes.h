@@ -5,6 +5,7 @@
 #pragma once
 
 #include "author/mesh_import.h"
+#include "shapes/mesh_file.h"
 #include "shapes/obj_file.h"
 
 #include <Eigen/Geometry>
@@ -12,6 +13,7 @@
 #include <QByteArray>
 #include <QFile>
 #include <QString>
+#include <QTemporaryDir>
 #include <QtGlobal>
 
 #include <algorithm>
@@ -143,5 +145,25 @@ inline QString writeFile(const QString& path, const QByteArray& content)
         qFatal("cannot write %s", qPrintable(path));
     return path;
 }
+
+// A folder of its own for the mesh files of a test.
+class MeshFolder
+{
+protected:
+    QString write(const QString& name, const QByteArray& content)
+    {
+        return writeFile(m_folder.filePath(name), content);
+    }
+
+    PolygonMesh fileOf(const QString& name, const QByteArray& content)
+    {
+        Result<PolygonMesh> mesh = readPolygonFile(write(name, content).toStdString());
+        if (!mesh)
+            qFatal("%s", mesh.message().c_str());
+        return *mesh;
+    }
+
+    QTemporaryDir m_folder;
+};
 
 } // namespace ripstop

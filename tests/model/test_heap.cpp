@@ -166,8 +166,9 @@ Count allocationsOf(Work work)
 
 std::vector<double> kept; // what an optimizer must not leave out
 
-constexpr int warmUp = 5;
-constexpr int counted = 20;
+constexpr int warmUp = RIPSTOP_COUNTS ? 5 : 1;
+constexpr int counted =
+    RIPSTOP_COUNTS ? 20 : 3; // sanitizers are slow, and there is nothing to count
 
 // A strip of 4 x 2200 particles in a wind: rods along, across and on the diagonals, some of them
 // soft or one-way, springs to the second neighbour, panels; it hangs over a floor by a line that a

@@ -4,31 +4,14 @@
 #include "shapes/mesh_file.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QtTest>
 #include <random>
 
 using namespace ripstop;
 
-class TestMeshFiles : public QObject
+class TestMeshFiles : public QObject, MeshFolder
 {
     Q_OBJECT
-
-private:
-    QTemporaryDir m_folder;
-
-    QString write(const QString& name, const QByteArray& content)
-    {
-        return writeFile(m_folder.filePath(name), content);
-    }
-
-    PolygonMesh fileOf(const QString& name, const QByteArray& content)
-    {
-        Result<PolygonMesh> mesh = readPolygonFile(write(name, content).toStdString());
-        if (!mesh)
-            qFatal("%s", mesh.message().c_str());
-        return *mesh;
-    }
 
 private slots:
     // --- files

@@ -3,30 +3,13 @@
 #include "model/meshes.h"
 #include "shapes/mesh_file.h"
 
-#include <QTemporaryDir>
 #include <QtTest>
 
 using namespace ripstop;
 
-class TestMeshRepair : public QObject
+class TestMeshRepair : public QObject, MeshFolder
 {
     Q_OBJECT
-
-private:
-    QTemporaryDir m_folder;
-
-    QString write(const QString& name, const QByteArray& content)
-    {
-        return writeFile(m_folder.filePath(name), content);
-    }
-
-    PolygonMesh fileOf(const QString& name, const QByteArray& content)
-    {
-        Result<PolygonMesh> mesh = readPolygonFile(write(name, content).toStdString());
-        if (!mesh)
-            qFatal("%s", mesh.message().c_str());
-        return *mesh;
-    }
 
 private slots:
     // --- the report
