@@ -8,6 +8,7 @@
 #include "editor/files.h"
 #include "editor/group_menus.h"
 #include "editor/select_rows.h"
+#include "editor/templates.h"
 #include "icons/icon.h"
 #include "outline/outline.h"
 #include "scene/scene.h"
@@ -23,6 +24,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QSettings>
 #include <QToolBar>
 
 #include <algorithm>
@@ -73,6 +75,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         line,
         {"&File", "save",       tr("&Save"),               "save",    QKeySequence::Save,   tr("Save the scene in its file."), [&files] { files.save(); }},
         {"&File", "saveAs",     tr("Save &as…"),           "save-as", QKeySequence("Ctrl+Shift+S"), tr("Save the scene in another file."), [&files] { files.saveAs(); }},
+        {"&File", "saveTemplate", tr("Save as &template…"), nullptr, {},                   tr("Keep the design as one to begin new ones from."), [&files] { files.saveAsTemplate(); }},
         {"&File", "export",     tr("&Export…"),            "export",  QKeySequence("Ctrl+E"), tr("Meshes for Blender, series for ParaView, tables of the probes and of what has torn."), [&files] { files.exportRun(); }},
         {"&File", "picture",    tr("Save &picture…"),      "picture", QKeySequence("Ctrl+P"), tr("The 3D view as a PNG or JPEG file."), [&files] { files.savePicture(); }},
         line,
@@ -116,7 +119,9 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
 
         {"&Tools", "polar",     tr("&Polar of an air law"), "plot",   {},                   tr("What the air law of a material does to a flat plate, beside published curves."), bench.showPolar},
 
-        {"&Help", "keys",       tr("&Keys"),               "keys",    QKeySequence("F1"),   tr("All keys, and those of the controls of this scene."), bench.showKeys},
+        {"&Help", "palette",    tr("&Find an action…"),    "search",  QKeySequence("F3"),   tr("Type to find anything that the menus can do."), bench.showPalette},
+        {"&Help", "keys",       tr("&Keys…"),              "keys",    QKeySequence("F1"),   tr("All keys, to see and to change, and those of the controls of this scene."), bench.showKeys},
+        {"&Help", "tour",       tr("&Tour"),               nullptr,   {},                   tr("What the parts of the window are for, in a minute."), bench.showTour},
         {"&Help", "verification", tr("&Verification…"),    nullptr,   {},                   tr("Run the cases whose answer is known, and see what comes out."), bench.showVerification},
         {"&Help", "about",      tr("&About Ripstop"),      "about",   {},                   tr("Version and licence."), [&window] { about(&window); }},
     };
@@ -173,9 +178,8 @@ void Actions::build()
         menu = open(row.menu);
         QAction* action =
             menu->addAction(row.icon ? icon(row.icon) : QIcon(), row.text, this, row.run);
+        action->setObjectName(row.id);
         action->setShortcut(row.keys);
-        const QString keys = row.keys.toString(QKeySequence::NativeText);
-        action->setToolTip(keys.isEmpty() ? row.tip : tr("%1 (%2)").arg(row.tip, keys));
         action->setStatusTip(row.tip);
         action->setCheckable(row.toggle != Toggle::No);
         action->setChecked(row.toggle == Toggle::On);
@@ -188,11 +192,16 @@ void Actions::build()
         m_byId[row.id] = action;
         if (row.needs == Needs::Selection)
             m_needSelection.push_back(action);
+        if (row.toggle != Toggle::No && isView(row))
+            m_viewToggles.push_back(action);
         m_all.push_back(action);
     }
     m_recent = new QMenu(tr("Open &recent"), &m_bench.window);
     m_recent->setIcon(icon("recent"));
     menus["&File"]->insertMenu(m_byId["start"], m_recent);
+    m_templates = new QMenu(tr("New from te&mplate"), &m_bench.window);
+    menus["&File"]->insertMenu(m_byId["open"], m_templates);
+    connect(m_templates, &QMenu::aboutToShow, this, &Actions::fillTemplates);
     addGroupMenus(*menus["&Select"], m_bench);
     m_panels = menus["&View"]->addMenu(tr("Panels and &docks"));
 }
@@ -220,6 +229,37 @@ void Actions::keepCurrent()
     const bool playing = m_bench.player.isPlaying();
     m_byId["play"]->setText(playing ? tr("&Pause") : tr("&Play"));
     m_byId["play"]->setIcon(icon(playing ? "pause" : "play"));
+}
+
+void Actions::keepView() const
+{
+    QSettings settings;
+    for (const QAction* action : m_viewToggles)
+        settings.setValue("view/" + action->objectName(), action->isChecked());
+}
+
+void Actions::restoreView()
+{
+    const QSettings settings;
+    for (QAction* action : m_viewToggles) {
+        const bool isOne = action->actionGroup() != nullptr; // of several: only switched on
+        const bool kept =
+            settings.value("view/" + action->objectName(), action->isChecked()).toBool();
+        if (kept != action->isChecked() && (kept || !isOne))
+            action->trigger();
+    }
+}
+
+void Actions::fillTemplates()
+{
+    m_templates->clear();
+    for (const QString& file : m_bench.files.templates())
+        m_templates->addAction(templateName(file), this,
+                               [this, file] { m_bench.files.startFromTemplate(file); });
+    if (m_templates->isEmpty())
+        m_templates->addAction(tr("None yet: File, Save as template"))->setEnabled(false);
+    m_templates->addSeparator();
+    m_templates->addAction(tr("Show the &folder"), this, [] { showTemplateFolder(); });
 }
 
 void Actions::fillRecent()

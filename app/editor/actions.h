@@ -40,6 +40,8 @@ struct Workbench
     std::function<void()> showPolar;
     std::function<void()> showCondition;
     std::function<void()> importMesh;
+    std::function<void()> showPalette;
+    std::function<void()> showTour;
 };
 
 class Actions final : public QObject
@@ -54,16 +56,23 @@ public:
 
     void addDockToggle(QAction* toggle); // to View > Panels
 
+    // What the View menu shows and hides, from run to run.
+    void keepView() const;
+    void restoreView();
+
 private:
     void build();
     void keepCurrent(); // enabled, checked and worded as things are
     void fillRecent();
+    void fillTemplates();
 
     Workbench m_bench;
     std::map<QString, QAction*> m_byId;
     std::vector<QAction*> m_all;
     std::vector<QAction*> m_needSelection;
+    std::vector<QAction*> m_viewToggles;
     QMenu* m_recent = nullptr;
+    QMenu* m_templates = nullptr;
     QMenu* m_panels = nullptr;
 };
 

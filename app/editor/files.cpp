@@ -4,15 +4,21 @@
 #include "document/player.h"
 #include "editor/ask_file.h"
 #include "editor/export_dialog.h"
+#include "editor/templates.h"
 #include "import/import_dialog.h"
+#include "io/scene_file.h"
 #include "start/builder_dialog.h"
 #include "viewport/viewport.h"
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
+
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -109,8 +115,83 @@ bool Files::saveAs()
     return !file.isEmpty() && write(file);
 }
 
+void Files::saveAsTemplate()
+{
+    bool ok = false;
+    const QString name =
+        QInputDialog::getText(&m_window, tr("Save as template"), tr("Name of the template:"),
+                              QLineEdit::Normal, m_document.displayName().remove(".ripstop.json"),
+                              &ok)
+            .trimmed();
+    if (!ok || name.isEmpty())
+        return;
+    const QString file = templateFile(name);
+    if (QFileInfo::exists(file)
+        && QMessageBox::question(&m_window, tr("Save as template"),
+                                 tr("There is a template %1. Replace it?").arg(name))
+               != QMessageBox::Yes)
+        return;
+    QDir().mkpath(QFileInfo(file).path());
+    const std::filesystem::path path(file.toStdU16String());
+    if (const auto failure = saveScene(m_document.scene(), path))
+        QMessageBox::warning(&m_window, tr("Cannot save the template"),
+                             QString::fromStdString(failure->message));
+    else
+        emit said(tr("Saved the template %1").arg(name));
+}
+
+void Files::startFromTemplate(const QString& file)
+{
+    if (!mayDiscard())
+        return;
+    Result<Scene> scene = readScene(std::filesystem::path(file.toStdU16String()));
+    if (!scene) {
+        QMessageBox::warning(&m_window, tr("Cannot open the template"),
+                             QString::fromStdString(scene.message()));
+        return;
+    }
+    m_document.replace(std::move(*scene), templateName(file));
+    emit opened();
+}
+
+QStringList Files::templates() const { return templateFiles(); }
+
+void Files::lookAtDisk()
+{
+    if (!m_document.isOlderThanFile())
+        return;
+    const QDateTime written = QFileInfo(m_document.file()).lastModified();
+    if (std::exchange(m_seenOnDisk, written) == written)
+        return; // asked before; saving asks once more
+    const QString lost = m_document.isModified() ? tr(" Your changes are then lost.") : QString();
+    QMessageBox box(
+        QMessageBox::Question, tr("Changed on the disk"),
+        tr("Another program has written %1. Open it again?%2").arg(m_document.displayName(), lost),
+        QMessageBox::NoButton, &m_window);
+    QPushButton* open = box.addButton(tr("&Open again"), QMessageBox::AcceptRole);
+    box.setDefaultButton(box.addButton(tr("&Keep mine"), QMessageBox::RejectRole));
+    box.exec();
+    if (box.clickedButton() != open)
+        return;
+    if (const auto failure = m_document.open(m_document.file()))
+        QMessageBox::warning(&m_window, tr("Cannot open the scene"),
+                             QString::fromStdString(failure->message));
+}
+
+bool Files::mayOverwrite()
+{
+    return QMessageBox::warning(&m_window, tr("Changed on the disk"),
+                                tr("Another program has written %1 since you opened it. Replace "
+                                   "what it wrote?")
+                                    .arg(m_document.displayName()),
+                                QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Cancel)
+           == QMessageBox::Save;
+}
+
 bool Files::write(const QString& file)
 {
+    if (file == m_document.file() && m_document.isOlderThanFile() && !mayOverwrite())
+        return false;
     if (const auto failure = m_document.save(file)) {
         QMessageBox::warning(&m_window, tr("Cannot save the scene"),
                              QString::fromStdString(failure->message));

@@ -2,6 +2,7 @@
 
 #include "scene/id.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -36,11 +37,16 @@ public:
     void importMesh(Into into, const QString& file = {});
     bool save();
     bool saveAs();
+    void saveAsTemplate();
+    void startFromTemplate(const QString& file);
     void exportRun();
     void savePicture();
     bool mayDiscard(); // asks to save when there are changes
 
     QStringList recent() const; // newest first, files that still exist
+    QStringList templates() const;
+
+    void lookAtDisk(); // asks what to do when another program has written the open file
 
     static QString sceneFilter();
 
@@ -52,6 +58,7 @@ signals:
 
 private:
     bool write(const QString& file);
+    bool mayOverwrite();
     void remember(const QString& file);
     QString suggestedFile(const QString& extension) const;
 
@@ -59,6 +66,7 @@ private:
     Player& m_player;
     Viewport& m_viewport;
     QWidget& m_window;
+    QDateTime m_seenOnDisk; // of the file, when it was last asked about
 };
 
 } // namespace ripstop

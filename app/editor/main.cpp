@@ -1,6 +1,7 @@
 #include "document/document.h"
 #include "document/gauge.h"
 #include "document/player.h"
+#include "document/rescue.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
@@ -116,6 +117,9 @@ int main(int argc, char** argv)
         screenshot.emplace(*options, itemCalled(options->fit, document.scene()), window, player);
     else if (options->play)
         player.play();
+    if (stays)
+        QMetaObject::invokeMethod(
+            &window, [&] { window.keepWork(rescueFolder()); }, Qt::QueuedConnection);
     if (!options->mesh.isEmpty()) // once the window is there to ask over
         QMetaObject::invokeMethod(
             &window, [&] { window.importMesh(options->mesh); }, Qt::QueuedConnection);

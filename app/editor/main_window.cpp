@@ -1,13 +1,18 @@
 #include "editor/main_window.h"
 
+#include "document/autosave.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "editor/condition_dialog.h"
+#include "editor/key_map.h"
 #include "editor/keys_dialog.h"
+#include "editor/palette.h"
 #include "editor/polar_dialog.h"
+#include "editor/rescue_dialog.h"
 #include "editor/result_page.h"
+#include "editor/tour.h"
 #include "editor/transform_bar.h"
 #include "editor/verification_dialog.h"
 #include "import/import_dialog.h"
@@ -16,6 +21,7 @@
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
 #include "problems/problem_list.h"
+#include "start/samples.h"
 #include "start/start_page.h"
 #include "transport/control_keys.h"
 #include "transport/control_strip.h"
@@ -30,16 +36,18 @@
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QUndoView>
 
 namespace ripstop {
 namespace {
 
-constexpr int layoutVersion = 1; // raised when docks change so that an old layout would mislead
+constexpr int layoutVersion = 2; // raised when docks change so that an old layout would mislead
 
 QString droppedFile(const QMimeData* data)
 {
@@ -92,6 +100,12 @@ void MainWindow::buildDocks()
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     addDock("outline", tr("Outline"), m_outline, Qt::LeftDockWidgetArea);
+    auto* history = new QUndoView(&m_document.history());
+    history->setEmptyLabel(tr("The design as it was opened"));
+    history->setToolTip(tr("Click a step to go back to it, or forward again."));
+    addDock("history", tr("History"), history, Qt::LeftDockWidgetArea);
+    tabifyDockWidget(m_docks["outline"], m_docks["history"]);
+    m_docks["outline"]->raise();
     addDock("inspector", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
     addDock("plots", tr("Plots"), m_plots, Qt::BottomDockWidgetArea);
     addDock("controls", tr("Controls"), new ControlStrip(m_document, m_player, this),
@@ -119,7 +133,11 @@ void MainWindow::buildActions()
     m_actions = new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline,
                              *m_files, [this] { showStartPage(); }, [this] { showKeys(); },
                              [this] { showVerification(); }, [this] { showPolar(); },
-                             [this] { showCondition(); }, [this] { importMesh({}); }});
+                             [this] { showCondition(); }, [this] { importMesh({}); },
+                             [this] { showPalette(); }, [this] { showTour(); }});
+    m_keys =
+        new KeyMap(m_actions->all(),
+                   m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore, this);
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
 }
@@ -178,6 +196,11 @@ void MainWindow::connectParts()
         m_viewport->fit(parts);
     });
 
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState is) {
+        if (is == Qt::ApplicationActive)
+            m_files->lookAtDisk();
+    });
+    connect(m_start, &StartPage::tourRequested, this, &MainWindow::showTour);
     connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::changed, this, &MainWindow::showCounts);
     connect(&m_document, &Document::replaced, this, &MainWindow::showCounts);
@@ -216,6 +239,7 @@ void MainWindow::restoreLayout()
     for (const auto& [id, dock] : m_docks)
         if (dock->isHidden())
             m_hidden.insert(id);
+    m_actions->restoreView();
 }
 
 void MainWindow::showScene()
@@ -293,8 +317,67 @@ QString MainWindow::summary(const std::vector<Id>& ids) const
 
 void MainWindow::showKeys()
 {
-    KeysDialog dialog(m_actions->all(), m_document.scene(), this);
+    KeysDialog dialog(*m_keys, m_document.scene(), this);
     dialog.exec();
+}
+
+// The action runs when the palette is gone, as if it had been chosen in its menu.
+void MainWindow::showPalette()
+{
+    Palette palette(*menuBar(), this);
+    if (palette.exec() == QDialog::Accepted)
+        QMetaObject::invokeMethod(palette.chosen(), &QAction::trigger, Qt::QueuedConnection);
+}
+
+// Over a design, a sample when none is open.
+void MainWindow::showTour()
+{
+    const QStringList samples = sampleFiles().filter("delta_kite");
+    if (!m_document.scene().items.empty())
+        showScene();
+    else if (samples.isEmpty() || !m_files->open(samples.first()))
+        return;
+    m_docks["outline"]->raise();
+    const std::vector<TourStop> stops{
+        {m_viewport, tr("The design, and its flight"),
+         tr("Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are at "
+            "the upper left. Keys G, R and S move, turn and scale what is selected.")},
+        {m_docks["outline"], tr("Outline"),
+         tr("Everything that the scene is made of: parts, materials, groups, controls, colliders. "
+            "The tab History goes back to any step.")},
+        {m_docks["inspector"], tr("Inspector"),
+         tr("The values of what is selected, one thing or thousands. Type with units (12 cm, "
+            "25 g), drag a label sideways, or change a value while the simulation runs.")},
+        {m_transport, tr("Fly it"),
+         tr("Space plays and pauses, the full stop does one step, Ctrl+R goes back to the "
+            "design. Keys of the controls steer; they stand under Controls.")},
+        {m_docks["plots"], tr("Measure it"),
+         tr("Strain, energy, forces and probes as they happen. Problems of the design stand "
+            "beside, each with a click to what it is about.")},
+        {menuBar(), tr("Everything else"),
+         tr("New from builder begins with a whole kite, glider or parachute; Import makes fabric "
+            "of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the "
+            "keys.")},
+    };
+    new Tour(stops, this); // deletes itself
+}
+
+void MainWindow::keepWork(const QString& folder)
+{
+    m_autosave = new Autosave(m_document, m_player.follower(), folder, Autosave::usualDelay, this);
+    connect(m_autosave, &Autosave::failed, this,
+            [this](const QString& why) { statusBar()->showMessage(why, 15000); });
+    const QList<Rescue> found = leftBehind(folder);
+    if (found.isEmpty())
+        return;
+    RescueDialog dialog(found, this);
+    if (dialog.exec() != QDialog::Accepted || !m_files->mayDiscard())
+        return;
+    if (const auto failure = m_autosave->recover(*dialog.chosen()))
+        QMessageBox::warning(this, tr("Cannot open what was left behind"),
+                             QString::fromStdString(failure->message));
+    else
+        showScene();
 }
 
 // The window goes on while cases run.
@@ -351,6 +434,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         QSettings settings;
         settings.setValue("window/geometry", saveGeometry());
         settings.setValue("window/state", saveState(layoutVersion));
+        m_actions->keepView();
     }
     event->accept();
 }

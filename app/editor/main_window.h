@@ -15,9 +15,11 @@ class QStackedWidget;
 
 namespace ripstop {
 
+class Autosave;
 class ControlKeys;
 class Document;
 class Inspector;
+class KeyMap;
 class Outline;
 class PlotPanel;
 class Player;
@@ -50,6 +52,10 @@ public:
     void showViewOnly();                  // for pictures
     void importMesh(const QString& file); // empty: asks for one
 
+    // Keeps copies of unsaved work in that folder, and asks about those that were left behind
+    // there.
+    void keepWork(const QString& folder);
+
 protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -66,6 +72,8 @@ private:
     void showTitle();
     void showCounts();
     void showKeys();
+    void showPalette();
+    void showTour();
     void showVerification();
     void showPolar();
     void showCondition();
@@ -88,6 +96,8 @@ private:
     Files* m_files;
     QToolBar* m_toolBar = nullptr;
     Actions* m_actions = nullptr;
+    KeyMap* m_keys = nullptr;
+    Autosave* m_autosave = nullptr;
     std::map<QString, QDockWidget*> m_docks;
     std::set<QString> m_hidden; // docks that the user has closed
     QLabel* m_counts;

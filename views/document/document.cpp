@@ -70,10 +70,28 @@ std::optional<Failure> Document::save(const QString& file)
     if (auto failure = saveScene(m_scene, pathOf(file)))
         return failure;
     m_file = QFileInfo(file).absoluteFilePath();
+    m_written = QFileInfo(m_file).lastModified();
     m_suggestedName.clear();
     m_history.setClean();
     emit fileChanged();
     return std::nullopt;
+}
+
+std::optional<Failure> Document::recover(const QString& copy, const QString& file,
+                                         const QString& name)
+{
+    Result<Scene> scene = readScene(pathOf(copy));
+    if (!scene)
+        return scene.failure();
+    show(std::move(*scene), file, name);
+    m_history.resetClean();
+    emit fileChanged();
+    return std::nullopt;
+}
+
+bool Document::isOlderThanFile() const
+{
+    return !m_file.isEmpty() && QFileInfo(m_file).lastModified() > m_written;
 }
 
 QString Document::displayName() const
@@ -87,6 +105,7 @@ void Document::show(Scene scene, const QString& file, const QString& suggestedNa
 {
     m_scene = std::move(scene);
     m_file = file;
+    m_written = QFileInfo(file).lastModified();
     m_suggestedName = suggestedName;
     m_history.clear();    // its commands belong to the scene that is gone
     m_history.setClean(); // clear() leaves this out when there are no commands

@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "scene/edit.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
@@ -35,9 +36,14 @@ public:
     [[nodiscard]] std::optional<Failure> open(const QString& file);
     [[nodiscard]] std::optional<Failure> save(const QString& file);
 
+    // What was kept of unsaved work, as a later state of `file` (empty: of none).
+    [[nodiscard]] std::optional<Failure> recover(const QString& copy, const QString& file,
+                                                 const QString& name);
+
     const QString& file() const { return m_file; } // empty until saved
     QString displayName() const;                   // file name, or the suggested one
     bool isModified() const { return !m_history.isClean(); }
+    bool isOlderThanFile() const; // another program has written the file since
 
 signals:
     void changed(const ripstop::Edit& applied);
@@ -53,6 +59,7 @@ private:
     QUndoStack m_history;
     QString m_file;
     QString m_suggestedName;
+    QDateTime m_written; // when the file was, as last read or saved
     int m_gesture = 0;
 };
 

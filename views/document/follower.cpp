@@ -44,6 +44,11 @@ void Follower::check()
     post([](Inbox& inbox) { inbox.check = true; });
 }
 
+void Follower::copy(std::uint64_t tag)
+{
+    post([tag](Inbox& inbox) { inbox.copy = tag; });
+}
+
 template <typename Note>
 void Follower::post(Note note)
 {
@@ -75,6 +80,8 @@ void Follower::deliver()
         emit compiled(outcome);
     if (outbox.problems)
         emit checked(*outbox.problems);
+    if (outbox.copy)
+        emit copied(outbox.copyTag, outbox.copy);
 }
 
 void Follower::run(const std::stop_token& stop)
@@ -105,6 +112,13 @@ void Follower::work(Inbox inbox, LiveSystem& live)
     if (inbox.check) {
         std::vector<Problem> problems = problemsOf(live.scene());
         answer([&](Outbox& outbox) { outbox.problems = std::move(problems); });
+    }
+    if (inbox.copy) {
+        auto scene = std::make_shared<const Scene>(live.scene());
+        answer([&](Outbox& outbox) {
+            outbox.copy = std::move(scene);
+            outbox.copyTag = *inbox.copy;
+        });
     }
 }
 

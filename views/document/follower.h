@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -38,10 +39,12 @@ public:
     // outcome comes with a signal, in the order of the requests.
     void compile(std::uint64_t generation, std::uint64_t run);
     void check();
+    void copy(std::uint64_t tag); // the tag comes back with the copy
 
 signals:
     void compiled(const ripstop::Compiled& outcome); // every update has to be run, in order
     void checked(const std::vector<ripstop::Problem>& problems);
+    void copied(std::uint64_t tag, const std::shared_ptr<const ripstop::Scene>& scene);
 
 private:
     struct Request
@@ -55,12 +58,15 @@ private:
         std::vector<Edit> edits;
         std::optional<Request> compile;
         bool check = false;
-        bool empty() const { return !scene && edits.empty() && !compile && !check; }
+        std::optional<std::uint64_t> copy; // its tag
+        bool empty() const { return !scene && edits.empty() && !compile && !check && !copy; }
     };
     struct Outbox
     {
         std::vector<Compiled> compiled;
         std::optional<std::vector<Problem>> problems;
+        std::shared_ptr<const Scene> copy;
+        std::uint64_t copyTag = 0;
     };
 
     template <typename Note>

@@ -108,6 +108,10 @@ QWidget* StartPage::side()
     auto* import = new QPushButton(icon(QStringLiteral("import")), tr("Import\u2026"));
     import->setObjectName(QStringLiteral("import"));
     import->setToolTip(tr("Fabric from a mesh: OBJ, STL, PLY, OFF, glTF or Collada"));
+    QToolButton* tour = entry(tr("New here? Take the tour"), QStringLiteral("manual"),
+                              tr("What the parts of the window are for, in a minute"));
+    tour->setObjectName(QStringLiteral("tour"));
+    connect(tour, &QToolButton::clicked, this, &StartPage::tourRequested);
     connect(import, &QPushButton::clicked, this, &StartPage::importRequested);
     connect(newScene, &QPushButton::clicked, this, &StartPage::newRequested);
     connect(open, &QPushButton::clicked, this, &StartPage::browseRequested);
@@ -125,6 +129,7 @@ QWidget* StartPage::side()
     layout->addWidget(newScene);
     layout->addWidget(open);
     layout->addWidget(import);
+    layout->addWidget(tour);
     layout->addSpacing(14);
     layout->addWidget(heading(tr("Recent")));
     layout->addWidget(m_noRecent);

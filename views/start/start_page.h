@@ -24,6 +24,7 @@ signals:
     void newRequested();
     void browseRequested();
     void importRequested();
+    void tourRequested();
     void builderRequested(const QString& builder); // its name in the table of builders
 
 private:

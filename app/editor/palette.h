@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QDialog>
+#include <QList>
+
+class QAction;
+class QLineEdit;
+class QMenu;
+class QMenuBar;
+class QTreeWidget;
+
+namespace ripstop {
+
+// Type to find any action of the menus, and run it.
+class Palette final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    Palette(const QMenuBar& menus, QWidget* parent);
+
+    QAction* chosen() const; // null when there is none, or it cannot be run now
+
+    // How well an action answers what was typed: 0 not at all. Each word has to occur somewhere; a
+    // word of the name counts more than one of its menu or its tip, a beginning more than a middle.
+    static int fit(const QString& typed, const QString& name, const QString& menu,
+                   const QString& tip);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Entry
+    {
+        QAction* action;
+        QString name;
+        QString menu; // "View › Panels and docks"
+    };
+
+    void collect(const QMenu& menu, const QString& path);
+    void fill();
+
+    QList<Entry> m_entries;
+    QLineEdit* m_typed;
+    QTreeWidget* m_list;
+};
+
+} // namespace ripstop

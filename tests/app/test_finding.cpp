@@ -1,0 +1,272 @@
+// What helps to find one's way: palette, keys, tour, templates, and what the window remembers.
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/key_map.h"
+#include "editor/keys_dialog.h"
+#include "editor/main_window.h"
+#include "editor/palette.h"
+#include "editor/rescue_dialog.h"
+#include "editor/templates.h"
+#include "editor/tour.h"
+#include "scene/path.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QKeySequenceEdit>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <QUndoView>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+const QString samples = QStringLiteral(SCENES_DIR "/");
+
+struct Editor
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    MainWindow window;
+
+    explicit Editor(MainWindow::Memory memory = MainWindow::Memory::Ignore)
+        : window(document, selection, player, memory)
+    {
+        window.show();
+        QApplication::setActiveWindow(&window); // Xvfb has no window manager to do it
+    }
+    QAction* action(const char* id) { return window.actions()[id]; }
+};
+
+// Types into the dialog that the action opens.
+template <typename Dialog>
+void inDialog(QAction* action, const std::function<void(Dialog&)>& work)
+{
+    bool seen = false;
+    QTimer::singleShot(0, [&] {
+        auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+        seen = dialog != nullptr;
+        if (dialog) {
+            work(*dialog);
+            dialog->close();
+        }
+    });
+    action->trigger();
+    QVERIFY(seen);
+}
+
+QTreeWidgetItem* rowOf(const QTreeWidget& table, const QString& name)
+{
+    const auto rows = table.findItems(name, Qt::MatchExactly | Qt::MatchRecursive, 1);
+    return rows.isEmpty() ? nullptr : rows.first();
+}
+
+} // namespace
+
+class TestFinding : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_home;
+
+private slots:
+    void initTestCase()
+    {
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_home.path());
+        qputenv("XDG_DATA_HOME", m_home.path().toUtf8());
+    }
+    void init() { QSettings().clear(); }
+
+    void paletteWeighsWords_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("better");
+        QTest::addColumn<QString>("worse");
+        QTest::newRow("beginning before middle") << "sel" << "Select all" << "Fit selection";
+        QTest::newRow("a word before a part of one") << "wind" << "Show wind" << "Unwinding";
+        QTest::newRow("name before tip") << "mesh" << "Export mesh" << "Import";
+        QTest::newRow("all words have to fit") << "show wind" << "Show wind field" << "Show panels";
+    }
+    void paletteWeighsWords()
+    {
+        QFETCH(QString, typed);
+        QFETCH(QString, better);
+        QFETCH(QString, worse);
+        const QString tip = "What a mesh is for.";
+        QVERIFY(Palette::fit(typed, better, "File", tip) > Palette::fit(typed, worse, "File", tip));
+    }
+    void paletteKnowsWhatDoesNotFit()
+    {
+        QCOMPARE(Palette::fit("zebra", "Show wind", "View", "Draw an arrow."), 0);
+        QVERIFY(Palette::fit("", "Show wind", "View", "Draw an arrow.") > 0);
+    }
+
+    void paletteRunsWhatIsTyped()
+    {
+        Editor editor;
+        QVERIFY(!editor.action("windField")->isChecked());
+        inDialog<Palette>(editor.action("palette"), [](Palette& palette) {
+            auto* typed = palette.findChild<QLineEdit*>();
+            QTest::keyClicks(typed, "wind field");
+            QTest::keyClick(typed, Qt::Key_Return);
+        });
+        QTRY_VERIFY(editor.action("windField")->isChecked());
+    }
+
+    void paletteHasEveryActionOfTheMenus()
+    {
+        Editor editor;
+        inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
+            const auto* list = palette.findChild<QTreeWidget*>();
+            for (const QAction* action : editor.window.actions().all())
+                QVERIFY2(!list->findItems(action->text().remove('&'), Qt::MatchStartsWith).isEmpty(),
+                         qPrintable(action->text()));
+        });
+    }
+
+    void keysAreChangedTakenAndKept()
+    {
+        {
+            Editor editor(MainWindow::Memory::Keep);
+            const QKeySequence fit = editor.action("fit")->shortcut();
+            inDialog<KeysDialog>(editor.action("keys"), [&](KeysDialog& dialog) {
+                auto* table = dialog.findChild<QTreeWidget*>();
+                table->setCurrentItem(rowOf(*table, "Show wind field"));
+                dialog.findChild<QKeySequenceEdit*>()->setKeySequence(fit);
+                for (auto* button : dialog.findChildren<QPushButton*>())
+                    if (button->text() == "&Set")
+                        button->click();
+            });
+            QCOMPARE(editor.action("windField")->shortcut(), fit);
+            QVERIFY(editor.action("fit")->shortcut().isEmpty());
+            QVERIFY(editor.action("windField")->toolTip().contains(
+                fit.toString(QKeySequence::NativeText)));
+        }
+        Editor again(MainWindow::Memory::Keep);
+        QCOMPARE(again.action("windField")->shortcut(), QKeySequence("Home"));
+        QVERIFY(again.action("fit")->shortcut().isEmpty());
+    }
+
+    void usualKeysComeBack()
+    {
+        QAction one;
+        one.setObjectName("one");
+        one.setShortcut(QKeySequence("Ctrl+1"));
+        QAction two;
+        two.setObjectName("two");
+        KeyMap keys({&one, &two}, KeyMap::Memory::Keep, nullptr);
+        keys.set(two, QKeySequence("Ctrl+1"));
+        QVERIFY(one.shortcut().isEmpty());
+        QCOMPARE(keys.holder(QKeySequence("Ctrl+1")), &two);
+        keys.resetAll();
+        QCOMPARE(one.shortcut(), QKeySequence("Ctrl+1"));
+        QVERIFY(two.shortcut().isEmpty());
+        QVERIFY(QSettings().allKeys().isEmpty());
+    }
+
+    void noTwoActionsHaveTheSameKeys()
+    {
+        Editor editor;
+        std::map<QString, const QAction*> holders;
+        for (const QAction* action : editor.window.actions().all())
+            for (const QKeySequence& keys : action->shortcuts()) {
+                const auto [place, isNew] = holders.emplace(keys.toString(), action);
+                QVERIFY2(isNew || keys.isEmpty(), qPrintable(keys.toString() + action->text()));
+            }
+    }
+
+    void viewIsRemembered()
+    {
+        {
+            Editor editor(MainWindow::Memory::Keep);
+            editor.action("windField")->trigger();
+            editor.action("bySpeed")->trigger();
+            editor.action("links")->trigger();
+            editor.window.close();
+        }
+        Editor again(MainWindow::Memory::Keep);
+        QVERIFY(again.action("windField")->isChecked());
+        QVERIFY(again.action("bySpeed")->isChecked());
+        QVERIFY(!again.action("byMaterial")->isChecked());
+        QVERIFY(!again.action("links")->isChecked());
+        QVERIFY(again.action("panels")->isChecked());
+    }
+
+    void historyGoesToAnyStep()
+    {
+        Editor editor;
+        QVERIFY(editor.window.files().open(samples + "cloth.ripstop.json"));
+        const Scene before = editor.document.scene();
+        for (const double wind : {1.0, 2.0, 3.0})
+            editor.document.push(*assignment(before, "settings.airDensity=" + std::to_string(wind)));
+        auto* history = editor.window.findChild<QUndoView*>();
+        QVERIFY(history);
+        history->setCurrentIndex(history->model()->index(0, 0));
+        QVERIFY(editor.document.scene() == before);
+        history->setCurrentIndex(history->model()->index(3, 0));
+        QCOMPARE(editor.document.scene().settings.airDensity, 3.0);
+    }
+
+    void tourGoesThroughTheWindow()
+    {
+        Editor editor;
+        QVERIFY(QTest::qWaitForWindowExposed(&editor.window));
+        editor.action("tour")->trigger();
+        QPointer<Tour> tour = editor.window.findChild<Tour*>();
+        QVERIFY(tour);
+        QVERIFY(!editor.document.scene().items.empty()); // a sample, to have something to show
+        QCOMPARE(tour->stop(), 0);
+        QTest::keyClick(tour, Qt::Key_Right);
+        QCOMPARE(tour->stop(), 1);
+        QTest::keyClick(tour, Qt::Key_Left);
+        QCOMPARE(tour->stop(), 0);
+        for (int i = 0; i < 20 && tour; ++i) {
+            QTest::keyClick(tour, Qt::Key_Return);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        }
+        QVERIFY(!tour);
+    }
+
+    void templatesBeginNewDesigns()
+    {
+        Editor editor;
+        QVERIFY(editor.window.files().open(samples + "cloth.ripstop.json"));
+        const Scene scene = editor.document.scene();
+        inDialog<QInputDialog>(editor.action("saveTemplate"), [](QInputDialog& dialog) {
+            dialog.setTextValue("my: sheet");
+            dialog.accept();
+        });
+        QCOMPARE(editor.window.files().templates().size(), 1);
+        QCOMPARE(templateName(editor.window.files().templates().first()), QString("my- sheet"));
+        editor.document.replace(Scene{});
+        editor.window.files().startFromTemplate(editor.window.files().templates().first());
+        QVERIFY(editor.document.scene() == scene);
+        QVERIFY(editor.document.file().isEmpty());
+        QVERIFY(editor.document.isModified());
+    }
+};
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("Ripstop");
+    QApplication::setOrganizationName("Ripstop");
+    TestFinding test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_finding.moc"
