@@ -106,12 +106,15 @@ void Tour::arrange()
     const QRect at = place();
     const QSize size = m_bubble->size();
     const QRect room = rect().adjusted(gap, gap, -gap, -gap);
+    const bool isBelow = at.bottom() + gap + size.height() < room.bottom();
     QPoint corner = at.center() - QPoint(size.width() / 2, size.height() / 2);
-    if (at.right() + gap + size.width() < room.right())
+    if (isBelow && at.height() < size.height()) // a bar
+        corner = {at.left() + gap, at.bottom() + gap};
+    else if (at.right() + gap + size.width() < room.right())
         corner = {at.right() + gap, at.top() + gap};
     else if (at.left() - gap - size.width() > room.left())
         corner = {at.left() - gap - size.width(), at.top() + gap};
-    else if (at.bottom() + gap + size.height() < room.bottom())
+    else if (isBelow)
         corner = {at.left() + gap, at.bottom() + gap};
     else if (at.top() - gap - size.height() > room.top())
         corner = {at.left() + gap, at.top() - gap - size.height()};
@@ -139,14 +142,21 @@ void Tour::paintEvent(QPaintEvent*)
 bool Tour::take(int key)
 {
     switch (key) {
-    case Qt::Key_Escape: close(); return true;
+    case Qt::Key_Escape:
+        close();
+        return true;
     case Qt::Key_Left:
-    case Qt::Key_Backspace: goTo(m_stop - 1); return true;
+    case Qt::Key_Backspace:
+        goTo(m_stop - 1);
+        return true;
     case Qt::Key_Right:
     case Qt::Key_Space:
     case Qt::Key_Return:
-    case Qt::Key_Enter: goTo(m_stop + 1); return true;
-    default: return false;
+    case Qt::Key_Enter:
+        goTo(m_stop + 1);
+        return true;
+    default:
+        return false;
     }
 }
 

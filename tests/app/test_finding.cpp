@@ -92,10 +92,18 @@ private slots:
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("better");
         QTest::addColumn<QString>("worse");
-        QTest::newRow("beginning before middle") << "sel" << "Select all" << "Fit selection";
-        QTest::newRow("a word before a part of one") << "wind" << "Show wind" << "Unwinding";
-        QTest::newRow("name before tip") << "mesh" << "Export mesh" << "Import";
-        QTest::newRow("all words have to fit") << "show wind" << "Show wind field" << "Show panels";
+        QTest::newRow("beginning before middle") << "sel"
+                                                 << "Select all"
+                                                 << "Fit selection";
+        QTest::newRow("a word before a part of one") << "wind"
+                                                     << "Show wind"
+                                                     << "Unwinding";
+        QTest::newRow("name before tip") << "mesh"
+                                         << "Export mesh"
+                                         << "Import";
+        QTest::newRow("all words have to fit") << "show wind"
+                                               << "Show wind field"
+                                               << "Show panels";
     }
     void paletteWeighsWords()
     {
@@ -129,8 +137,9 @@ private slots:
         inDialog<Palette>(editor.action("palette"), [&](Palette& palette) {
             const auto* list = palette.findChild<QTreeWidget*>();
             for (const QAction* action : editor.window.actions().all())
-                QVERIFY2(!list->findItems(action->text().remove('&'), Qt::MatchStartsWith).isEmpty(),
-                         qPrintable(action->text()));
+                QVERIFY2(
+                    !list->findItems(action->text().remove('&'), Qt::MatchStartsWith).isEmpty(),
+                    qPrintable(action->text()));
         });
     }
 
@@ -149,8 +158,9 @@ private slots:
             });
             QCOMPARE(editor.action("windField")->shortcut(), fit);
             QVERIFY(editor.action("fit")->shortcut().isEmpty());
-            QVERIFY(editor.action("windField")->toolTip().contains(
-                fit.toString(QKeySequence::NativeText)));
+            QVERIFY(editor.action("windField")
+                        ->toolTip()
+                        .contains(fit.toString(QKeySequence::NativeText)));
         }
         Editor again(MainWindow::Memory::Keep);
         QCOMPARE(again.action("windField")->shortcut(), QKeySequence("Home"));
@@ -208,7 +218,8 @@ private slots:
         QVERIFY(editor.window.files().open(samples + "cloth.ripstop.json"));
         const Scene before = editor.document.scene();
         for (const double wind : {1.0, 2.0, 3.0})
-            editor.document.push(*assignment(before, "settings.airDensity=" + std::to_string(wind)));
+            editor.document.push(
+                *assignment(before, "settings.airDensity=" + std::to_string(wind)));
         auto* history = editor.window.findChild<QUndoView*>();
         QVERIFY(history);
         history->setCurrentIndex(history->model()->index(0, 0));

@@ -55,7 +55,6 @@ class TestAutosave : public QObject
 {
     Q_OBJECT
 
-
 private slots:
     void keepsWhatHasNoFileYet()
     {

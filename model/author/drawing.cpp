@@ -1,0 +1,294 @@
+#include "author/drawing.h"
+
+#include "author/movable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+std::array<Id, 2> pairOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::array<Id, 3> tripleOf(Id a, Id b, Id c)
+{
+    std::array<Id, 3> triple{a, b, c};
+    std::ranges::sort(triple);
+    return triple;
+}
+
+const Particle* particleOf(const Scene& scene, Id id)
+{
+    const auto ref = find(scene, id);
+    const auto* row = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
+    return row ? *row : nullptr;
+}
+
+// Who is tied to whom among these.
+class Neighbours
+{
+public:
+    Neighbours(const Scene& scene, const std::vector<Id>& particles)
+    {
+        for (const Id id : particles)
+            m_next[id];
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Link& link : part.links)
+                add(link.from, link.to);
+        });
+    }
+
+    void addPanelSides(const Scene& scene)
+    {
+        forEachPart(scene, [&](Id, const Part& part) {
+            for (const Panel& panel : part.panels)
+                for (const auto& [a, b] : {std::pair{panel.a, panel.b}, std::pair{panel.b, panel.c},
+                                           std::pair{panel.c, panel.a}})
+                    add(a, b);
+        });
+    }
+
+    // One line or ring through all, from its lower end; empty when they do not form one.
+    std::vector<Id> walk(bool asRing) const
+    {
+        Id start = noId;
+        std::size_t ends = 0;
+        for (const auto& [id, near] : m_next) {
+            if (near.empty() || near.size() > 2)
+                return {};
+            ends += near.size() == 1;
+            if (start == noId && (asRing || near.size() == 1))
+                start = id;
+        }
+        if (start == noId || ends != (asRing ? 0U : 2U))
+            return {};
+        std::vector<Id> path{start};
+        for (Id before = noId, at = start;;) {
+            const auto& near = m_next.at(at);
+            const auto on = std::ranges::find_if(near, [&](Id id) { return id != before; });
+            if (on == near.end() || *on == start)
+                break;
+            before = std::exchange(at, *on);
+            path.push_back(at);
+        }
+        return path.size() == m_next.size() ? path : std::vector<Id>();
+    }
+
+private:
+    void add(Id a, Id b)
+    {
+        const auto from = m_next.find(a);
+        const auto to = m_next.find(b);
+        if (a == b || from == m_next.end() || to == m_next.end())
+            return;
+        from->second.insert(b);
+        to->second.insert(a);
+    }
+
+    std::map<Id, std::set<Id>> m_next;
+};
+
+} // namespace
+
+Drawing::Drawing(const Scene& scene)
+    : m_scene(scene)
+    , m_next(scene.nextId)
+{
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Link& link : part.links)
+            m_linked.insert(pairOf(link.from, link.to));
+        for (const Panel& panel : part.panels)
+            m_covered.insert(tripleOf(panel.a, panel.b, panel.c));
+    });
+}
+
+Id Drawing::fresh() { return std::exchange(m_next, Id{std::uint32_t(m_next) + 1}); }
+
+Id Drawing::material(Material material)
+{
+    const Id id = fresh();
+    m_items.push_back({m_scene.items.size() + m_items.size(), {id, std::move(material)}});
+    return id;
+}
+
+Id Drawing::part(const std::string& name)
+{
+    Part part;
+    part.name = name;
+    const Id id = fresh();
+    m_items.push_back({m_scene.items.size() + m_items.size(), {id, std::move(part)}});
+    return id;
+}
+
+Id Drawing::group(const std::string& name, std::vector<Id> members)
+{
+    const Id id = fresh();
+    m_items.push_back(
+        {m_scene.items.size() + m_items.size(), {id, Group{name, std::move(members)}}});
+    return id;
+}
+
+AddRows& Drawing::rowsOf(Id part)
+{
+    AddRows& rows = m_rows[part];
+    rows.part = part;
+    return rows;
+}
+
+Id Drawing::particle(Id part, const Vec3& position, double mass)
+{
+    Particle row;
+    row.id = fresh();
+    row.position = position;
+    row.mass = mass;
+    rowsOf(part).particles.push_back(row);
+    m_partOf[row.id] = part;
+    m_made.push_back(row.id);
+    return row.id;
+}
+
+Id Drawing::link(Id from, Id to, const LinkStroke& stroke)
+{
+    const double length = (position(to) - position(from)).norm();
+    if (from == to || length == 0.0 || !m_linked.insert(pairOf(from, to)).second)
+        return noId;
+    Link row;
+    row.id = fresh();
+    row.from = from;
+    row.to = to;
+    row.material = stroke.material;
+    row.kind = stroke.kind;
+    row.resists = stroke.resists;
+    row.restLength = length;
+    const Id part = partOf(from);
+    rowsOf(part).links.push_back(row);
+    m_partOf[row.id] = part;
+    m_made.push_back(row.id);
+    return row.id;
+}
+
+std::vector<Id> Drawing::rope(Id from, Id to, int count, double mass, double slack,
+                              const LinkStroke& stroke)
+{
+    const Vec3 start = position(from);
+    const Vec3 step = (position(to) - start) / count;
+    const Id part = partOf(from);
+    std::vector<Id> nodes{from};
+    for (int i = 1; i < count; ++i)
+        nodes.push_back(particle(part, start + i * step, mass / count));
+    nodes.push_back(to);
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        if (link(nodes[i - 1], nodes[i], stroke) != noId)
+            m_rows.at(part).links.back().restLength *= 1.0 + slack;
+    for (const Id end : {from, to})
+        addMass(end, 0.5 * mass / count);
+    return nodes;
+}
+
+Id Drawing::panel(Id a, Id b, Id c, Id material)
+{
+    if (a == b || b == c || c == a || !m_covered.insert(tripleOf(a, b, c)).second)
+        return noId;
+    const Id part = partOf(a);
+    const Id id = fresh();
+    rowsOf(part).panels.push_back({id, a, b, c, material});
+    m_partOf[id] = part;
+    m_made.push_back(id);
+    return id;
+}
+
+Particle* Drawing::drawn(Id particle)
+{
+    const auto part = m_partOf.find(particle);
+    return part == m_partOf.end() ? nullptr : findRow(m_rows.at(part->second).particles, particle);
+}
+
+const Particle* Drawing::row(Id particle) const
+{
+    const Particle* drawn = const_cast<Drawing*>(this)->drawn(particle);
+    return drawn ? drawn : particleOf(m_scene, particle);
+}
+
+void Drawing::addMass(Id particle, double mass)
+{
+    if (Particle* row = drawn(particle))
+        row->mass += mass;
+    else if (mass != 0.0)
+        m_mass.try_emplace(particle, particleOf(m_scene, particle)->mass).first->second += mass;
+}
+
+Vec3 Drawing::position(Id particle) const { return row(particle)->position; }
+
+Id Drawing::partOf(Id element) const
+{
+    if (const auto drawn = m_partOf.find(element); drawn != m_partOf.end())
+        return drawn->second;
+    Id found = noId;
+    forEachPart(m_scene, [&](Id id, const Part& part) {
+        if (findRow(part.particles, element) || findRow(part.links, element)
+            || findRow(part.panels, element))
+            found = id;
+    });
+    return found;
+}
+
+Edit Drawing::finish(std::string label)
+{
+    Edit edit{std::move(label), {}};
+    for (AddItem& item : m_items)
+        edit.changes.emplace_back(std::move(item));
+    for (auto& [part, rows] : m_rows)
+        edit.changes.emplace_back(std::move(rows));
+    SetValues masses{findProperty(Kind::Particle, "mass"), {}, {}};
+    for (const auto& [id, mass] : m_mass) {
+        masses.targets.push_back(id);
+        masses.values.emplace_back(mass);
+    }
+    if (!masses.targets.empty())
+        edit.changes.emplace_back(std::move(masses));
+    return edit;
+}
+
+std::vector<Id> inLine(const Scene& scene, const std::vector<Id>& particles)
+{
+    if (std::vector<Id> line = Neighbours(scene, particles).walk(false); !line.empty())
+        return line;
+    const Movable movable = movableOf(scene, particles, Ties::Left);
+    const Vec3 along = ownAxes(movable).col(0);
+    std::vector<std::pair<double, Id>> places;
+    for (std::size_t i = 0; i < movable.particles.size(); ++i)
+        places.emplace_back(movable.position[i].dot(along), movable.particles[i]);
+    std::ranges::sort(places);
+    std::vector<Id> line;
+    for (const auto& [place, id] : places)
+        line.push_back(id);
+    return line;
+}
+
+std::vector<Id> inRing(const Scene& scene, const std::vector<Id>& particles)
+{
+    Neighbours ties(scene, particles);
+    if (std::vector<Id> ring = ties.walk(true); !ring.empty())
+        return ring;
+    ties.addPanelSides(scene);
+    if (std::vector<Id> ring = ties.walk(true); !ring.empty())
+        return ring;
+    const Movable movable = movableOf(scene, particles, Ties::Left);
+    const Eigen::Matrix3d axes = ownAxes(movable);
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& place : movable.position)
+        middle += place / double(movable.position.size());
+    std::vector<std::pair<double, Id>> angles;
+    for (std::size_t i = 0; i < movable.particles.size(); ++i) {
+        const Vec3 arm = axes.transpose() * (movable.position[i] - middle);
+        angles.emplace_back(std::atan2(arm.y(), arm.x()), movable.particles[i]);
+    }
+    std::ranges::sort(angles);
+    std::vector<Id> ring;
+    for (const auto& [angle, id] : angles)
+        ring.push_back(id);
+    return ring;
+}
+
+} // namespace ripstop

@@ -1,0 +1,284 @@
+#include "author/drawing.h"
+#include "author/rigidity.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ripstop;
+
+namespace {
+
+// Particles in a part, to be linked.
+struct Sheet
+{
+    Scene scene;
+    Id part{};
+    Id material{};
+    std::vector<Id> nodes;
+
+    explicit Sheet(const std::vector<Vec3>& places)
+    {
+        Drawing drawing(scene);
+        part = drawing.part("sheet");
+        material = drawing.material({.name = "cord"});
+        for (const Vec3& place : places)
+            nodes.push_back(drawing.particle(part, place, 0.1));
+        (void)apply(scene, drawing.finish("Draw"));
+    }
+
+    void link(const std::vector<std::array<int, 2>>& pairs)
+    {
+        Drawing drawing(scene);
+        for (const auto& [a, b] : pairs)
+            drawing.link(nodes[std::size_t(a)], nodes[std::size_t(b)], {material});
+        (void)apply(scene, drawing.finish("Link"));
+    }
+    void pin(int node)
+    {
+        (void)apply(scene, {"Pin",
+                            {SetValues{findProperty(Kind::Particle, "pinned"),
+                                       {nodes[std::size_t(node)]},
+                                       {true}}}});
+    }
+    Rigidity rigidity() const { return *rigidityOf(scene, nodes); }
+    const Part& rows() const { return *findItem<Part>(scene, part); }
+};
+
+using Places = QList<QList<double>>;
+using Pairs = QList<QPair<int, int>>;
+
+const std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<std::array<int, 2>> sides{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+
+} // namespace
+
+class TestDrawing : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void drawsAndTakesBack()
+    {
+        Sheet sheet(square);
+        const Scene before = sheet.scene;
+        Drawing drawing(sheet.scene);
+        const Id top = drawing.particle(sheet.part, {0.5, 0.5, 2}, 0.3);
+        const Id rod = drawing.link(sheet.nodes[0], top, {sheet.material});
+        const Id panel = drawing.panel(sheet.nodes[0], sheet.nodes[1], top, sheet.material);
+        QCOMPARE(drawing.made(), (std::vector<Id>{top, rod, panel}));
+        const Edit undo = apply(sheet.scene, drawing.finish("Draw"));
+        QCOMPARE(sheet.rows().particles.size(), 5U);
+        QCOMPARE(sheet.rows().links.at(0).restLength, std::sqrt(0.25 + 0.25 + 4.0));
+        QCOMPARE(sheet.rows().panels.size(), 1U);
+        (void)apply(sheet.scene, undo);
+        QCOMPARE(sheet.scene.items, before.items);
+    }
+
+    void doublesNothing()
+    {
+        Sheet sheet({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+        const LinkStroke stroke{sheet.material};
+        Drawing drawing(sheet.scene);
+        QVERIFY(drawing.link(sheet.nodes[0], sheet.nodes[1], stroke) != noId);
+        QCOMPARE(drawing.link(sheet.nodes[1], sheet.nodes[0], stroke), noId);
+        QCOMPARE(drawing.link(sheet.nodes[0], sheet.nodes[0], stroke), noId);
+        QCOMPARE(drawing.link(sheet.nodes[1], sheet.nodes[2], stroke), noId); // no length
+        QVERIFY(drawing.panel(sheet.nodes[0], sheet.nodes[1], sheet.nodes[3], sheet.material)
+                != noId);
+        QCOMPARE(drawing.panel(sheet.nodes[3], sheet.nodes[0], sheet.nodes[1], sheet.material),
+                 noId);
+        QCOMPARE(drawing.panel(sheet.nodes[3], sheet.nodes[0], sheet.nodes[3], sheet.material),
+                 noId);
+        (void)apply(sheet.scene, drawing.finish("Draw"));
+        Drawing more(sheet.scene);
+        QCOMPARE(more.link(sheet.nodes[0], sheet.nodes[1], stroke), noId);
+        QVERIFY(more.finish("Draw").changes.empty());
+    }
+
+    void ropeHasItsLengthAndMass()
+    {
+        Sheet sheet({{0, 0, 0}, {3, 4, 0}});
+        Drawing drawing(sheet.scene);
+        const std::vector<Id> nodes =
+            drawing.rope(sheet.nodes[0], sheet.nodes[1], 10, 0.5, 0.02, {sheet.material});
+        QCOMPARE(nodes.size(), 11U);
+        (void)apply(sheet.scene, drawing.finish("Rope"));
+        double length = 0.0;
+        for (const Link& link : sheet.rows().links)
+            length += link.restLength;
+        QVERIFY(std::abs(length - 5.0 * 1.02) < 1e-12);
+        double mass = 0.0;
+        for (const Particle& particle : sheet.rows().particles)
+            mass += particle.mass;
+        QVERIFY(std::abs(mass - (0.5 + 2 * 0.1)) < 1e-12);
+    }
+
+    void findsLinesAndRings()
+    {
+        Sheet sheet({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {3, 0.1, 0}});
+        const auto& n = sheet.nodes;
+        QCOMPARE(inLine(sheet.scene, n), (std::vector<Id>{n[0], n[2], n[1], n[3]}));
+        sheet.link({{0, 1}, {1, 2}, {2, 3}}); // a line through them, however it lies
+        QCOMPARE(inLine(sheet.scene, n), (std::vector<Id>{n[0], n[1], n[2], n[3]}));
+
+        Sheet hole({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}});
+        const std::vector<Id> ring = inRing(hole.scene, hole.nodes);
+        const auto at = std::ranges::find(ring, hole.nodes[0]) - ring.begin();
+        QCOMPARE(ring[std::size_t(at + 2) % 4], hole.nodes[1]); // opposite
+        hole.link({{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+        const std::vector<Id> along = inRing(hole.scene, hole.nodes);
+        QCOMPARE(along[0], hole.nodes[0]);
+        QCOMPARE(along[2], hole.nodes[2]);
+    }
+
+    // Maxwell 1864: modes - redundant = 3 n - b - 6.
+    void countsFloppyModes_data()
+    {
+        QTest::addColumn<Places>("places");
+        QTest::addColumn<Pairs>("pairs");
+        QTest::addColumn<int>("rigid");
+        QTest::addColumn<int>("modes");
+        QTest::addColumn<int>("redundant");
+        const Places tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const Pairs all{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+        const Places flat{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+        const Pairs around{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+        QTest::newRow("a point") << Places{{1, 2, 3}} << Pairs{} << 3 << 0 << 0;
+        QTest::newRow("a rod") << Places{{0, 0, 0}, {0, 2, 0}} << Pairs{{0, 1}} << 5 << 0 << 0;
+        QTest::newRow("a triangle") << Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}
+                                    << Pairs{{0, 1}, {1, 2}, {2, 0}} << 6 << 0 << 0;
+        QTest::newRow("a tetrahedron") << tetrahedron << all << 6 << 0 << 0;
+        QTest::newRow("a tetrahedron, one rod twice")
+            << tetrahedron << (all + Pairs{{1, 0}}) << 6 << 0 << 1;
+        QTest::newRow("a tetrahedron without a rod") << tetrahedron << all.mid(1) << 6 << 1 << 0;
+        // shears in its plane, and folds along either diagonal or twists: 12 - 4 - 6
+        QTest::newRow("a square") << flat << around << 6 << 2 << 0;
+        // braced both ways: one redundant in its plane, still folds out of it
+        QTest::newRow("a crossed square")
+            << flat << (around + Pairs{{0, 2}, {1, 3}}) << 6 << 1 << 1;
+        // a chain hung straight: each inner joint goes two ways
+        QTest::newRow("a straight chain")
+            << Places{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}} << Pairs{{0, 1}, {1, 2}} << 5 << 2 << 0;
+    }
+    void countsFloppyModes()
+    {
+        QFETCH(Places, places);
+        QFETCH(Pairs, pairs);
+        QFETCH(int, rigid);
+        QFETCH(int, modes);
+        QFETCH(int, redundant);
+        std::vector<Vec3> at;
+        for (const QList<double>& place : places)
+            at.emplace_back(place[0], place[1], place[2]);
+        Sheet sheet(at);
+        for (const auto& [a, b] : pairs) { // also twice
+            AddRows rows{sheet.part, {}, {}, {}};
+            Link link;
+            link.id = sheet.scene.nextId;
+            link.from = sheet.nodes[std::size_t(a)];
+            link.to = sheet.nodes[std::size_t(b)];
+            link.material = sheet.material;
+            rows.links.push_back(link);
+            (void)apply(sheet.scene, {"Link", {rows}});
+        }
+        const Rigidity rigidity = sheet.rigidity();
+        QCOMPARE(rigidity.rigidMotions, rigid);
+        QCOMPARE(int(rigidity.modes.size()), modes);
+        QCOMPARE(rigidity.redundant, redundant);
+        QCOMPARE(modes - redundant, int(3 * at.size()) - int(pairs.size()) - rigid);
+    }
+
+    void modesStretchNoLink()
+    {
+        Sheet sheet(square);
+        sheet.link(sides);
+        const Rigidity rigidity = sheet.rigidity();
+        for (const auto& mode : rigidity.modes) {
+            double largest = 0.0;
+            for (const Vec3& velocity : mode)
+                largest = std::max(largest, velocity.norm());
+            QVERIFY(std::abs(largest - 1.0) < 1e-12);
+            for (const auto& [a, b] : rigidity.links) {
+                const Vec3 along = square[std::size_t(b)] - square[std::size_t(a)];
+                QVERIFY(std::abs(along.dot(mode[std::size_t(b)] - mode[std::size_t(a)])) < 1e-9);
+            }
+        }
+    }
+
+    void pinsHold()
+    {
+        Sheet sheet(square);
+        sheet.link(sides);
+        sheet.pin(0);
+        sheet.pin(1);
+        // free: 2 particles, 6 unknowns; links 1-2, 2-3, 3-0 take 3; turning about the pins is one
+        // motion of the whole
+        const Rigidity rigidity = sheet.rigidity();
+        QCOMPARE(rigidity.rigidMotions, 1);
+        QCOMPARE(int(rigidity.modes.size()), 2);
+        QCOMPARE(rigidity.redundant, 1); // the rod between the pins
+    }
+
+    // A brace stops one mode each; of a flat square only the shear can be stopped by a rod in it.
+    void proposesTheFewestBraces()
+    {
+        Sheet flat(square);
+        flat.link(sides);
+        QCOMPARE(bracesFor(flat.rigidity()).size(), 1U);
+
+        Sheet cube({{0, 0, 0},
+                    {1, 0, 0},
+                    {1, 1, 0},
+                    {0, 1, 0},
+                    {0, 0, 1},
+                    {1, 0, 1},
+                    {1, 1, 1},
+                    {0, 1, 1}});
+        cube.link({{0, 1},
+                   {1, 2},
+                   {2, 3},
+                   {3, 0},
+                   {4, 5},
+                   {5, 6},
+                   {6, 7},
+                   {7, 4},
+                   {0, 4},
+                   {1, 5},
+                   {2, 6},
+                   {3, 7}});
+        const Rigidity rigidity = cube.rigidity();
+        QCOMPARE(int(rigidity.modes.size()), 6); // 24 - 12 - 6
+        const std::vector<Brace> braces = bracesFor(rigidity);
+        QCOMPARE(braces.size(), 6U);
+        std::vector<std::array<int, 2>> rods;
+        for (const Brace& brace : braces)
+            rods.push_back({brace.from, brace.to});
+        cube.link(rods);
+        QCOMPARE(int(cube.rigidity().modes.size()), 0);
+        QCOMPARE(cube.rigidity().redundant, 0);
+        QVERIFY(bracesFor(cube.rigidity()).empty());
+    }
+
+    // Two hubs before and behind a flat braced frame, tied to every node, hold it.
+    void hubsHoldWhatIsFlat()
+    {
+        Sheet sheet({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}, {0.5, 0.5, -1}});
+        sheet.link(sides);
+        sheet.link({{4, 0}, {4, 1}, {4, 2}, {4, 3}, {5, 0}, {5, 1}, {5, 2}, {5, 3}});
+        QCOMPARE(int(sheet.rigidity().modes.size()), 0); // 18 - 12 - 6
+    }
+
+    void refusesWhatItCannotDo()
+    {
+        const Sheet sheet(square);
+        QVERIFY(!rigidityOf(sheet.scene, {}));
+        const Sheet large(std::vector<Vec3>(mostForRigidity + 1, Vec3::Zero()));
+        const auto refused = rigidityOf(large.scene, large.nodes);
+        QVERIFY(!refused);
+        QVERIFY(refused.message().find("400") != std::string::npos);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestDrawing)
+#include "test_drawing.moc"
