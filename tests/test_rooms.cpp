@@ -22,7 +22,7 @@ static const QList<Room> namedRooms = {
     // clang-format off
     {"model/base",     {},                                                           {"Eigen/"},  {}},
     {"model/shapes",   {"base"},                                                     {"Eigen/"},  {"png.h", "assimp/"}},
-    {"model/scene",    {"base", "shapes"},                                           {"Eigen/"},  {}},
+    {"model/scene",    {"base", "shapes"},                                           {"Eigen/"},  {"muParser.h"}},
     {"model/builders", {"base", "scene"},                                            {"Eigen/"},  {}},
     {"model/author",   {"base", "shapes", "scene", "builders"},                      {"Eigen/"},  {}},
     {"model/sim",      {"base", "shapes"},                                           {"Eigen/"},  {"oneapi/", "tbb/", "sanitizer/"}},

@@ -9,6 +9,7 @@
 #include "editor/group_menus.h"
 #include "editor/select_rows.h"
 #include "editor/templates.h"
+#include "editor/tuning_action_rows.h"
 #include "icons/icon.h"
 #include "outline/outline.h"
 #include "scene/scene.h"
@@ -41,7 +42,7 @@ void about(QWidget* window)
             "hang gliders, parachutes, cloth.</p><p>Every number on the screen can be made "
             "again by <tt>ripstop-cli</tt>, bit for bit.</p><p>Free software under the GNU "
             "General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, "
-            "nlohmann/json, CLI11 and QCustomPlot.</p>")
+            "nlohmann/json, CLI11, muParser and QCustomPlot.</p>")
             .arg(QApplication::applicationVersion()));
 }
 
@@ -130,6 +131,10 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         rows, [](const MenuRow& row) { return std::string_view(row.menu) == "&View"; });
     const std::vector<MenuRow> select = selectRows(bench, actions);
     rows.insert(view, select.begin(), select.end());
+    const auto tools = std::ranges::find_if(
+        rows, [](const MenuRow& row) { return std::string_view(row.menu) == "&Tools"; });
+    const std::vector<MenuRow> tuning = tuningActionRows(bench);
+    rows.insert(tools, tuning.begin(), tuning.end());
     return rows;
 }
 

@@ -19,9 +19,11 @@ namespace ripstop {
 
 class Document;
 class Files;
+class Inspector;
 class Outline;
 class Player;
 class Selection;
+class TuningPanel;
 class Viewport;
 
 // What actions act on.
@@ -42,6 +44,9 @@ struct Workbench
     std::function<void()> importMesh;
     std::function<void()> showPalette;
     std::function<void()> showTour;
+    std::function<void(const QString&)> showDock; // by its id
+    TuningPanel& tuning;
+    Inspector& inspector;
 };
 
 class Actions final : public QObject

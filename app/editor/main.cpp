@@ -109,6 +109,9 @@ int main(int argc, char** argv)
     if (options->viewOnly)
         window.showViewOnly();
     window.viewport().setColorBy(options->colorBy);
+    for (const QString& dock : options->docks)
+        if (!window.showDock(dock))
+            return refuse(QString("no panel is called \"%1\"").arg(dock), 1);
     selection.set(*selected);
     window.show();
 

@@ -18,6 +18,7 @@
 #include "import/import_dialog.h"
 #include "inspector/inspector.h"
 #include "inspector/totals.h"
+#include "inspector/tuning_panel.h"
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
 #include "problems/problem_list.h"
@@ -70,10 +71,12 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_plots(new PlotPanel(document, player, this))
     , m_problems(new ProblemList(document, selection, player, this))
     , m_transport(new Transport(document, player, this))
+    , m_tuning(new TuningPanel(document, selection, m_inspector->sliders(), this))
     , m_files(new Files(document, player, *m_viewport, *this))
     , m_counts(new QLabel)
     , m_selected(new QLabel)
 {
+    m_inspector->sliders().remember(memory == Memory::Keep);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setAcceptDrops(true);
     m_middle->addWidget(m_start);
@@ -107,12 +110,15 @@ void MainWindow::buildDocks()
     tabifyDockWidget(m_docks["outline"], m_docks["history"]);
     m_docks["outline"]->raise();
     addDock("inspector", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
+    addDock("tuning", tr("Tuning"), m_tuning, Qt::RightDockWidgetArea);
     addDock("plots", tr("Plots"), m_plots, Qt::BottomDockWidgetArea);
     addDock("controls", tr("Controls"), new ControlStrip(m_document, m_player, this),
             Qt::BottomDockWidgetArea);
     addDock("problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
     tabifyDockWidget(m_docks["plots"], m_docks["controls"]);
     tabifyDockWidget(m_docks["controls"], m_docks["problems"]);
+    tabifyDockWidget(m_docks["inspector"], m_docks["tuning"]);
+    m_docks["inspector"]->raise();
     m_docks["plots"]->raise();
     resizeDocks({m_docks["outline"], m_docks["inspector"]}, {250, 290}, Qt::Horizontal);
     resizeDocks({m_docks["plots"]}, {210}, Qt::Vertical);
@@ -128,13 +134,24 @@ void MainWindow::addDock(const QString& id, const QString& title, QWidget* widge
     m_docks[id] = dock;
 }
 
+bool MainWindow::showDock(const QString& id)
+{
+    const auto dock = m_docks.find(id);
+    if (dock == m_docks.end())
+        return false;
+    dock->second->show();
+    dock->second->raise();
+    return true;
+}
+
 void MainWindow::buildActions()
 {
-    m_actions = new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline,
-                             *m_files, [this] { showStartPage(); }, [this] { showKeys(); },
-                             [this] { showVerification(); }, [this] { showPolar(); },
-                             [this] { showCondition(); }, [this] { importMesh({}); },
-                             [this] { showPalette(); }, [this] { showTour(); }});
+    m_actions = new Actions(
+        {*this, m_document, m_selection, m_player, *m_viewport, *m_outline, *m_files,
+         [this] { showStartPage(); }, [this] { showKeys(); }, [this] { showVerification(); },
+         [this] { showPolar(); }, [this] { showCondition(); }, [this] { importMesh({}); },
+         [this] { showPalette(); }, [this] { showTour(); },
+         [this](const QString& dock) { showDock(dock); }, *m_tuning, *m_inspector});
     m_keys =
         new KeyMap(m_actions->all(),
                    m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore, this);

@@ -27,6 +27,7 @@ class ProblemList;
 class Selection;
 class StartPage;
 class Transport;
+class TuningPanel;
 class ConditionDialog;
 class PolarDialog;
 class VerificationDialog;
@@ -46,6 +47,9 @@ public:
     Viewport& viewport() { return *m_viewport; }
     Files& files() { return *m_files; }
     Actions& actions() { return *m_actions; }
+    TuningPanel& tuning() { return *m_tuning; }
+    Inspector& inspector() { return *m_inspector; }
+    bool showDock(const QString& id); // in front of those that share its place; if there is one
 
     void showScene();
     void showStartPage();
@@ -93,6 +97,7 @@ private:
     PlotPanel* m_plots;
     ProblemList* m_problems;
     Transport* m_transport;
+    TuningPanel* m_tuning;
     Files* m_files;
     QToolBar* m_toolBar = nullptr;
     Actions* m_actions = nullptr;

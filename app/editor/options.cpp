@@ -57,8 +57,11 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         "select", tr("Select the item of this name, or what meets this condition: \"mass < 1 g\"."),
         "WHAT");
     const QCommandLineOption fit("fit", tr("Fill the picture with the item of this name."), "NAME");
+    const QCommandLineOption dock(
+        "dock", tr("Bring a panel to the front: tuning, table, problems, ...; more than once."),
+        "NAME");
     parser.addOptions(
-        {play, screenshot, after, frames, viewOnly, size, theme, colorBy, select, fit});
+        {play, screenshot, after, frames, viewOnly, size, theme, colorBy, select, fit, dock});
     parser.process(arguments);
 
     Options options;
@@ -74,6 +77,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     options.viewOnly = parser.isSet(viewOnly);
     options.select = parser.value(select);
     options.fit = parser.value(fit);
+    options.docks = parser.values(dock);
 
     bool isNumber = false;
     options.after = parser.value(after).toDouble(&isNumber);

@@ -24,8 +24,9 @@ struct Options
     std::optional<QSize> size;
     Appearance appearance = Appearance::Desktop;
     ColorBy colorBy = ColorBy::Material;
-    QString select; // name of an item
-    QString fit;    // name of an item
+    QString select;    // name of an item
+    QString fit;       // name of an item
+    QStringList docks; // in front
 };
 
 // Nothing, and a sentence in `error`, when the arguments make no sense.

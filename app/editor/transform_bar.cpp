@@ -1,7 +1,7 @@
 #include "editor/transform_bar.h"
 
 #include "document/words.h"
-#include "inspector/typed_number.h"
+#include "scene/typed_number.h"
 #include "viewport/viewport.h"
 
 #include <QComboBox>
@@ -171,11 +171,13 @@ void TransformBar::settle()
 void TransformBar::take()
 {
     Vec3 numbers = m_tool.numbers(); // those that change nothing
+    const std::string unit =
+        m_tool.shaping() == Shaping::Scale ? std::string() : m_unit->text().toStdString();
     for (int axis = 0; axis < 3; ++axis)
-        if (const auto typed = typedNumber(m_numbers[std::size_t(axis)]->text(), m_unit->text()))
-            numbers[axis] = typed->sort == TypedNumber::Sort::Absolute
-                                ? typed->number
-                                : typed->appliedTo(numbers[axis]);
+        if (const Typed typed =
+                typedNumber(m_numbers[std::size_t(axis)]->text().toStdString(), unit);
+            typed.number)
+            numbers[axis] = typed.number->appliedTo(numbers[axis]);
     m_tool.shape(numbers);
     for (int axis = 0; axis < 3; ++axis)
         m_numbers[std::size_t(axis)]->setText(numberText(m_tool.numbers()[axis]));

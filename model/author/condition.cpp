@@ -3,6 +3,7 @@
 #include "author/condition_text.h"
 #include "author/elements.h"
 #include "scene/path.h"
+#include "scene/typed_number.h"
 #include "scene/units.h"
 
 #include <algorithm>
@@ -213,21 +214,20 @@ Result<double> Matcher::number(const Clause& clause, std::string_view unit) cons
     if (clause.comparison == Comparison::None)
         return failureAt(clause.keyAt + clause.key.size(),
                          quoted(clause.key) + " is a number; go on with <, > or = and a value");
-    const auto value = numberAtStart(clause.value);
-    if (!value)
+    const Typed typed = typedValue(clause.value, unit);
+    if (typed.number)
+        return typed.number->number;
+    if (typed.unit.empty() || typed.at == 0) // no number in front of it
         return failureAt(clause.valueAt,
                          clause.value.empty()
                              ? "a number is missing; write one, as in " + clause.key + " > 1"
                              : quoted(clause.value) + " is not a number; write one, as in "
                                    + clause.key + " > 1");
-    const auto factor = unitFactor(value->rest, unit);
-    if (factor)
-        return value->number * *factor;
     std::string units;
     for (const std::string& other : unitsLike(unit))
         units += (units.empty() ? "" : ", ") + other;
-    return failureAt(clause.valueAt + value->restAt,
-                     quoted(value->rest) + " is not a unit of " + clause.key + "; "
+    return failureAt(clause.valueAt + typed.at,
+                     quoted(typed.unit) + " is not a unit of " + clause.key + "; "
                          + (units.empty() ? "leave it out" : "use one of " + units));
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 
 namespace ripstop {
 namespace {
@@ -122,43 +121,6 @@ Result<std::vector<Clause>> clausesOf(std::string_view text)
             return failureAt(reader.at, "expected <, >, =, != or \"and\", not \""
                                             + std::string(text.substr(reader.at)) + "\"");
     }
-}
-
-std::optional<NumberAtStart> numberAtStart(std::string_view text)
-{
-    std::string plain(text);
-    for (std::size_t at; (at = plain.find("\u2212")) != plain.npos;) // a typographic minus
-        plain.replace(at, 3, 1, '-');
-    const std::size_t lost = text.size() - plain.size();
-    std::size_t end = plain.find_first_not_of("0123456789.,+-eE");
-    // an e that begins a unit is none of an exponent
-    end = std::min(end, plain.size());
-    std::string digits = plain.substr(0, end);
-    std::ranges::replace(digits, ',', '.');
-    const auto read = [](std::string_view from, double& value) {
-        if (from.starts_with('+'))
-            from.remove_prefix(1);
-        const auto [stop, error] = std::from_chars(from.data(), from.data() + from.size(), value);
-        return error == std::errc() && stop == from.data() + from.size();
-    };
-    NumberAtStart result{};
-    if (!read(digits, result.number))
-        return std::nullopt;
-    if (end < plain.size() && plain[end] == '/' && end + 1 < plain.size()
-        && std::isdigit(static_cast<unsigned char>(plain[end + 1]))) {
-        const std::size_t stop =
-            std::min(plain.find_first_not_of("0123456789.", end + 1), plain.size());
-        double below = 1.0;
-        if (!read(std::string_view(plain).substr(end + 1, stop - end - 1), below) || below == 0.0)
-            return std::nullopt;
-        result.number /= below;
-        end = stop;
-    }
-    while (end < plain.size() && isSpace(plain[end]))
-        ++end;
-    result.rest = plain.substr(end);
-    result.restAt = end + lost;
-    return result;
 }
 
 } // namespace ripstop

@@ -3,7 +3,6 @@
 
 #include "base/result.h"
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,14 +28,5 @@ Failure failureAt(std::size_t place, const std::string& what);
 
 // One or more clauses with "and" between them. A failure names the place.
 Result<std::vector<Clause>> clausesOf(std::string_view text);
-
-// "5 %": 5 and "%". Decimals may have a comma, and 1/240 is a number.
-struct NumberAtStart
-{
-    double number;
-    std::string rest;
-    std::size_t restAt;
-};
-std::optional<NumberAtStart> numberAtStart(std::string_view text);
 
 } // namespace ripstop

@@ -1,17 +1,16 @@
 #include "scene/units.h"
 
-#include <array>
+#include "scene/expression.h"
+
+#include <algorithm>
 #include <numbers>
 
 namespace ripstop {
 namespace {
 
-struct Unit
-{
-    std::string_view name;
-    std::string_view base; // units of one base measure the same
-    double factor;         // base units in one of these
-};
+constexpr Dimension one{}, length{1}, mass{0, 1}, time{0, 0, 1}, force{1, 1, -2}, speed{1, 0, -1},
+    pressure{-1, 1, -2}, energy{2, 1, -2}, power{2, 1, -3}, angle{0, 0, 0, 1}, rate{0, 0, -1},
+    volume{3};
 
 // Pound, ounce, inch, mile and knot are exact by definition.
 constexpr double pound = 0.45359237;                // kg
@@ -21,86 +20,72 @@ constexpr double degree = std::numbers::pi / 180.0; // rad
 
 // clang-format off
 constexpr std::array units{
-    Unit{"m", "m", 1.0},         Unit{"mm", "m", 1e-3},        Unit{"cm", "m", 1e-2},
-    Unit{"dm", "m", 0.1},        Unit{"km", "m", 1e3},         Unit{"in", "m", 0.0254},
-    Unit{"ft", "m", 0.3048},     Unit{"yd", "m", yard},
-    Unit{"kg", "kg", 1.0},       Unit{"mg", "kg", 1e-6},       Unit{"g", "kg", 1e-3},
-    Unit{"t", "kg", 1e3},        Unit{"oz", "kg", pound / 16}, Unit{"lb", "kg", pound},
-    Unit{"s", "s", 1.0},         Unit{"ms", "s", 1e-3},        Unit{"min", "s", 60.0},
-    Unit{"N", "N", 1.0},         Unit{"mN", "N", 1e-3},        Unit{"cN", "N", 1e-2},
-    Unit{"daN", "N", 10.0},      Unit{"kN", "N", 1e3},         Unit{"kgf", "N", gravity},
-    Unit{"lbf", "N", pound * gravity},
-    Unit{"N/m", "N/m", 1.0},     Unit{"N/mm", "N/m", 1e3},     Unit{"N/cm", "N/m", 1e2},
-    Unit{"kN/m", "N/m", 1e3},
-    Unit{"N s/m", "N s/m", 1.0},
-    Unit{"m/N", "m/N", 1.0},     Unit{"mm/N", "m/N", 1e-3},    Unit{"mm/kN", "m/N", 1e-6},
-    Unit{"m/s", "m/s", 1.0},     Unit{"mm/s", "m/s", 1e-3},    Unit{"cm/s", "m/s", 1e-2},
-    Unit{"km/h", "m/s", 1 / 3.6}, Unit{"kn", "m/s", 1852.0 / 3600}, Unit{"mph", "m/s", 1609.344 / 3600},
-    Unit{"m/s2", "m/s2", 1.0},
-    Unit{"m2", "m2", 1.0},       Unit{"mm2", "m2", 1e-6},      Unit{"cm2", "m2", 1e-4},
-    Unit{"dm2", "m2", 1e-2},     Unit{"ft2", "m2", 0.3048 * 0.3048},
-    Unit{"kg/m2", "kg/m2", 1.0}, Unit{"g/m2", "kg/m2", 1e-3},  Unit{"oz/yd2", "kg/m2", pound / 16 / (yard * yard)},
-    Unit{"kg/m", "kg/m", 1.0},   Unit{"g/m", "kg/m", 1e-3},
-    Unit{"kg/m3", "kg/m3", 1.0},
-    Unit{"Pa", "Pa", 1.0},       Unit{"N/m2", "Pa", 1.0},      Unit{"hPa", "Pa", 1e2},
-    Unit{"kPa", "Pa", 1e3},
-    Unit{"N m", "N m", 1.0},     Unit{"N mm", "N m", 1e-3},
-    Unit{"N m2", "N m2", 1.0},
-    Unit{"degrees", "rad", degree}, Unit{"deg", "rad", degree}, Unit{"°", "rad", degree},
-    Unit{"rad", "rad", 1.0},
-    Unit{"1/s", "1/s", 1.0},
-    Unit{"", "", 1.0},           Unit{"%", "", 0.01},
+    Unit{"m", 1.0, length},         Unit{"mm", 1e-3, length},   Unit{"cm", 1e-2, length},
+    Unit{"dm", 0.1, length},        Unit{"km", 1e3, length},    Unit{"um", 1e-6, length},
+    Unit{"in", 0.0254, length},     Unit{"ft", 0.3048, length}, Unit{"yd", yard, length},
+    Unit{"mi", 1609.344, length},
+    Unit{"kg", 1.0, mass},          Unit{"mg", 1e-6, mass},     Unit{"g", 1e-3, mass},
+    Unit{"t", 1e3, mass},           Unit{"oz", pound / 16, mass}, Unit{"lb", pound, mass},
+    Unit{"s", 1.0, time},           Unit{"ms", 1e-3, time},     Unit{"us", 1e-6, time},
+    Unit{"min", 60.0, time},        Unit{"h", 3600.0, time},
+    Unit{"N", 1.0, force},          Unit{"mN", 1e-3, force},    Unit{"cN", 1e-2, force},
+    Unit{"daN", 10.0, force},       Unit{"kN", 1e3, force},     Unit{"MN", 1e6, force},
+    Unit{"kgf", gravity, force},    Unit{"lbf", pound * gravity, force},
+    Unit{"kn", 1852.0 / 3600, speed}, Unit{"mph", 1609.344 / 3600, speed}, Unit{"kph", 1 / 3.6, speed},
+    Unit{"Pa", 1.0, pressure},      Unit{"hPa", 1e2, pressure}, Unit{"kPa", 1e3, pressure},
+    Unit{"MPa", 1e6, pressure},     Unit{"GPa", 1e9, pressure}, Unit{"bar", 1e5, pressure},
+    Unit{"mbar", 1e2, pressure},
+    Unit{"J", 1.0, energy},         Unit{"kJ", 1e3, energy},    Unit{"W", 1.0, power},
+    Unit{"l", 1e-3, volume},        Unit{"Hz", 1.0, rate},
+    Unit{"rad", 1.0, angle},        Unit{"deg", degree, angle}, Unit{"degrees", degree, angle},
+    Unit{"degree", degree, angle},  Unit{"\u00b0", degree, angle},
+    Unit{"%", 0.01, one},           Unit{"\u2030", 0.001, one},
 };
+
+// What messages and lists offer, besides the simple units.
+constexpr std::array<std::string_view, 31> composed{
+    "N/mm", "N/cm", "kN/m", "N/m", "N s/m", "mm/N", "mm/kN", "m/N", "mm/s", "cm/s", "km/h", "m/s",
+    "m/s\u00b2", "mm\u00b2", "cm\u00b2", "dm\u00b2", "ft\u00b2", "m\u00b2", "g/m\u00b2",
+    "oz/yd\u00b2", "kg/m\u00b2", "g/m", "kg/m", "g/l", "kg/m\u00b3", "N mm", "N m", "N mm\u00b2",
+    "N m\u00b2", "1/min", "1/s"};
 // clang-format on
-
-// "m²" and "m^2" as "m2", "N·m" as "N m".
-std::string plain(std::string_view unit)
-{
-    std::string text(unit);
-    const auto replace = [&text](std::string_view from, std::string_view to) {
-        for (auto at = text.find(from); at != std::string::npos;
-             at = text.find(from, at + to.size()))
-            text.replace(at, from.size(), to);
-    };
-    replace("\u00b2", "2");
-    replace("\u00b3", "3");
-    replace("^", "");
-    replace("\u00b7", " ");
-    replace("\u00b5", "u");
-    return text;
-}
-
-const Unit* findUnit(std::string_view name)
-{
-    for (const Unit& unit : units)
-        if (unit.name == name)
-            return &unit;
-    return nullptr;
-}
 
 } // namespace
 
+const Unit* findUnit(std::string_view name)
+{
+    const auto found =
+        std::ranges::find_if(units, [&](const Unit& unit) { return unit.name == name; });
+    return found == units.end() ? nullptr : &*found;
+}
+
 std::optional<double> unitFactor(std::string_view unit, std::string_view wanted)
 {
-    const std::string typed = plain(unit), target = plain(wanted);
-    if (typed.empty() || typed == target)
+    if (unit.empty() || unit == wanted)
         return 1.0;
-    const Unit* from = findUnit(typed);
-    const Unit* to = findUnit(target);
-    if (!from || !to || from->base != to->base)
+    const std::optional<Measured> from = measureOfUnit(unit), to = measureOfUnit(wanted);
+    if (!from || !to || from->dimension != to->dimension)
         return std::nullopt;
-    return from->factor / to->factor;
+    return from->value / to->value;
 }
 
 std::vector<std::string> unitsLike(std::string_view wanted)
 {
-    const Unit* to = findUnit(plain(wanted));
+    const std::optional<Measured> to = measureOfUnit(wanted);
     std::vector<std::string> names;
     if (!wanted.empty())
         names.emplace_back(wanted);
+    if (!to)
+        return names;
+    const auto offer = [&](std::string_view name, const Dimension& dimension) {
+        if (dimension == to->dimension && name != wanted)
+            names.emplace_back(name);
+    };
     for (const Unit& unit : units)
-        if (to && unit.base == to->base && unit.name != to->name && !unit.name.empty())
-            names.emplace_back(unit.name);
+        offer(unit.name, unit.dimension);
+    for (const std::string_view name : composed)
+        if (const auto made = measureOfUnit(name))
+            offer(name, made->dimension);
     return names;
 }
 

@@ -2,6 +2,7 @@
 #include "scene/property.h"
 
 #include "scene/collider_path.h"
+#include "scene/typed_number.h"
 
 #include <algorithm>
 #include <charconv>
@@ -122,6 +123,93 @@ bool isColor(std::string_view text)
            && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
 }
 
+// What a text means, by the type of value that is wanted. Without a complaint, the type is wanted.
+struct Reading
+{
+    std::optional<Value> value;
+    std::string complaint = {};
+};
+
+Reading reading(bool, std::string_view text, std::string_view)
+{
+    if (text == "true" || text == "yes" || text == "1")
+        return {true};
+    if (text == "false" || text == "no" || text == "0")
+        return {false};
+    return {};
+}
+
+Reading reading(double, std::string_view text, std::string_view unit)
+{
+    if (const auto plain = toNumber(text)) // also what is not finite, which refusal() names
+        return {*plain};
+    const Typed typed = typedValue(text, unit);
+    return typed.number ? Reading{typed.number->number} : Reading{{}, typed.complaint};
+}
+
+Reading reading(int, std::string_view text, std::string_view unit)
+{
+    const Reading read = reading(0.0, text, unit);
+    const double* number = read.value ? std::get_if<double>(&*read.value) : nullptr;
+    if (!number || *number != std::floor(*number) || std::abs(*number) >= 2e9)
+        return {};
+    return {int(*number)};
+}
+
+Reading reading(const std::string&, std::string_view text, std::string_view)
+{
+    return {std::string(text)};
+}
+
+Reading reading(const Vec3&, std::string_view text, std::string_view unit)
+{
+    const auto parts = splitAt(',', text);
+    if (parts.size() != 3)
+        return {};
+    Vec3 vector;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Reading part = reading(0.0, parts[i], unit);
+        if (!part.value)
+            return {{}, part.complaint == "must be a number" ? "" : part.complaint};
+        vector[Eigen::Index(i)] = std::get<double>(*part.value);
+    }
+    return {vector};
+}
+
+Reading reading(Id, std::string_view text, std::string_view)
+{
+    if (text.empty())
+        return {noId};
+    const auto id = toId(text);
+    return id ? Reading{*id} : Reading{};
+}
+
+Reading reading(const std::vector<Id>&, std::string_view text, std::string_view)
+{
+    std::vector<Id> ids;
+    if (!text.empty())
+        for (const std::string_view part : splitAt(',', text)) {
+            const auto id = toId(part);
+            if (!id)
+                return {};
+            ids.push_back(*id);
+        }
+    return {ids};
+}
+
+Reading reading(const NumberRows&, std::string_view text, std::string_view)
+{
+    NumberRows table;
+    if (text.ends_with(';')) // after the last row, too
+        text.remove_suffix(1);
+    for (const std::string_view part : splitAt(';', text))
+        if (!readNumbers(part, table.emplace_back()))
+            return {};
+    return {std::move(table)};
+}
+
+Reading reading(std::monostate, std::string_view, std::string_view) { return {}; }
+
 } // namespace
 
 std::optional<std::string> refusal(const Property& property, const Value& value)
@@ -155,74 +243,43 @@ std::optional<std::string> refusal(const Property& property, const Value& value)
     return std::nullopt;
 }
 
+std::string_view unitOf(const Scene& scene, const Property& property, const ConstRef& ref)
+{
+    if (property.key != "tearLimit")
+        return property.unit;
+    const Material* material = nullptr;
+    if (const auto* own = std::get_if<const Material*>(&ref))
+        material = *own;
+    else if (const auto* link = std::get_if<const Link*>(&ref))
+        material = findItem<Material>(scene, (*link)->material);
+    const TearRule rule = material ? material->tearRule : TearRule::Never;
+    return rule == TearRule::Length ? "m" : rule == TearRule::Force ? "N" : "";
+}
+
 Result<Value> valueFromText(const Property& property, std::string_view text)
+{
+    return valueFromText(property, text, property.unit);
+}
+
+Result<Value> valueFromText(const Property& property, std::string_view text, std::string_view unit)
 {
     text = trimmed(text);
     if (property.optional && text.empty())
         return Value(std::monostate());
 
-    std::optional<Value> value;
     const Value shape = property.optional ? Value(0.0) : property.initial;
-    if (std::holds_alternative<bool>(shape)) {
-        if (text == "true" || text == "yes" || text == "1")
-            value = true;
-        else if (text == "false" || text == "no" || text == "0")
-            value = false;
-    } else if (std::holds_alternative<int>(shape)) {
-        if (const auto read = toNumber(text);
-            read && *read == std::floor(*read) && std::abs(*read) < 2e9)
-            value = int(*read);
-    } else if (std::holds_alternative<double>(shape)) {
-        if (const auto read = toNumber(text))
-            value = *read;
-    } else if (std::holds_alternative<std::string>(shape)) {
-        value = std::string(text);
-    } else if (std::holds_alternative<Vec3>(shape)) {
-        const auto parts = splitAt(',', text);
-        Vec3 vector = Vec3::Zero();
-        bool whole = parts.size() == 3;
-        for (std::size_t i = 0; whole && i < 3; ++i) {
-            const auto read = toNumber(parts[i]);
-            whole = read.has_value();
-            vector[Eigen::Index(i)] = read.value_or(0.0);
-        }
-        if (whole)
-            value = vector;
-    } else if (std::holds_alternative<Id>(shape)) {
-        if (text.empty())
-            value = noId;
-        else if (const auto id = toId(text))
-            value = *id;
-    } else if (std::holds_alternative<NumberRows>(shape)) {
-        NumberRows table;
-        bool whole = true;
-        if (text.ends_with(';')) // after the last row, too
-            text.remove_suffix(1);
-        for (const std::string_view part : splitAt(';', text))
-            whole = whole && readNumbers(part, table.emplace_back());
-        if (whole)
-            value = std::move(table);
-    } else {
-        std::vector<Id> ids;
-        bool whole = true;
-        if (!text.empty())
-            for (const std::string_view part : splitAt(',', text)) {
-                const auto id = toId(part);
-                whole = whole && id.has_value();
-                ids.push_back(id.value_or(noId));
-            }
-        if (whole)
-            value = std::move(ids);
-    }
-
-    const std::string label =
-        std::string(kindName(property.kind)) + "." + std::string(property.key);
-    if (!value)
-        return Failure{label + " must be " + std::string(typeName(shape)) + ", not \""
-                       + std::string(text) + "\""};
-    if (const auto reason = refusal(property, *value))
-        return Failure{label + " " + *reason + ", not \"" + std::string(text) + "\""};
-    return *value;
+    const Reading read =
+        std::visit([&](const auto& kind) { return reading(kind, text, unit); }, shape);
+    const auto refused = [&](const std::string& reason) {
+        return Failure{std::string(kindName(property.kind)) + "." + std::string(property.key) + " "
+                       + reason + ", not \"" + std::string(text) + "\""};
+    };
+    if (!read.value)
+        return refused(read.complaint.empty() ? "must be " + std::string(typeName(shape))
+                                              : read.complaint);
+    if (const auto reason = refusal(property, *read.value))
+        return refused(*reason);
+    return *read.value;
 }
 
 std::string textFromValue(const Value& value)

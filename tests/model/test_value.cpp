@@ -22,7 +22,8 @@ const Property* propertyAt(const QString& path)
     return kind ? findProperty(*kind, path.section('.', 1).toStdString()) : nullptr;
 }
 
-Value value(Value v) { return v; }
+// Not inlined, because GCC 12 then takes parts of the variant for uninitialized.
+[[gnu::noinline]] Value value(Value v) { return v; }
 
 } // namespace
 
@@ -64,6 +65,7 @@ private slots:
         QTest::newRow("no ids")            << "control.targets"     << " "           << value(std::vector<Id>{});
         QTest::newRow("optional, there")   << "link.stiffness"      << "40"          << value(40.0);
         QTest::newRow("optional, absent")  << "link.stiffness"      << ""            << value(std::monostate());
+        QTest::newRow("with a unit")       << "particle.mass"       << "25 g"        << value(0.025);
         QTest::newRow("rows")              << "material.polar"      << "0,0,1; 90,1,2"  << value(NumberRows{{0, 0, 1}, {90, 1, 2}});
         QTest::newRow("rows, end mark")    << "material.polar"      << "0,0,1; 90,1,2;" << value(NumberRows{{0, 0, 1}, {90, 1, 2}});
         // clang-format on
@@ -92,8 +94,8 @@ private slots:
         QTest::newRow("part of a whole")       << "settings.substeps"   << "2.5"        << "must be a whole number";
         QTest::newRow("whole beyond int")      << "settings.substeps"   << "3e9"        << "must be a whole number";
         QTest::newRow("zero substeps")         << "settings.substeps"   << "0"          << "must be at least 1";
-        QTest::newRow("word for a number")     << "particle.mass"       << "heavy"      << "must be a number";
-        QTest::newRow("number and unit")       << "particle.mass"       << "3 kg"       << "must be a number";
+        QTest::newRow("word for a number")     << "particle.mass"       << "heavy"      << "must be a number in kg";
+        QTest::newRow("wrong unit")            << "particle.mass"       << "3 m"        << "must be in kg";
         QTest::newRow("two numbers")           << "particle.mass"       << "1, 2"       << "must be a number";
         QTest::newRow("nothing for a number")  << "particle.mass"       << ""           << "must be a number";
         QTest::newRow("negative mass")         << "particle.mass"       << "-1"         << "must be at least 0";

@@ -3,7 +3,6 @@
 #include "document/selection.h"
 #include "inspector/inspector.h"
 #include "inspector/preset_chooser.h"
-#include "inspector/usage.h"
 #include "scene/edit.h"
 #include "scene/path.h"
 #include "scene/presets.h"
@@ -46,6 +45,13 @@ struct Form
         QTest::keyClicks(edit, text);
         QTest::keyClick(edit, Qt::Key_Return);
     }
+    bool says(const QString& words) const
+    {
+        const auto labels = inspector.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(words);
+        });
+    }
     Value value(Id id, std::string_view key) const
     {
         const ConstRef ref = *find(document.scene(), id);
@@ -87,10 +93,7 @@ private slots:
         QLineEdit* path = form.line("path");
         form.type(path, "0: 0 1 0; 2: 3 1");
         QCOMPARE(std::get<std::string>(form.value(collider, "path")), std::string());
-        const auto labels = form.inspector.findChildren<QLabel*>();
-        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-            return label->isVisible() && label->text().startsWith("The path must be times");
-        }));
+        QVERIFY(form.says("The path must be times"));
         form.type(path, "0: 0 1 0; 2: 3 1 0");
         QCOMPARE(std::get<std::string>(form.value(collider, "path")),
                  std::string("0: 0 1 0; 2: 3 1 0"));
@@ -124,44 +127,90 @@ private slots:
         QVERIFY(button->text().startsWith("Choose"));
     }
 
-    void rowsWithoutEffect_data()
+    // One field takes what people write: units, sums, and the complaint says which units would do.
+    void numbersWithUnits()
     {
-        QTest::addColumn<Kind>("kind");
-        QTest::addColumn<QString>("key");
-        QTest::addColumn<bool>("used");
-        QTest::newRow("sweeps of the automatic solver") << Kind::Settings << "sweeps" << false;
-        QTest::newRow("its wanted strain") << Kind::Settings << "strainGoal" << true;
-        QTest::newRow("friction without self-contact") << Kind::Part << "selfFriction" << false;
-        QTest::newRow("added mass without canopy pressure") << Kind::Part << "addedMass" << false;
-        QTest::newRow("place of a collider that stays") << Kind::Collider << "position" << true;
+        Form form;
+        form.selection.set({Id{3}, Id{4}});
+        form.type(form.line("mass"), "25 g");
+        QCOMPARE(form.value(Id{4}, "mass"), Value(0.025));
+        form.type(form.line("mass"), "+100 %");
+        QCOMPARE(form.value(Id{4}, "mass"), Value(0.05));
+        form.selection.set({idOfKind(Kind::Wind)});
+        form.type(form.line("velocity", 0), "36 km/h");
+        QCOMPARE(std::get<Vec3>(form.value(idOfKind(Kind::Wind), "velocity")).x(), 10.0);
+        form.type(form.line("velocity", 0), "36 kg");
+        QVERIFY(form.says("must be in m/s"));
     }
-    void rowsWithoutEffect()
+
+    // A tear limit is in metres, newtons or a part of the length, as its rule is.
+    void aTearLimitHasTheUnitOfItsRule()
     {
-        QFETCH(Kind, kind);
-        QFETCH(QString, key);
-        QFETCH(bool, used);
-        const Scene scene = oneOfEverything();
-        const ConstRef ref = *find(scene, idOfKind(kind));
-        QCOMPARE(isUsed(*findProperty(kind, key.toStdString()), ref), used);
+        Form form;
+        const Id material = idOfKind(Kind::Material);
+        form.document.push(
+            setValue(form.document.scene(), material, "tearRule", std::string("force")));
+        form.selection.set({material});
+        form.type(form.line("tearLimit"), "2 kN");
+        QCOMPARE(form.value(material, "tearLimit"), Value(2000.0));
+        form.document.push(
+            setValue(form.document.scene(), material, "tearRule", std::string("strain")));
+        form.type(form.line("tearLimit"), "15 %");
+        QCOMPARE(form.value(material, "tearLimit"), Value(0.15));
     }
-    void rowsWithoutEffectChangeWithTheThing()
+
+    void rowsAreFoundByTheirWords()
     {
-        Settings settings;
-        const Property& sweeps = *findProperty(Kind::Settings, "sweeps");
-        const Property& goal = *findProperty(Kind::Settings, "strainGoal");
-        for (const Solver solver :
-             {Solver::AveragedJacobi, Solver::PaperJacobi, Solver::GaussSeidel, Solver::Direct}) {
-            settings.solver = solver;
-            QVERIFY(isUsed(sweeps, &settings) && !isUsed(goal, &settings));
-        }
-        settings.solver = Solver::SmallSteps;
-        QVERIFY(!isUsed(sweeps, &settings));
-        Part part;
-        part.selfContact = 0.01;
-        QVERIFY(isUsed(*findProperty(Kind::Part, "selfFriction"), &part));
-        Collider collider;
-        collider.path = "0: 0 1 0";
-        QVERIFY(!isUsed(*findProperty(Kind::Collider, "position"), &collider));
+        Form form;
+        form.selection.set({idOfKind(Kind::Material)});
+        form.inspector.startSearch();
+        QTest::keyClicks(QApplication::focusWidget(), "skin");
+        QVERIFY(form.inspector.field("skinFriction")->isVisible());
+        QVERIFY(!form.inspector.field("stiffness")->isVisible());
+        form.selection.set({Id{3}}); // the words stay for the next thing
+        QVERIFY(form.says("No property is about"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(form.inspector.field("mass")->isVisible());
+    }
+
+    // What differs from the default stands out, and one press takes it back, for all selected.
+    void changedValuesAreMarkedAndReset()
+    {
+        Form form;
+        form.selection.set({Id{3}, Id{4}});
+        const auto reset = [&] {
+            for (QToolButton* button : form.inspector.findChildren<QToolButton*>())
+                if (button->accessibleName() == "Reset mass" && button->isVisible())
+                    return button;
+            return static_cast<QToolButton*>(nullptr);
+        };
+        const Value initial = findProperty(Kind::Particle, "mass")->initial;
+        QVERIFY(form.value(Id{3}, "mass") == initial && !reset());
+        form.document.push(setValue(form.document.scene(), Id{4}, "mass", 0.5));
+        QVERIFY(reset());
+        reset()->click();
+        QCOMPARE(form.value(Id{4}, "mass"), initial);
+        QVERIFY(!reset());
+        form.document.history().undo();
+        QCOMPARE(form.value(Id{4}, "mass"), Value(0.5));
+    }
+
+    // A row that does nothing says so, and changes its mind with the set-up.
+    void rowsWithoutEffectSaySo()
+    {
+        Form form;
+        form.selection.set({Id{5}});
+        const auto label = [&](std::string_view key) {
+            for (QLabel* candidate : form.inspector.findChildren<QLabel*>())
+                if (candidate->buddy() == form.inspector.field(key))
+                    return candidate;
+            return static_cast<QLabel*>(nullptr);
+        };
+        QVERIFY(label("stiffness")->toolTip().contains("Does nothing now"));
+        QVERIFY(!label("compliance")->toolTip().contains("Does nothing now"));
+        form.document.push(setValue(form.document.scene(), Id{5}, "kind", std::string("spring")));
+        QVERIFY(!label("stiffness")->toolTip().contains("Does nothing now"));
+        QVERIFY(label("compliance")->toolTip().contains("Does nothing now"));
     }
 
     void everyNumberCanBeTypedAndUndone_data()

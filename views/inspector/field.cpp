@@ -5,7 +5,6 @@
 #include "document/words.h"
 #include "icons/icon.h"
 #include "icons/swatch.h"
-#include "inspector/typed_number.h"
 #include "inspector/value_edit.h"
 
 #include <QCheckBox>

@@ -16,6 +16,7 @@ struct FieldPlace
     const Property& property;
     ScrubLabel& label;                            // a number is also changed by dragging it
     std::function<void(const QString&)> complain; // what is wrong with what is being typed
+    bool slides = true;                           // with a slider below what is often tuned
 };
 
 struct Field

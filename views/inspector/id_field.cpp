@@ -3,7 +3,6 @@
 #include "document/words.h"
 #include "icons/icon.h"
 #include "inspector/field.h"
-#include "inspector/typed_number.h"
 #include "inspector/value_edit.h"
 
 #include <QCoreApplication>

@@ -7,10 +7,10 @@
 #include "inspector/preset_chooser.h"
 #include "inspector/property_form.h"
 #include "inspector/totals.h"
-#include "inspector/typed_number.h"
 
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -38,11 +38,15 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     , m_document(document)
     , m_selection(selection)
     , m_subject(document)
+    , m_usage(document)
+    , m_sliders(document)
     , m_icon(new QLabel)
     , m_title(new QLabel)
     , m_totals(new QLabel)
     , m_banner(new QLabel)
     , m_kinds(new QTabBar)
+    , m_search(new QLineEdit)
+    , m_noMatch(new QLabel)
     , m_pages(new QStackedWidget)
 {
     QFont bold = m_title->font();
@@ -61,6 +65,18 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     m_kinds->setDrawBase(false);
     m_kinds->hide();
 
+    m_search->setPlaceholderText(tr("Find a property"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setAccessibleName(tr("Find a property"));
+    m_search->setToolTip(tr("Shows the rows whose name or help has these words."));
+    connect(m_search, &QLineEdit::textChanged, this, &Inspector::filter);
+    m_noMatch->setForegroundRole(QPalette::PlaceholderText);
+    m_noMatch->setMargin(8);
+    m_noMatch->hide();
+    auto* search = new QHBoxLayout;
+    search->setContentsMargins(8, 2, 8, 2);
+    search->addWidget(m_search);
+
     auto* title = new QHBoxLayout;
     title->setContentsMargins(8, 8, 8, 0);
     title->addWidget(m_icon, 0, Qt::AlignTop);
@@ -75,12 +91,15 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     layout->addLayout(facts);
     layout->addWidget(m_banner);
     layout->addWidget(m_kinds);
+    layout->addLayout(search);
+    layout->addWidget(m_noMatch);
     layout->addWidget(m_pages, 1);
 
     connect(&selection, &Selection::changed, this, &Inspector::showSelection);
     connect(&document, &Document::changed, this, &Inspector::refresh);
     connect(&document, &Document::replaced, this, &Inspector::showSelection);
     connect(&m_subject, &Subject::pickingChanged, this, &Inspector::showPicking);
+    connect(&m_sliders, &SliderShelf::changed, this, &Inspector::refresh);
     connect(m_kinds, &QTabBar::currentChanged, this, [this](int index) {
         if (index >= 0)
             showKind(Kind(m_kinds->tabData(index).toInt()));
@@ -137,7 +156,7 @@ void Inspector::showKind(Kind kind)
 
     PropertyForm*& form = m_forms[std::size_t(kind)];
     if (!form) {
-        form = new PropertyForm(m_subject, kind);
+        form = new PropertyForm(m_subject, m_usage, m_sliders, kind);
         auto* area = new QScrollArea;
         area->setWidgetResizable(true);
         area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -148,6 +167,22 @@ void Inspector::showKind(Kind kind)
     }
     m_pages->setCurrentWidget(m_areas[std::size_t(kind)]);
     refresh();
+    filter();
+}
+
+void Inspector::startSearch()
+{
+    m_search->setFocus();
+    m_search->selectAll();
+}
+
+void Inspector::filter()
+{
+    const int shown = m_forms[std::size_t(m_subject.kind())]->filter(m_search->text());
+    m_noMatch->setVisible(shown == 0);
+    m_noMatch->setText(tr("No property is about \"%1\".").arg(m_search->text()));
+    if (m_presets)
+        m_presets->setVisible(m_search->text().isEmpty());
 }
 
 QWidget* Inspector::underPresets(PropertyForm* form)
@@ -167,6 +202,8 @@ void Inspector::refresh()
     const auto exists = [this](Id id) { return ripstop::find(m_document.scene(), id).has_value(); };
     if (!std::all_of(m_subject.ids().begin(), m_subject.ids().end(), exists))
         return; // an edit removed it, and the selection will say so
+    if (!m_forms[std::size_t(m_subject.kind())])
+        return; // not yet shown
     refreshHeader();
     m_forms[std::size_t(m_subject.kind())]->refresh();
     if (m_subject.kind() == Kind::Material)
@@ -226,6 +263,8 @@ bool Inspector::takePick()
 
 void Inspector::keyPressEvent(QKeyEvent* event)
 {
+    if (event->key() == Qt::Key_Escape && !m_search->text().isEmpty())
+        return m_search->clear();
     if (event->key() == Qt::Key_Escape && m_subject.picking()) {
         const std::vector<Id> before = m_subject.ids();
         m_subject.cancelPick();

@@ -1,12 +1,15 @@
 #pragma once
 
+#include "inspector/slider_shelf.h"
 #include "inspector/subject.h"
+#include "inspector/usage_watch.h"
 
 #include <QWidget>
 
 #include <array>
 
 class QLabel;
+class QLineEdit;
 class QStackedWidget;
 class QTabBar;
 
@@ -30,12 +33,16 @@ public:
     // `axis` is that of a vector.
     QWidget* field(std::string_view key, int axis = 0) const;
 
+    SliderShelf& sliders() { return m_sliders; }
+    void startSearch(); // the keyboard goes to the search of properties
+
 private:
     void showSelection();
     void showKind(Kind kind);
     void leaveForm();
     void refresh();
     void refreshHeader();
+    void filter();
     void showPicking();
     bool takePick();
     QWidget* underPresets(PropertyForm* form); // of materials
@@ -44,11 +51,15 @@ private:
     Document& m_document;
     Selection& m_selection;
     Subject m_subject;
+    UsageWatch m_usage;
+    SliderShelf m_sliders;
     QLabel* m_icon;
     QLabel* m_title;
     QLabel* m_totals;
     QLabel* m_banner; // while a field waits for something to be picked
     QTabBar* m_kinds; // when several kinds are selected
+    QLineEdit* m_search;
+    QLabel* m_noMatch; // while nothing is found
     QStackedWidget* m_pages;
     std::array<PropertyForm*, kindCount> m_forms{}; // made when first needed
     std::array<QWidget*, kindCount> m_areas{};      // what scrolls them

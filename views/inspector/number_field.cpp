@@ -4,14 +4,12 @@
 #include "inspector/field.h"
 #include "inspector/scrub_label.h"
 #include "inspector/tuning.h"
-#include "inspector/typed_number.h"
 #include "inspector/value_edit.h"
 
 #include <QBoxLayout>
 #include <QCoreApplication>
 #include <QLabel>
 #include <QResizeEvent>
-#include <QSignalBlocker>
 #include <QSlider>
 
 #include <memory>
@@ -19,10 +17,22 @@
 namespace ripstop {
 namespace {
 
-constexpr int sliderSteps = 400;
 constexpr int rowWidth = 330; // px, from here on the axes of a vector stand in one row
 
 QString words(const char* text) { return QCoreApplication::translate("Field", text); }
+
+// That of the first thing: a tear limit has the unit of its material's rule.
+std::string_view unitNow(const FieldPlace& place)
+{
+    const std::vector<ConstRef> refs = place.subject.refs();
+    return refs.empty() ? place.property.unit
+                        : unitOf(place.subject.document().scene(), place.property, refs.front());
+}
+
+QString text(std::string_view words)
+{
+    return QString::fromUtf8(words.data(), qsizetype(words.size()));
+}
 
 // Why what was typed is refused, as a sentence; empty when it is fine.
 QString complaintAbout(const FieldPlace& place, const QString& text, int axis)
@@ -30,12 +40,11 @@ QString complaintAbout(const FieldPlace& place, const QString& text, int axis)
     const Property& property = place.property;
     if (property.optional && text.trimmed().isEmpty())
         return {};
-    const QString unit = QString::fromUtf8(property.unit.data());
-    const auto typed = typedNumber(text, unit);
-    if (!typed)
-        return words("%1 must be a number, or a change such as *1.1, +5% or +0.2.")
-            .arg(labelOf(property));
-    const auto reason = place.subject.refusal(property, transformOf(*typed, axis));
+    const Typed typed = typedNumber(text.toStdString(), unitNow(place));
+    if (!typed.number)
+        return words("%1 %2; or change it by *1.1, +5 % or +0.2.")
+            .arg(labelOf(property), QString::fromStdString(typed.complaint));
+    const auto reason = place.subject.refusal(property, transformOf(*typed.number, axis));
     return reason ? QStringLiteral("%1 %2.").arg(labelOf(property), *reason) : QString();
 }
 
@@ -43,8 +52,8 @@ void commitNumber(const FieldPlace& place, const QString& text, int axis)
 {
     if (text.trimmed().isEmpty())
         place.subject.edit(place.property, setTo(std::monostate()));
-    else if (const auto typed = typedNumber(text, QString::fromUtf8(place.property.unit.data())))
-        place.subject.edit(place.property, transformOf(*typed, axis));
+    else if (const Typed typed = typedNumber(text.toStdString(), unitNow(place)); typed.number)
+        place.subject.edit(place.property, transformOf(*typed.number, axis));
 }
 
 // A line for one number, with its arrow keys and a label to drag.
@@ -84,60 +93,17 @@ ValueEdit* numberEdit(const FieldPlace& place, int axis, ScrubLabel& label)
     return edit;
 }
 
-double magnitude(const Value& value)
-{
-    if (const Vec3* vector = std::get_if<Vec3>(&value))
-        return vector->norm();
-    if (const int* whole = std::get_if<int>(&value))
-        return *whole;
-    const double* real = std::get_if<double>(&value);
-    return real ? *real : 0.0;
-}
-
-Transform toMagnitude(const Property& property, double size)
-{
-    return [&property, size](const Value& before) -> Value {
-        if (const Vec3* vector = std::get_if<Vec3>(&before)) {
-            const double length = vector->norm();
-            return Vec3(length > 0.0 ? Vec3(*vector * (size / length)) : Vec3(size, 0.0, 0.0));
-        }
-        return numberTransform(property, 0, [size](double) { return size; })(before);
-    };
-}
-
 // A slider for what is tuned while it flies; null for other properties.
 QSlider* slider(const FieldPlace& place)
 {
-    const Tuning* tuning = tuningOf(place.property);
-    if (!tuning)
-        return nullptr;
-    auto* bar = new QSlider(Qt::Horizontal);
-    bar->setRange(0, sliderSteps);
-    bar->setPageStep(sliderSteps / 20);
-    bar->setSingleStep(sliderSteps / 100);
-    bar->setFocusPolicy(Qt::TabFocus);
-    bar->setAccessibleName(words("%1 slider").arg(labelOf(place.property)));
-    bar->setToolTip(
-        words("Drag to tune %1 while it flies.").arg(labelOf(place.property).toLower()));
-
-    const auto dragging = std::make_shared<Dragging>(place.subject, place.property);
-    QObject::connect(bar, &QSlider::sliderPressed, bar, [=] { dragging->begin(); });
-    QObject::connect(bar, &QSlider::valueChanged, bar, [=](int position) {
-        if (!bar->isSliderDown())
-            dragging->begin(); // a key or a click beside the handle
-        const double value = valueAt(*tuning, double(position) / sliderSteps);
-        dragging->move(toMagnitude(place.property, value));
-    });
-    return bar;
+    const auto range = place.slides ? usualRange(place.property) : std::nullopt;
+    return range ? makeSlider(place.subject, place.property, [range] { return *range; }) : nullptr;
 }
 
 void refreshSlider(QSlider* bar, const Property& property, const Common& common)
 {
-    if (!bar || bar->isSliderDown())
-        return;
-    const QSignalBlocker quiet(bar);
-    const Tuning& tuning = *tuningOf(property);
-    bar->setValue(int(std::lround(placeOf(tuning, magnitude(common.value)) * sliderSteps)));
+    if (bar)
+        showOn(*bar, *usualRange(property), common);
 }
 
 QWidget* stacked(QWidget* above, QWidget* below)
@@ -199,21 +165,6 @@ QString inherited(const FieldPlace& place)
     return words("from material (%1)").arg(unit.isEmpty() ? value : value + QChar(' ') + unit);
 }
 
-// The tear limit of a material has the unit of its rule.
-QString unitNow(const FieldPlace& place)
-{
-    const Property* rule = findProperty(place.property.kind, "tearRule");
-    if (place.property.key != "tearLimit" || !rule)
-        return QString::fromUtf8(place.property.unit.data());
-    const Common common = Subject::common(*rule, place.subject.refs());
-    const std::string* name = std::get_if<std::string>(&common.value);
-    if (!name || common.mixed[0])
-        return {};
-    return *name == "length"  ? QStringLiteral("m")
-           : *name == "force" ? QStringLiteral("N")
-                              : QString();
-}
-
 } // namespace
 
 Field numberField(const FieldPlace& place)
@@ -222,7 +173,7 @@ Field numberField(const FieldPlace& place)
     QSlider* bar = slider(place);
     return {stacked(edit, bar), {edit}, [=](const Common& common) {
                 const bool isAbsent = std::holds_alternative<std::monostate>(common.value);
-                edit->setUnit(isAbsent || common.mixed[0] ? QString() : unitNow(place));
+                edit->setUnit(isAbsent || common.mixed[0] ? QString() : text(unitNow(place)));
                 if (common.mixed[0])
                     edit->show({}, mixedText());
                 else if (isAbsent)

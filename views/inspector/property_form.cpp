@@ -2,11 +2,14 @@
 
 #include "document/words.h"
 #include "icons/icon.h"
-#include "inspector/typed_number.h"
-#include "inspector/usage.h"
+#include "inspector/slider_shelf.h"
+#include "inspector/usage_watch.h"
 #include "inspector/value_edit.h"
 
+#include <QAction>
+#include <QClipboard>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QToolButton>
 
@@ -38,10 +41,12 @@ QString tipOf(const Property& property)
     const Value& shape = property.initial;
     if (property.optional || std::holds_alternative<double>(shape)
         || std::holds_alternative<int>(shape) || std::holds_alternative<Vec3>(shape))
-        text += QStringLiteral("<br><i>")
-                + PropertyForm::tr("Also *1.1, +5%, +0.2, -=0.2 or 1/240; drag the label sideways.")
-                + QStringLiteral("</i>");
-    return QStringLiteral("<qt>%1</qt>").arg(text);
+        text +=
+            QStringLiteral("<br><i>")
+            + PropertyForm::tr(
+                "Also with a unit (25 g, 2*15 cm), or *1.1, +5 %, +0.2; drag the label sideways.")
+            + QStringLiteral("</i>");
+    return text;
 }
 
 // A name, a place or what something points at has no default worth going back to.
@@ -52,11 +57,36 @@ bool canReset(const Property& property)
            && property.key != "notes";
 }
 
+// A small button at the end of a row, which keeps its place while it is hidden.
+QToolButton* rowButton(const QString& picture, const QString& tip, const QString& name)
+{
+    auto* button = new QToolButton;
+    button->setIcon(icon(picture));
+    button->setIconSize(QSize(12, 12));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus); // the menu of the label and a key do the same
+    button->setToolTip(tip);
+    button->setAccessibleName(name);
+    QSizePolicy keepsPlace = button->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    button->setSizePolicy(keepsPlace);
+    return button;
+}
+
+bool isTunable(const Property& property)
+{
+    const bool isMass = property.key == "arealDensity" || property.key == "linearDensity";
+    return canBeTuned(property) && (property.effect != Effect::DisplayOnly || isMass);
+}
+
 } // namespace
 
-PropertyForm::PropertyForm(Subject& subject, Kind kind, QWidget* parent)
+PropertyForm::PropertyForm(Subject& subject, UsageWatch& usage, SliderShelf& sliders, Kind kind,
+                           QWidget* parent)
     : QWidget(parent)
     , m_subject(subject)
+    , m_usage(usage)
+    , m_sliders(sliders)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(8, 4, 4, 8);
@@ -76,7 +106,6 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     const QString tip = tipOf(property);
 
     auto* label = new ScrubLabel(labelOf(property));
-    label->setToolTip(tip);
     auto* complaint = new QLabel;
     complaint->setWordWrap(true);
     complaint->hide();
@@ -91,22 +120,20 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     Field field = makeField({m_subject, property, *label, complain});
     for (QWidget* focus : field.focus)
         if (focus) {
-            focus->setToolTip(tip);
+            focus->setToolTip(QStringLiteral("<qt>%1</qt>").arg(tip));
             if (focus->accessibleName().isEmpty())
                 focus->setAccessibleName(labelOf(property));
         }
     label->setBuddy(field.focus[0]);
 
-    auto* reset = new QToolButton;
-    reset->setIcon(icon(QStringLiteral("undo")));
-    reset->setIconSize(QSize(12, 12));
-    reset->setAutoRaise(true);
-    reset->setFocusPolicy(Qt::NoFocus);
-    reset->setToolTip(tr("Back to the default."));
-    reset->setAccessibleName(tr("Reset %1").arg(labelOf(property).toLower()));
-    QSizePolicy keepsPlace = reset->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    reset->setSizePolicy(keepsPlace);
+    auto* slider = rowButton(QStringLiteral("slider"),
+                             tr("Keep a slider for this in the tuning panel (Ctrl+T)."),
+                             tr("Slider for %1").arg(labelOf(property).toLower()));
+    slider->setCheckable(true);
+    slider->setVisible(isTunable(property));
+    connect(slider, &QToolButton::clicked, this, [this, &property] { toggleSlider(property); });
+    auto* reset = rowButton(QStringLiteral("undo"), tr("Back to the default."),
+                            tr("Reset %1").arg(labelOf(property).toLower()));
     reset->hide();
     connect(reset, &QToolButton::clicked, this,
             [this, &property] { m_subject.edit(property, setTo(property.initial)); });
@@ -115,9 +142,75 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     grid.addWidget(label, row, 0, isTall ? Qt::AlignTop : Qt::AlignVCenter);
     label->setMinimumHeight(isTall ? reset->sizeHint().height() : 0); // level with the first line
     grid.addWidget(field.widget, row, 1);
-    grid.addWidget(reset, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
-    grid.addWidget(complaint, row + 1, 1, 1, 2);
-    m_rows.push_back({&property, label, tip, reset, std::move(field)});
+    grid.addWidget(slider, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
+    grid.addWidget(reset, row, 3, isTall ? Qt::AlignTop : Qt::AlignVCenter);
+    grid.addWidget(complaint, row + 1, 1, 1, 3);
+    m_rows.push_back({&property, label, tip, complaint, slider, reset, std::move(field)});
+    addMenu(m_rows.back());
+}
+
+// What the buttons do, by a menu on the label; and by a key in the field.
+void PropertyForm::addMenu(const Row& row)
+{
+    const Property& property = *row.property;
+    row.label->setContextMenuPolicy(Qt::ActionsContextMenu);
+    const auto add = [&](const QString& text, auto run) {
+        auto* action = new QAction(text, row.label);
+        connect(action, &QAction::triggered, this, run);
+        row.label->addAction(action);
+        return action;
+    };
+    if (isTunable(property)) {
+        auto* tune =
+            add(tr("Slider in the tuning panel"), [this, &property] { toggleSlider(property); });
+        tune->setShortcut(QKeySequence(QStringLiteral("Ctrl+T")));
+        tune->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        row.field.widget->addAction(tune);
+    }
+    if (canReset(property))
+        add(tr("Back to the default"),
+            [this, &property] { m_subject.edit(property, setTo(property.initial)); });
+    add(tr("Copy path, for --set"), [this, &property] {
+        const std::vector<Id>& ids = m_subject.ids();
+        const QString owner = property.kind == Kind::Settings
+                                  ? QStringLiteral("settings")
+                                  : QStringLiteral("#%1").arg(std::uint32_t(ids.front()));
+        QGuiApplication::clipboard()->setText(owner + QChar('.')
+                                              + QString::fromUtf8(property.key.data()));
+    });
+}
+
+void PropertyForm::toggleSlider(const Property& property)
+{
+    const auto failure = m_sliders.toggle(property, m_subject.ids());
+    for (const Row& row : m_rows)
+        if (row.property == &property) {
+            row.slider->setChecked(m_sliders.has(property, m_subject.ids()));
+            row.complaint->setText(failure ? QString::fromStdString(failure->message) : QString());
+            row.complaint->setVisible(failure.has_value());
+        }
+}
+
+int PropertyForm::filter(const QString& words)
+{
+    const QStringList wanted = words.simplified().split(QChar(' '), Qt::SkipEmptyParts);
+    int shown = 0;
+    for (const Row& row : m_rows) {
+        const Property& property = *row.property;
+        const QString about = labelOf(property) + QChar(' ')
+                              + QString::fromUtf8(property.key.data()) + QChar(' ')
+                              + helpOf(property);
+        const bool fits = std::all_of(wanted.begin(), wanted.end(), [&](const QString& word) {
+            return about.contains(word, Qt::CaseInsensitive);
+        });
+        row.label->setVisible(fits);
+        row.field.widget->setVisible(fits);
+        row.complaint->setVisible(fits && !row.complaint->text().isEmpty());
+        row.slider->setVisible(fits && isTunable(property));
+        row.reset->setVisible(fits && row.isChanged);
+        shown += fits;
+    }
+    return shown;
 }
 
 void PropertyForm::refresh()
@@ -125,16 +218,28 @@ void PropertyForm::refresh()
     const std::vector<ConstRef> refs = m_subject.refs();
     if (refs.empty() || kindOf(refs.front()) != m_rows.front().property->kind)
         return;
-    for (const Row& row : m_rows) {
+    for (Row& row : m_rows) {
         const Property& property = *row.property;
         const Common common = Subject::common(property, refs);
         row.field.refresh(common);
-        row.reset->setVisible(!common.isDefault && canReset(property));
-        const bool used = std::any_of(refs.begin(), refs.end(),
-                                      [&](const ConstRef& ref) { return isUsed(property, ref); });
-        row.label->setForegroundRole(used ? QPalette::WindowText : QPalette::PlaceholderText);
-        row.label->setToolTip(used ? row.tip
-                                   : tr("<qt><b>Has no effect here.</b><br>%1").arg(row.tip));
+        row.isChanged = !common.isDefault && canReset(property);
+        row.reset->setVisible(row.isChanged && !row.label->isHidden());
+        QFont font = this->font();
+        font.setBold(row.isChanged);
+        row.label->setFont(font);
+        if (isTunable(property))
+            row.slider->setChecked(m_sliders.has(property, m_subject.ids()));
+        const QString idle = m_usage.whyIdle(property, m_subject.ids());
+        row.label->setForegroundRole(idle.isEmpty() ? QPalette::WindowText
+                                                    : QPalette::PlaceholderText);
+        QString tip = row.tip;
+        if (row.isChanged)
+            tip = tr("%1<br>The default is %2.")
+                      .arg(tip, QString::fromStdString(textFromValue(property.initial)));
+        if (!idle.isEmpty())
+            tip = tr("<b>Does nothing now:</b> %1.<br>%2").arg(idle.toHtmlEscaped(), tip);
+        row.label->setToolTip(QStringLiteral("<qt>%1</qt>").arg(tip));
+        row.label->setWhatsThis(row.label->toolTip());
     }
 }
 

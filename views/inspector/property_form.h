@@ -6,20 +6,27 @@
 #include <QWidget>
 
 class QGridLayout;
+class QLabel;
 class QToolButton;
 
 namespace ripstop {
 
-// The properties of one kind, a row each: label, field, and a button that restores the default.
+class SliderShelf;
+class UsageWatch;
+
+// The properties of one kind, a row each: label, field, a button that gives it a slider in the
+// tuning panel, and one that restores the default. What differs from the default stands out.
 class PropertyForm final : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit PropertyForm(Subject& subject, Kind kind, QWidget* parent = nullptr);
+    PropertyForm(Subject& subject, UsageWatch& usage, SliderShelf& sliders, Kind kind,
+                 QWidget* parent = nullptr);
 
-    void refresh(); // shows the values of the subject
-    void leave();   // commits or reverts what is being typed
+    void refresh();                   // shows the values of the subject
+    int filter(const QString& words); // shows the rows about these words; how many there are
+    void leave();                     // commits or reverts what is being typed
     QWidget* field(std::string_view key, int axis) const;
 
 private:
@@ -28,13 +35,20 @@ private:
         const Property* property;
         ScrubLabel* label;
         QString tip;
+        QLabel* complaint;
+        QToolButton* slider;
         QToolButton* reset;
         Field field;
+        bool isChanged = false; // from the default
     };
 
     void addRow(QGridLayout& grid, const Property& property);
+    void addMenu(const Row& row);
+    void toggleSlider(const Property& property);
 
     Subject& m_subject;
+    UsageWatch& m_usage;
+    SliderShelf& m_sliders;
     std::vector<Row> m_rows;
 };
 

@@ -8,6 +8,16 @@
 
 namespace ripstop {
 
+Transform setTo(Value value)
+{
+    return [value = std::move(value)](const Value&) { return value; };
+}
+
+Transform transformOf(TypedNumber typed, int axis)
+{
+    return [typed, axis](const Value& before) { return changed(before, typed, axis); };
+}
+
 Subject::Subject(Document& document)
     : m_document(document)
     , m_ids{settingsId}

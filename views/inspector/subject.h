@@ -2,6 +2,7 @@
 
 #include "document/census.h"
 #include "scene/edit.h"
+#include "scene/typed_number.h"
 
 #include <QObject>
 #include <QString>
@@ -14,6 +15,9 @@ class Document;
 
 // What to make of the value that a thing has now.
 using Transform = std::function<Value(const Value&)>;
+
+Transform setTo(Value value);
+Transform transformOf(TypedNumber typed, int axis = 0); // of a number, or of one axis of a vector
 
 // The value of a property of several things.
 struct Common

@@ -1,37 +1,20 @@
 #include "inspector/tuning.h"
 
 #include "document/document.h"
+#include "document/words.h"
+
+#include <QCoreApplication>
+#include <QSignalBlocker>
+#include <QSlider>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <memory>
 
 namespace ripstop {
 namespace {
 
-using enum Tuning::Scale;
-
-// clang-format off
-constexpr std::array tunings{
-    Tuning{Kind::Settings, "substeps",          Logarithmic, 1.0,  64.0},
-    Tuning{Kind::Settings, "sweeps",            Logarithmic, 1.0,  256.0},
-    Tuning{Kind::Settings, "airDensity",        Linear,      0.0,  2.0},
-    Tuning{Kind::Settings, "viscosity",         Linear,      0.0,  5.0},
-    Tuning{Kind::Material, "stiffness",         Logarithmic, 1.0,  1e5},
-    Tuning{Kind::Material, "damping",           Logarithmic, 1e-3, 10.0},
-    Tuning{Kind::Material, "compliance",        Logarithmic, 1e-8, 1e-2},
-    Tuning{Kind::Material, "tearLimit",         Logarithmic, 1e-2, 1e3},
-    Tuning{Kind::Material, "normalCoefficient", Linear,      0.0,  4.0},
-    Tuning{Kind::Material, "skinFriction",      Linear,      0.0,  0.2},
-    Tuning{Kind::Material, "porosity",          Linear,      0.0,  0.2},
-    Tuning{Kind::Collider, "restitution",       Linear,      0.0,  1.0},
-    Tuning{Kind::Collider, "thickness",         Linear,      0.0,  0.05},
-    Tuning{Kind::Collider, "hillLength",        Logarithmic, 0.02, 2.0},
-    Tuning{Kind::Collider, "friction",          Linear,      0.0,  1.5},
-    Tuning{Kind::Wind,     "velocity",          Linear,      0.0,  25.0},
-    Tuning{Kind::Wind,     "gustiness",         Linear,      0.0,  25.0},
-};
-// clang-format on
+constexpr int sliderSteps = 400;
 
 bool isNeverNegative(const Property& property) { return property.range.low >= 0.0; }
 
@@ -50,45 +33,33 @@ double rounded(double value)
 // Without the dust of binary sums.
 double exact(double value) { return QString::number(value, 'g', 12).toDouble(); }
 
+QString words(const char* text) { return QCoreApplication::translate("Field", text); }
+
+Transform toMagnitude(const Property& property, double size)
+{
+    return [&property, size](const Value& before) -> Value {
+        if (const Vec3* vector = std::get_if<Vec3>(&before)) {
+            const double length = vector->norm();
+            return Vec3(length > 0.0 ? Vec3(*vector * (size / length)) : Vec3(size, 0.0, 0.0));
+        }
+        if (std::holds_alternative<std::monostate>(before))
+            return clamped(property, size); // no longer the material's
+        return numberTransform(property, 0, [size](double) { return size; })(before);
+    };
+}
+
 } // namespace
-
-const Tuning* tuningOf(const Property& property)
-{
-    const auto found = std::find_if(tunings.begin(), tunings.end(), [&](const Tuning& t) {
-        return t.kind == property.kind && t.key == property.key;
-    });
-    return found == tunings.end() ? nullptr : &*found;
-}
-
-double valueAt(const Tuning& tuning, double place)
-{
-    if (tuning.scale == Linear)
-        return rounded(tuning.low + place * (tuning.high - tuning.low));
-    const bool hasZero = tuning.low < 1.0;
-    return hasZero && place <= 0.0
-               ? 0.0
-               : rounded(tuning.low * std::pow(tuning.high / tuning.low, place));
-}
-
-double placeOf(const Tuning& tuning, double value)
-{
-    if (tuning.scale == Linear)
-        return std::clamp((value - tuning.low) / (tuning.high - tuning.low), 0.0, 1.0);
-    if (value <= tuning.low)
-        return 0.0;
-    return std::min(std::log(value / tuning.low) / std::log(tuning.high / tuning.low), 1.0);
-}
 
 double scrubbed(const Property& property, double before, double distance)
 {
     if (isWhole(property))
         return std::round(before + distance / 8.0);
-    const Tuning* tuning = tuningOf(property);
+    const auto range = usualRange(property);
     if (isNeverNegative(property) && property.range.high > 1.0 && before > 0.0)
         return rounded(before * std::exp2(distance / 100.0));
-    if (isNeverNegative(property) && tuning && tuning->scale == Logarithmic)
-        return distance > 0.0 ? valueAt(*tuning, distance / 500.0) : 0.0;
-    const double step = tuning && property.range.high <= 1.0 ? 0.002 : 0.01;
+    if (isNeverNegative(property) && range && range->logarithmic)
+        return distance > 0.0 ? valueAt(*range, distance / 500.0) : 0.0;
+    const double step = range && property.range.high <= 1.0 ? 0.002 : 0.01;
     return exact(before + std::round(distance) * step);
 }
 
@@ -122,6 +93,44 @@ Transform numberTransform(const Property& property, int axis, std::function<doub
         }
         return before; // absent
     };
+}
+
+double magnitude(const Value& value)
+{
+    if (const Vec3* vector = std::get_if<Vec3>(&value))
+        return vector->norm();
+    if (const int* whole = std::get_if<int>(&value))
+        return *whole;
+    const double* real = std::get_if<double>(&value);
+    return real ? *real : 0.0;
+}
+
+QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range)
+{
+    auto* bar = new QSlider(Qt::Horizontal);
+    bar->setRange(0, sliderSteps);
+    bar->setPageStep(sliderSteps / 20);
+    bar->setSingleStep(sliderSteps / 100);
+    bar->setFocusPolicy(Qt::TabFocus);
+    bar->setAccessibleName(words("%1 slider").arg(labelOf(property)));
+    bar->setToolTip(words("Drag to tune %1 while it flies.").arg(labelOf(property).toLower()));
+
+    const auto dragging = std::make_shared<Dragging>(subject, property);
+    QObject::connect(bar, &QSlider::sliderPressed, bar, [=] { dragging->begin(); });
+    QObject::connect(bar, &QSlider::valueChanged, bar, [=, &property](int position) {
+        if (!bar->isSliderDown())
+            dragging->begin(); // a key or a click beside the handle
+        dragging->move(toMagnitude(property, valueAt(range(), double(position) / sliderSteps)));
+    });
+    return bar;
+}
+
+void showOn(QSlider& slider, const SliderRange& range, const Common& common)
+{
+    if (slider.isSliderDown())
+        return;
+    const QSignalBlocker quiet(&slider);
+    slider.setValue(int(std::lround(placeOf(range, magnitude(common.value)) * sliderSteps)));
 }
 
 void Dragging::begin()

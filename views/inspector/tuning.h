@@ -2,25 +2,11 @@
 #pragma once
 
 #include "inspector/subject.h"
+#include "scene/slider.h"
+
+class QSlider;
 
 namespace ripstop {
-
-// The stretch of values that a slider covers. Fields take any value that the property allows.
-struct Tuning
-{
-    enum class Scale { Linear, Logarithmic }; // logarithmic has its zero at the left end
-    Kind kind;
-    std::string_view key;
-    Scale scale;
-    double low;
-    double high;
-};
-
-// Null for properties without a slider. A vector is tuned by its length.
-const Tuning* tuningOf(const Property& property);
-
-double valueAt(const Tuning& tuning, double place); // place 0..1
-double placeOf(const Tuning& tuning, double value);
 
 // A value after its label was dragged by `distance` px: numbers that cannot be negative double
 // every 100 px, others move by steps.
@@ -53,5 +39,12 @@ private:
     std::vector<Value> m_before;
     int m_gesture = 0;
 };
+
+// A slider over the subject's values of the property; `range` is asked at each move, so that it can
+// be edited. One press to release is one step of undo, and so is a key.
+QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range);
+void showOn(QSlider& slider, const SliderRange& range, const Common& common);
+
+double magnitude(const Value& value); // a vector's length
 
 } // namespace ripstop

@@ -1,13 +1,13 @@
 #include "start/parameter_field.h"
 
 #include "document/words.h"
+#include "scene/typed_number.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -88,12 +88,8 @@ double ParameterField::value() const
 {
     if (m_switch)
         return m_switch->isChecked() ? 1.0 : 0.0;
-    bool isNumber = false;
-    const QString typed = m_number->text().trimmed();
-    double number = QLocale::c().toDouble(typed, &isNumber);
-    if (!isNumber)
-        number = QLocale().toDouble(typed, &isNumber);
-    return isNumber ? number : std::numeric_limits<double>::quiet_NaN();
+    const Typed typed = typedValue(m_number->text().toStdString(), m_parameter.unit);
+    return typed.number ? typed.number->number : std::numeric_limits<double>::quiet_NaN();
 }
 
 void ParameterField::setValue(double value)

@@ -1,0 +1,61 @@
+// The sliders of a design: which of its numbers are at hand while it runs, and over which range.
+//
+// They belong to the scene, because they name its things and because who gets the file wants to
+// turn the same knobs; nothing that is computed depends on them. In a file they are one text:
+//
+//     material.stiffness #17 1 100000 log; particle.mass #3 #4 0 1; settings.sweeps 1 256
+//
+// A choice or a switch has no range.
+#pragma once
+
+#include "scene/property.h"
+
+namespace ripstop {
+
+// The stretch of values that a slider covers. Fields take any value that the property allows. A
+// vector is tuned by its length.
+struct SliderRange
+{
+    double low = 0.0;
+    double high = 1.0;
+    bool logarithmic = false; // `low` is above 0; below 1, zero is at the left end
+
+    friend bool operator==(const SliderRange&, const SliderRange&) = default;
+};
+
+struct Slider
+{
+    const Property* property;
+    std::vector<Id> ids; // ascending, of the property's kind
+    SliderRange range;
+
+    friend bool operator==(const Slider&, const Slider&) = default;
+};
+
+// A slider writes to each of its things at each step of a drag; more of them are better made a
+// material or a group.
+inline constexpr std::size_t mostOfASlider = 200;
+
+bool hasRange(const Property& property);   // numbers and vectors
+bool canBeTuned(const Property& property); // those, switches and choices
+
+// The range that a form shows without being asked; nothing for what is seldom tuned.
+std::optional<SliderRange> usualRange(const Property& property);
+
+// The usual one, or one around the value.
+SliderRange rangeAround(const Property& property, double value);
+
+// A refusal as half a sentence where the range cannot be had.
+std::optional<std::string> refusal(const Property& property, const SliderRange& range);
+
+double valueAt(const SliderRange& range, double place); // place 0..1; three digits
+double placeOf(const SliderRange& range, double value);
+
+// A message is half a sentence, as those of refusal().
+Result<std::vector<Slider>> slidersFromText(std::string_view text);
+std::string textOf(const std::vector<Slider>& sliders);
+
+// Those whose things exist, without the things that are gone.
+std::vector<Slider> existing(const Scene& scene, std::vector<Slider> sliders);
+
+} // namespace ripstop

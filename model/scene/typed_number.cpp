@@ -1,0 +1,189 @@
+#include "scene/typed_number.h"
+
+#include "scene/expression.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+// A text that is read from both ends, and where what is left of it begins.
+struct Rest
+{
+    std::string_view text;
+    std::size_t at = 0;
+
+    void trim()
+    {
+        const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+        while (!text.empty() && isBlank(text.front()))
+            drop(1);
+        while (!text.empty() && isBlank(text.back()))
+            text.remove_suffix(1);
+    }
+    void drop(std::size_t count)
+    {
+        text.remove_prefix(count);
+        at += count;
+    }
+    bool take(std::string_view mark)
+    {
+        if (!text.starts_with(mark))
+            return false;
+        drop(mark.size());
+        trim();
+        return true;
+    }
+};
+
+constexpr std::string_view minus = "\u2212"; // the typographic one
+
+// "kg, g or t"; a few are enough to see what is meant.
+std::string offered(std::string_view wanted)
+{
+    const std::vector<std::string> units = unitsLike(wanted);
+    const std::size_t most = std::min<std::size_t>(units.size(), 5);
+    std::string text;
+    for (std::size_t i = 0; i < most; ++i)
+        text += (i == 0 ? "" : i + 1 == most ? " or " : ", ") + units[i];
+    return text;
+}
+
+std::string complaintAbout(const ExpressionFault& fault, std::string_view wanted)
+{
+    const std::string units = offered(wanted);
+    const std::string word = "\"" + fault.word + "\"";
+    switch (fault.sort) {
+    case ExpressionFault::Sort::UnknownUnit:
+        return units.empty() ? "must be a number without a unit" : "must be a number in " + units;
+    case ExpressionFault::Sort::UnlikeSum:
+        return "must be a sum of numbers in one kind of unit"
+               + (units.empty() ? "" : ", such as " + units);
+    case ExpressionFault::Sort::WrongUnit:
+        return wanted.empty() ? "must be a number without a unit" : "must be in " + units;
+    case ExpressionFault::Sort::NotANumber:
+        break;
+    }
+    return "must be a number";
+}
+
+Typed refusedFor(ExpressionFault fault, const Rest& rest, std::string_view wanted)
+{
+    const bool isUnit = fault.sort == ExpressionFault::Sort::UnknownUnit
+                        || fault.sort == ExpressionFault::Sort::WrongUnit;
+    return {std::nullopt, complaintAbout(fault, wanted), rest.at + fault.at,
+            isUnit ? fault.word : std::string()};
+}
+
+// Where the unit of a text begins: at the first letter or sign that numbers have not.
+std::size_t unitAt(std::string_view text)
+{
+    return std::min(text.find_first_not_of("0123456789.,+-*/^() \te"), text.size());
+}
+
+// Without the dust of binary products: 7 cm is 0.07 m.
+double clean(double value)
+{
+    char text[32];
+    const auto [end, error] =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 15);
+    if (std::isfinite(value) && error == std::errc())
+        std::from_chars(text, end, value);
+    return value;
+}
+
+// The number in the wanted unit.
+Typed plain(const Rest& rest, std::string_view wanted)
+{
+    const std::optional<Measured> unit = measureOfUnit(wanted);
+    Expression read = evaluate(rest.text, unit ? unit->dimension : Dimension{});
+    if (!read.quantity)
+        return refusedFor(std::move(read.fault), rest, wanted);
+    const Measured& quantity = *read.quantity;
+    if (!quantity.hasUnit)
+        return {TypedNumber{TypedNumber::Sort::Absolute, quantity.value}, {}, 0, {}};
+    if (unit && quantity.dimension == unit->dimension)
+        return {TypedNumber{TypedNumber::Sort::Absolute, clean(quantity.value / unit->value)},
+                {},
+                0,
+                {}};
+    const std::size_t at = unitAt(rest.text);
+    return refusedFor({ExpressionFault::Sort::WrongUnit, at, std::string(rest.text.substr(at))},
+                      rest, wanted);
+}
+
+} // namespace
+
+double TypedNumber::appliedTo(double before) const
+{
+    if (sort == Sort::Absolute)
+        return number;
+    return sort == Sort::Times ? before * number : before + number;
+}
+
+Typed typedNumber(std::string_view text, std::string_view wanted)
+{
+    using enum TypedNumber::Sort;
+    Rest rest{text};
+    rest.trim();
+    const auto as = [](Typed typed, TypedNumber::Sort sort, auto change) {
+        if (typed.number)
+            typed.number = TypedNumber{sort, change(typed.number->number)};
+        return typed;
+    };
+
+    if (rest.take("*") || rest.take("\u00d7"))
+        return as(plain(rest, {}), Times, [](double factor) { return factor; });
+    if (rest.take("/"))
+        return as(plain(rest, {}), Times, [](double divisor) { return 1.0 / divisor; });
+
+    const bool plusEquals = rest.take("+=");
+    const bool minusEquals = !plusEquals && (rest.take("-=") || rest.take("\u2212="));
+    const Rest whole = rest;
+    const bool plus = plusEquals || (!minusEquals && rest.take("+"));
+    const bool isNegative = !plus && !minusEquals && (rest.take("-") || rest.take(minus));
+    const double sign = minusEquals || isNegative ? -1.0 : 1.0;
+    if ((plus || minusEquals || isNegative) && rest.text.ends_with('%')) {
+        Rest share = rest; // "+5 %" is a change, whatever is wanted
+        share.text.remove_suffix(1);
+        if (const Typed percent = plain(share, {}); percent.number)
+            return as(percent, Times, [=](double size) { return 1.0 + sign * size / 100.0; });
+    }
+    if (plus || minusEquals)
+        return as(plain(rest, wanted), Plus, [=](double term) { return sign * term; });
+    return plain(whole, wanted);
+}
+
+Value changed(const Value& before, const TypedNumber& typed, int axis)
+{
+    if (const double* real = std::get_if<double>(&before))
+        return typed.appliedTo(*real);
+    if (const int* whole = std::get_if<int>(&before)) {
+        const double result = typed.appliedTo(*whole);
+        const bool fits = std::abs(result) < 2e9;
+        // Left as it is, a broken number is refused by its type.
+        const bool isWhole =
+            typed.sort != TypedNumber::Sort::Absolute || result == std::rint(result);
+        return fits && isWhole ? Value(int(std::lround(result))) : Value(result);
+    }
+    if (const Vec3* vector = std::get_if<Vec3>(&before)) {
+        Vec3 result = *vector;
+        result[axis] = typed.appliedTo(result[axis]);
+        return result;
+    }
+    // absent: only a value of its own can take its place
+    return typed.sort == TypedNumber::Sort::Absolute ? Value(typed.number) : before;
+}
+
+Typed typedValue(std::string_view text, std::string_view wanted)
+{
+    Rest rest{text};
+    rest.trim();
+    if (!rest.text.starts_with("+="))
+        (void)rest.take("+");
+    return plain(rest, wanted);
+}
+
+} // namespace ripstop

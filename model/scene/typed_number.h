@@ -1,0 +1,50 @@
+// What people type where a number is wanted: the one reader of fields, dialogs, conditions, tables
+// and the command line.
+//
+//     12   25 g   2*15 cm   1/240 s   0,5   5 %     the value itself
+//     *1.1   /2   +5 %   -5 %                       each value times a factor
+//     +0.2   +=2 cm   -=0.2                         each value plus a term
+//
+// A minus alone is a sign, so that coordinates can be typed as they are. A number without a unit is
+// in the unit that is wanted.
+#pragma once
+
+#include "scene/property.h"
+
+namespace ripstop {
+
+struct TypedNumber
+{
+    enum class Sort { Absolute, Times, Plus };
+    Sort sort;
+    double number; // in the wanted unit; a factor has none
+
+    double appliedTo(double before) const;
+};
+
+struct Typed
+{
+    std::optional<TypedNumber> number;
+    std::string complaint; // half a sentence when there is none: "must be in kg, g or t, not in m"
+    std::size_t at = 0;    // character that the complaint is about, from 0
+    std::string unit;      // the unit that does not fit, if that is it
+};
+
+// `unit` is the wanted one, as in the table of properties; empty for a pure number.
+Typed typedNumber(std::string_view text, std::string_view unit);
+
+// Where nothing is there to change: a relative text is refused.
+Typed typedValue(std::string_view text, std::string_view unit);
+
+// A number, or one axis of a vector, after the change. Relative changes of whole numbers are
+// rounded; an absent value stays absent unless it is given one.
+Value changed(const Value& before, const TypedNumber& typed, int axis = 0);
+
+// The unit of the property of this thing: that of a tear limit is what the tear rule of its
+// material compares with.
+std::string_view unitOf(const Scene& scene, const Property& property, const ConstRef& ref);
+
+// As valueFromText() of property.h, with numbers in `unit` where they have none of their own.
+Result<Value> valueFromText(const Property& property, std::string_view text, std::string_view unit);
+
+} // namespace ripstop

@@ -1,0 +1,47 @@
+// What a value is for: whether anything of the present set-up asks for it.
+//
+// The stiffness of a rod, the sweeps of a solver that makes one, the air of a scene without fabric:
+// such numbers can be turned for hours without effect, so forms say that they do nothing, and why.
+#pragma once
+
+#include "scene/edit.h"
+
+#include <map>
+
+namespace ripstop {
+
+// What is made of a material, or of all of them.
+struct Use
+{
+    std::size_t springs = 0;
+    std::size_t rods = 0;
+    std::size_t panels = 0;
+    std::size_t ownStiffness = 0;  // springs that have their own
+    std::size_t ownDamping = 0;    // springs
+    std::size_t ownCompliance = 0; // rods
+    std::size_t ownTearLimit = 0;  // links
+    std::size_t lines = 0;         // links with the role line
+    std::size_t threads = 0;       // links with the role thread and a width
+    std::size_t biases = 0;        // the same with the role bias
+
+    std::size_t links() const { return springs + rods; }
+};
+
+struct Usage
+{
+    std::map<Id, Use> ofMaterial;
+    Use ofAll;
+};
+
+// Goes over all links and panels once.
+Usage usageOf(const Scene& scene);
+
+// Whether the edit may make a usage stale.
+bool changesUsage(const Edit& edit);
+
+// Why the property of this thing does nothing as things are, as half a sentence ("its links are all
+// rods, which take the compliance"); nothing where it has an effect.
+std::optional<std::string> whyIdle(const Scene& scene, const Usage& usage, const Property& property,
+                                   Id id);
+
+} // namespace ripstop

@@ -1,0 +1,267 @@
+// Sliders that act while the design runs, and the panel that holds them.
+#include "document/document.h"
+#include "document/selection.h"
+#include "inspector/inspector.h"
+#include "inspector/tuning_panel.h"
+#include "inspector/tuning_row.h"
+#include "inspector/value_edit.h"
+#include "small_scenes.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+const Property& stiffness = *findProperty(Kind::Material, "stiffness");
+const Property& compliance = *findProperty(Kind::Material, "compliance");
+const Property& mass = *findProperty(Kind::Particle, "mass");
+const Property& limit = *findProperty(Kind::Control, "limit");
+constexpr Id threadId{9}, control{14};
+
+// The panel beside the inspector, over one of everything, remembering nothing.
+struct Desk
+{
+    Document document;
+    Selection selection{document};
+    Inspector inspector{document, selection};
+    TuningPanel panel{document, selection, inspector.sliders()};
+
+    Desk()
+    {
+        inspector.sliders().remember(false);
+        document.replace(oneOfEverything());
+        panel.resize(300, 600);
+        panel.show();
+        QApplication::setActiveWindow(&panel); // Xvfb has no window manager to do it
+    }
+
+    TuningRow* add(const Property& property, std::vector<Id> ids)
+    {
+        if (inspector.sliders().toggle(property, ids))
+            return nullptr;
+        QApplication::processEvents(); // it is shown
+        for (TuningRow* row : panel.findChildren<TuningRow*>())
+            if (row->slider().property == &property && row->slider().ids == ids)
+                return row;
+        return nullptr;
+    }
+    Value value(Id id, const Property& property) const
+    {
+        return property.get(*find(document.scene(), id));
+    }
+    void set(Id id, std::string_view key, Value to)
+    {
+        document.push(setValue(document.scene(), id, key, std::move(to)));
+    }
+    bool says(const QString& words) const
+    {
+        QApplication::processEvents(); // rows that are new are shown
+        const auto labels = panel.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(words);
+        });
+    }
+};
+
+void type(QLineEdit* edit, const QString& text)
+{
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+    QTest::keyClick(edit, Qt::Key_Return);
+}
+
+ValueEdit* endOf(TuningRow* row, const char* name)
+{
+    for (ValueEdit* edit : row->findChildren<ValueEdit*>())
+        if (edit->accessibleName() == name)
+            return edit;
+    return nullptr;
+}
+
+} // namespace
+
+class TestTuning : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aSliderStaysWhateverIsSelected()
+    {
+        Desk desk;
+        QVERIFY(desk.says("No sliders yet"));
+        TuningRow* row = desk.add(compliance, {threadId});
+        QVERIFY(row && !desk.says("No sliders yet"));
+        desk.selection.set({Id{3}});
+        desk.selection.set({});
+        QCOMPARE(desk.panel.findChildren<TuningRow*>().size(), 1);
+        QVERIFY(row->isVisible());
+    }
+
+    // From press to release is one step of undo, with everything between acting at once.
+    void aDragIsOneStep()
+    {
+        Desk desk;
+        auto* bar = desk.add(mass, {Id{3}, Id{4}})->findChild<QSlider*>();
+        const Value before = desk.value(Id{3}, mass);
+        bar->setSliderDown(true);
+        for (const int place : {100, 200, 300}) {
+            bar->setSliderPosition(place);
+            QVERIFY(desk.value(Id{3}, mass) != before);
+            QCOMPARE(desk.value(Id{4}, mass), desk.value(Id{3}, mass));
+        }
+        bar->setSliderDown(false);
+        QCOMPARE(desk.document.history().count(), 1);
+        desk.document.history().undo();
+        QCOMPARE(desk.value(Id{3}, mass), before);
+    }
+
+    // Half way on a logarithmic range from 1 to 10 000 is 100, typed ends and all.
+    void theRangeIsEdited()
+    {
+        Desk desk;
+        desk.set(Id{5}, "kind", std::string("spring"));
+        TuningRow* row = desk.add(stiffness, {threadId});
+        type(endOf(row, "Left end"), "1");
+        type(endOf(row, "Right end"), "10 kN/m");
+        auto* bar = row->findChild<QSlider*>();
+        bar->setValue((bar->minimum() + bar->maximum()) / 2);
+        QCOMPARE(desk.value(threadId, stiffness), Value(100.0));
+
+        QTest::keyClicks(endOf(row, "Right end"), "x"); // no number: the range stays
+        QVERIFY(desk.says("range"));
+        QTest::keyClick(endOf(row, "Right end"), Qt::Key_Escape);
+        QCOMPARE(row->slider().range.high, 1e4);
+        type(endOf(row, "Right end"), "0.5"); // left of the left end
+        QCOMPARE(row->slider().range.high, 1e4);
+    }
+
+    void whatDoesNothingSaysSo()
+    {
+        Desk desk;
+        desk.add(stiffness, {threadId}); // its links are rods
+        QVERIFY(desk.says("Does nothing now: its links are all rods"));
+        for (const Id link : {Id{5}, Id{6}, Id{7}})
+            desk.set(link, "kind", std::string("spring"));
+        QVERIFY(!desk.says("Does nothing now"));
+        QVERIFY(desk.says("3 links"));
+    }
+
+    // Two sets: going there and back restores each; B begins as A.
+    void setsAreCompared()
+    {
+        Desk desk;
+        desk.add(mass, {Id{3}});
+        desk.set(Id{3}, "mass", 0.1);
+        desk.panel.switchSets();
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.1));
+        desk.set(Id{3}, "mass", 0.7);
+        QVERIFY(desk.says("from A"));
+        desk.panel.switchSets();
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.1));
+        desk.panel.switchSets();
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.7));
+        desk.document.history().undo(); // a switch is an edit like any other
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.1));
+    }
+
+    void resetGoesBackToWhatWasKept()
+    {
+        Desk desk;
+        desk.set(Id{3}, "mass", 0.1);
+        desk.add(mass, {Id{3}});
+        desk.add(limit, {control});
+        const Value way = desk.value(control, limit);
+        desk.set(Id{3}, "mass", 0.2);
+        desk.set(control, "limit", 3.0);
+        desk.panel.reset();
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.1));
+        QCOMPARE(desk.value(control, limit), way);
+        desk.document.history().undo(); // both in one step
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.2));
+        QCOMPARE(desk.value(control, limit), Value(3.0));
+        desk.panel.keep();
+        desk.set(Id{3}, "mass", 0.3);
+        desk.panel.reset();
+        QCOMPARE(desk.value(Id{3}, mass), Value(0.2));
+    }
+
+    // Of two things that a slider moves one may go; with the last one the slider does, and undo
+    // brings both back.
+    void slidersOfWhatIsRemoved()
+    {
+        Desk desk;
+        desk.add(limit, {control});
+        const auto rows = [&] {
+            QApplication::processEvents();
+            const auto all = desk.panel.findChildren<TuningRow*>();
+            return std::count_if(all.begin(), all.end(),
+                                 [](const TuningRow* row) { return row->isVisible(); });
+        };
+        QCOMPARE(rows(), 1);
+        desk.document.push({"Remove", {RemoveItem{control}}});
+        QCOMPARE(rows(), 0);
+        QVERIFY(desk.says("No sliders yet"));
+        desk.document.history().undo();
+        QCOMPARE(rows(), 1);
+    }
+
+    void theUsualOnesActHere()
+    {
+        Desk desk;
+        auto buttons = desk.panel.findChildren<QPushButton*>();
+        const auto usual = std::find_if(buttons.begin(), buttons.end(), [](QPushButton* button) {
+            return button->text().contains("usual") && button->isVisible();
+        });
+        QVERIFY(usual != buttons.end());
+        (*usual)->click();
+        const std::vector<Slider> sliders = desk.inspector.sliders().sliders();
+        QVERIFY(sliders.size() >= 3);
+        QVERIFY(!desk.says("Does nothing now"));
+    }
+
+    void tooManyThingsAreRefused()
+    {
+        Desk desk;
+        std::vector<Id> ids;
+        for (std::uint32_t i = 0; i <= mostOfASlider; ++i)
+            ids.push_back(Id{i + 100});
+        const auto failure = desk.inspector.sliders().toggle(mass, ids);
+        QVERIFY(failure && failure->message.find("tune the material") != std::string::npos);
+    }
+
+    // What is tuned belongs to the desk: it is there when the file is opened again, and the scene
+    // is not modified by it.
+    void slidersAreRememberedByFile()
+    {
+        QCoreApplication::setOrganizationName("ripstop-test");
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QTemporaryDir folder;
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+        const QString file = folder.filePath("a.ripstop.json");
+        {
+            Document document;
+            document.replace(oneOfEverything());
+            QVERIFY(!document.save(file));
+            SliderShelf shelf(document);
+            QVERIFY(!shelf.toggle(mass, {Id{3}}));
+            QVERIFY(!document.isModified());
+        }
+        Document document;
+        SliderShelf shelf(document);
+        QVERIFY(!document.open(file));
+        QVERIFY(shelf.has(mass, {Id{3}}));
+        document.replace(oneOfEverything());
+        QVERIFY(shelf.sliders().empty());
+    }
+};
+
+QTEST_MAIN(TestTuning)
+#include "test_tuning.moc"

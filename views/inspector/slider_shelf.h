@@ -1,0 +1,45 @@
+#pragma once
+
+#include "base/result.h"
+#include "scene/slider.h"
+
+#include <QObject>
+
+namespace ripstop {
+
+class Document;
+
+// The sliders that a person has at hand for the open scene. They are remembered with the settings
+// of the program, by the scene's file, and not in the file: what is being tuned is a matter of the
+// desk, and a design that is only looked at stays unmodified. The values are edits of the scene.
+class SliderShelf final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit SliderShelf(Document& document, QObject* parent = nullptr);
+
+    // Those whose things exist now.
+    std::vector<Slider> sliders() const;
+    bool has(const Property& property, const std::vector<Id>& ids) const;
+
+    // Adds one, or takes it away when it is there. Too many things at once are refused.
+    std::optional<Failure> toggle(const Property& property, const std::vector<Id>& ids);
+    void setRange(const Property& property, const std::vector<Id>& ids, const SliderRange& range);
+    void addUsual(); // what is mostly tuned, as far as it has an effect
+
+    void remember(bool on) { m_remembers = on; } // in the settings; not for pictures and tests
+
+signals:
+    void changed();
+
+private:
+    void load();
+    void take(std::vector<Slider> sliders);
+
+    Document& m_document;
+    std::vector<Slider> m_sliders;
+    bool m_remembers = true;
+};
+
+} // namespace ripstop

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "scene/edit.h"
+#include "scene/slider.h"
+
+#include <QWidget>
+
+#include <array>
+#include <memory>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace ripstop {
+
+class Document;
+class Selection;
+class SliderShelf;
+class TuningRow;
+class UsageWatch;
+
+// The properties that are tuned while the design flies, whatever is selected. A value that is set
+// here is an edit like any other, so the next step obeys it, undo takes a drag back as one step,
+// and saving writes it; nothing has to be carried over into the scene afterwards.
+//
+// Two sets of the values, A and B, are remembered while the window is open; one of them is in use.
+class TuningPanel final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TuningPanel(Document& document, Selection& selection, SliderShelf& sliders,
+                QWidget* parent = nullptr);
+    ~TuningPanel() override;
+
+    void switchSets(); // from A to B and back; what was tuned stays in the set that is left
+    void keep();       // the present values are those that reset() goes back to
+    void reset();
+
+    bool isSecondSet() const { return m_active == 1; }
+
+signals:
+    void setsSwitched();
+
+private:
+    // The value that each slider had, by property and things.
+    struct Held
+    {
+        const Property* property;
+        std::vector<Id> ids;
+        std::vector<Value> values; // [ids]
+    };
+    using Set = std::vector<Held>;
+
+    void rebuild();
+    void refresh();
+    Set captured() const;
+    Edit restoring(const Set& set, const QString& label) const;
+    void apply(const Set& set, const QString& label);
+    void showSets();
+    QWidget* buildBar();
+    QWidget* buildEmpty();
+
+    Document& m_document;
+    Selection& m_selection;
+    SliderShelf& m_sliders;
+    std::unique_ptr<UsageWatch> m_usage;
+    std::vector<TuningRow*> m_rows; // of the layout
+    std::array<Set, 2> m_sets;
+    int m_active = 0;
+    Set m_kept;
+    QWidget* m_bar = nullptr;
+    QWidget* m_empty = nullptr;
+    QVBoxLayout* m_list = nullptr;
+    std::array<QToolButton*, 2> m_letters{};
+    QLabel* m_difference = nullptr;
+    QPushButton* m_reset = nullptr;
+};
+
+} // namespace ripstop

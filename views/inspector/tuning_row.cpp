@@ -1,0 +1,216 @@
+#include "inspector/tuning_row.h"
+
+#include "document/document.h"
+#include "document/words.h"
+#include "icons/icon.h"
+#include "inspector/scrub_label.h"
+#include "inspector/tuning.h"
+#include "inspector/usage_watch.h"
+#include "inspector/value_edit.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QSlider>
+#include <QToolButton>
+
+namespace ripstop {
+namespace {
+
+constexpr int endWidth = 62; // px
+
+QString plural(std::size_t count, Kind kind) { return counted(kind, qsizetype(count)); }
+
+} // namespace
+
+TuningRow::TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_usage(usage)
+    , m_subject(document)
+    , m_slider(std::move(slider))
+    , m_label(new ScrubLabel({}))
+    , m_note(new QLabel)
+    , m_complaint(new QLabel)
+{
+    const Property& property = *m_slider.property;
+    m_subject.set(property.kind, m_slider.ids);
+    m_label->setTextFormat(Qt::PlainText);
+    m_note->setWordWrap(true);
+    m_note->setForegroundRole(QPalette::PlaceholderText);
+    m_complaint->setWordWrap(true);
+    QPalette red = m_complaint->palette();
+    red.setColor(QPalette::WindowText, QColor(0xd6, 0x3b, 0x3b));
+    m_complaint->setPalette(red);
+    m_complaint->hide();
+    const auto complain = [this](const QString& sentence) {
+        m_complaint->setText(sentence);
+        m_complaint->setVisible(!sentence.isEmpty());
+    };
+    m_field = makeField({m_subject, property, *m_label, complain, false});
+    m_label->setBuddy(m_field.focus[0]);
+    for (QWidget* focus : m_field.focus)
+        if (focus && focus->accessibleName().isEmpty())
+            focus->setAccessibleName(labelOf(property));
+    auto* select = new QAction(tr("Select"), m_label);
+    connect(select, &QAction::triggered, this, &TuningRow::chosen);
+    m_label->addAction(select);
+    m_label->setContextMenuPolicy(Qt::ActionsContextMenu);
+
+    auto* remove = new QToolButton;
+    remove->setIcon(icon(QStringLiteral("close")));
+    remove->setIconSize(QSize(12, 12));
+    remove->setAutoRaise(true);
+    remove->setToolTip(tr("Take this slider away. The value stays as it is."));
+    remove->setAccessibleName(tr("Remove slider for %1").arg(labelOf(property).toLower()));
+    connect(remove, &QToolButton::clicked, this, &TuningRow::removed);
+
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(8, 4, 4, 6);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(0, 5);
+    grid->setColumnStretch(1, 4);
+    const bool isVector = std::holds_alternative<Vec3>(property.initial);
+    grid->addWidget(m_label, 0, 0, 1, isVector ? 2 : 1);
+    grid->addWidget(m_field.widget, isVector ? 1 : 0, isVector ? 0 : 1, 1, isVector ? 2 : 1);
+    grid->addWidget(remove, 0, 2, Qt::AlignTop);
+    if (hasRange(property))
+        grid->addWidget(rangeLine(), 2, 0, 1, 2);
+    grid->addWidget(m_note, 3, 0, 1, 2);
+    grid->addWidget(m_complaint, 4, 0, 1, 2);
+    refresh();
+}
+
+QWidget* TuningRow::rangeLine()
+{
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    m_bar = makeSlider(m_subject, *m_slider.property, [this] { return m_slider.range; });
+    m_low = endEdit(&SliderRange::low, tr("Left end"));
+    m_high = endEdit(&SliderRange::high, tr("Right end"));
+    m_log = new QToolButton;
+    m_log->setText(tr("log"));
+    m_log->setCheckable(true);
+    m_log->setAutoRaise(true);
+    m_log->setToolTip(tr("Equal ways of the slider are equal factors, not equal differences."));
+    connect(m_log, &QToolButton::clicked, this, [this](bool on) {
+        SliderRange range = m_slider.range;
+        range.logarithmic = on;
+        if (on && range.low <= 0.0)
+            range.low = range.high / 1000.0;
+        editRange(range);
+    });
+    layout->addWidget(m_low);
+    layout->addWidget(m_bar, 1);
+    layout->addWidget(m_high);
+    layout->addWidget(m_log);
+    return line;
+}
+
+ValueEdit* TuningRow::endEdit(double SliderRange::*end, const QString& name)
+{
+    const auto rangeOf = [this, end](const QString& text, QString& complaint) {
+        const Property& property = *m_slider.property;
+        const auto refs = m_subject.refs();
+        const std::string_view unit =
+            refs.empty() ? property.unit : unitOf(m_document.scene(), property, refs.front());
+        const Typed typed = typedNumber(text.toStdString(), unit);
+        SliderRange range = m_slider.range;
+        if (!typed.number) {
+            complaint = QString::fromStdString(typed.complaint);
+            return range;
+        }
+        range.*end = typed.number->appliedTo(range.*end);
+        if (const auto reason = refusal(property, range))
+            complaint = QString::fromStdString(*reason);
+        return range;
+    };
+    auto* edit = new ValueEdit([rangeOf, name](const QString& text) {
+        QString complaint;
+        rangeOf(text, complaint);
+        return complaint.isEmpty() ? QString() : tr("%1: the range %2.").arg(name, complaint);
+    });
+    edit->setFixedWidth(endWidth);
+    edit->setFrame(false);
+    edit->setAlignment(end == &SliderRange::low ? Qt::AlignRight : Qt::AlignLeft);
+    edit->setAccessibleName(name);
+    edit->setToolTip(tr("%1 of the slider; type another one.").arg(name));
+    connect(edit, &ValueEdit::complained, this, [this](const QString& sentence) {
+        m_complaint->setText(sentence);
+        m_complaint->setVisible(!sentence.isEmpty());
+    });
+    connect(edit, &ValueEdit::committed, this, [this, rangeOf](const QString& text) {
+        QString complaint;
+        const SliderRange range = rangeOf(text, complaint);
+        if (complaint.isEmpty())
+            editRange(range);
+    });
+    return edit;
+}
+
+void TuningRow::editRange(SliderRange range)
+{
+    if (!refusal(*m_slider.property, range) && range != m_slider.range)
+        emit rangeEdited(range);
+    else
+        refresh();
+}
+
+void TuningRow::setRange(const SliderRange& range) { m_slider.range = range; }
+
+// What the slider acts on, or why it acts on nothing.
+QString TuningRow::note()
+{
+    const Property& property = *m_slider.property;
+    const QString idle = m_usage.whyIdle(property, m_slider.ids);
+    if (!idle.isEmpty())
+        return tr("Does nothing now: %1.").arg(idle);
+    if (property.effect == Effect::OnReset)
+        return tr("Takes effect on reset.");
+    if (property.kind != Kind::Material)
+        return {};
+    const auto& uses = m_usage.usage().ofMaterial;
+    Use sum;
+    for (const Id id : m_slider.ids)
+        if (const auto found = uses.find(id); found != uses.end()) {
+            sum.springs += found->second.springs;
+            sum.rods += found->second.rods;
+            sum.panels += found->second.panels;
+        }
+    QStringList what;
+    if (sum.links() > 0)
+        what << plural(sum.links(), Kind::Link);
+    if (sum.panels > 0)
+        what << plural(sum.panels, Kind::Panel);
+    return tr("Of %1.").arg(what.join(tr(" and ")));
+}
+
+void TuningRow::refresh()
+{
+    const Property& property = *m_slider.property;
+    const std::vector<ConstRef> refs = m_subject.refs();
+    if (refs.size() != m_slider.ids.size())
+        return; // the panel is about to take this row away
+    const QString what = describe(m_document.scene(), m_slider.ids);
+    m_label->setText(property.kind == Kind::Settings
+                         ? labelOf(property)
+                         : what + QStringLiteral(" \u00b7 ") + labelOf(property));
+    const QString words = note();
+    m_note->setText(words);
+    m_note->setVisible(!words.isEmpty());
+    const bool isIdle = !m_usage.whyIdle(property, m_slider.ids).isEmpty();
+    m_label->setForegroundRole(isIdle ? QPalette::PlaceholderText : QPalette::WindowText);
+    m_label->setToolTip(QStringLiteral("<qt>%1</qt>").arg(helpOf(property).toHtmlEscaped()));
+
+    const Common common = Subject::common(property, refs);
+    m_field.refresh(common);
+    if (!m_bar)
+        return;
+    m_low->show(compactNumber(m_slider.range.low));
+    m_high->show(compactNumber(m_slider.range.high));
+    m_log->setChecked(m_slider.range.logarithmic);
+    showOn(*m_bar, m_slider.range, common);
+}
+
+} // namespace ripstop

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "inspector/field.h"
+#include "scene/slider.h"
+
+#include <QWidget>
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace ripstop {
+
+class UsageWatch;
+class ValueEdit;
+
+// One property of the tuning panel: its value to type, a slider below with its range, and what is
+// to be known about it, such as that it does nothing.
+class TuningRow final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidget* parent = nullptr);
+
+    const Slider& slider() const { return m_slider; }
+    void setRange(const SliderRange& range);
+    void refresh(); // shows the values and what they are for
+
+signals:
+    void rangeEdited(const ripstop::SliderRange& range);
+    void removed();
+    void chosen(); // its things are wanted in the inspector
+
+private:
+    QWidget* rangeLine();
+    ValueEdit* endEdit(double SliderRange::*end, const QString& name);
+    void editRange(SliderRange range);
+    QString note();
+
+    Document& m_document;
+    UsageWatch& m_usage;
+    Subject m_subject;
+    Slider m_slider;
+    ScrubLabel* m_label;
+    QLabel* m_note;
+    QLabel* m_complaint;
+    Field m_field;
+    QSlider* m_bar = nullptr; // of what has a range
+    ValueEdit* m_low = nullptr;
+    ValueEdit* m_high = nullptr;
+    QToolButton* m_log = nullptr;
+};
+
+} // namespace ripstop

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scene/usage.h"
+
+#include <QObject>
+#include <QString>
+
+namespace ripstop {
+
+class Document;
+
+// What the numbers of the open scene are for. The count behind it is made when asked for, and again
+// only after edits that may change it.
+class UsageWatch final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit UsageWatch(Document& document, QObject* parent = nullptr);
+
+    // Why the property does nothing for any of these things, as half a sentence; empty where it
+    // has an effect. Of very many things the first ones answer.
+    QString whyIdle(const Property& property, const std::vector<Id>& ids);
+
+    const Usage& usage();
+
+private:
+    Document& m_document;
+    std::optional<Usage> m_usage;
+};
+
+} // namespace ripstop
