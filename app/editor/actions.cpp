@@ -5,6 +5,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/design_rows.h"
+#include "editor/draw_rows.h"
 #include "editor/files.h"
 #include "editor/group_menus.h"
 #include "editor/select_rows.h"
@@ -175,6 +176,8 @@ void Actions::build()
     const auto isView = [](const MenuRow& row) { return QLatin1String(row.menu) == "&View"; };
     const std::vector<MenuRow> design = designRows(m_bench);
     rows.insert(std::ranges::find_if(rows, isView), design.begin(), design.end());
+    const std::vector<MenuRow> draw = drawRows(m_bench);
+    rows.insert(std::ranges::find_if(rows, isView), draw.begin(), draw.end());
     for (const MenuRow& row : rows) {
         if (!row.id) {
             (*row.menu ? open(row.menu) : menu)->addSeparator();

@@ -18,6 +18,7 @@ class QToolBar;
 namespace ripstop {
 
 class Document;
+struct DrawSettings;
 class Files;
 class Inspector;
 class Outline;
@@ -47,6 +48,8 @@ struct Workbench
     std::function<void(const QString&)> showDock; // by its id
     TuningPanel& tuning;
     Inspector& inspector;
+    std::function<void()> showRigidity;
+    DrawSettings& drawSettings;
 };
 
 class Actions final : public QObject

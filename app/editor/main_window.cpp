@@ -6,12 +6,14 @@
 #include "document/selection.h"
 #include "document/words.h"
 #include "editor/condition_dialog.h"
+#include "editor/draw_bar.h"
 #include "editor/key_map.h"
 #include "editor/keys_dialog.h"
 #include "editor/palette.h"
 #include "editor/polar_dialog.h"
 #include "editor/rescue_dialog.h"
 #include "editor/result_page.h"
+#include "editor/rigidity_dialog.h"
 #include "editor/tour.h"
 #include "editor/transform_bar.h"
 #include "editor/verification_dialog.h"
@@ -88,7 +90,8 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     buildToolBar();
     buildStatusBar();
     connectParts();
-    new TransformBar(*m_viewport); // the view owns it
+    new TransformBar(*m_viewport); // the view owns these
+    new DrawBar(m_document, *m_viewport, m_drawSettings, *m_actions);
     qApp->installEventFilter(new ControlKeys(document, player, this));
 
     resize(1280, 800);
@@ -151,7 +154,8 @@ void MainWindow::buildActions()
          [this] { showStartPage(); }, [this] { showKeys(); }, [this] { showVerification(); },
          [this] { showPolar(); }, [this] { showCondition(); }, [this] { importMesh({}); },
          [this] { showPalette(); }, [this] { showTour(); },
-         [this](const QString& dock) { showDock(dock); }, *m_tuning, *m_inspector});
+         [this](const QString& dock) { showDock(dock); }, *m_tuning, *m_inspector,
+         [this] { showRigidity(); }, m_drawSettings});
     m_keys =
         new KeyMap(m_actions->all(),
                    m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore, this);
@@ -177,6 +181,7 @@ void MainWindow::buildToolBar()
     auto* strip = new ToolStrip(m_viewport);
     for (const QStringList& group :
          {QStringList{"toolPointer", "toolBox", "toolLasso"},
+          QStringList{"drawParticles", "drawLinks", "drawPanels"},
           QStringList{"takeParticles", "takeLinks", "takePanels"}, QStringList{"through"}}) {
         QList<QAction*> actions;
         for (const QString& id : group)
@@ -265,6 +270,7 @@ void MainWindow::showScene()
         for (const auto& [id, dock] : m_docks)
             dock->setVisible(!m_hidden.contains(id));
     m_middle->setCurrentWidget(m_viewport);
+    m_docks["outline"]->raise();
     m_docks["plots"]->raise();
     m_viewport->setFocus();
 }
@@ -354,7 +360,6 @@ void MainWindow::showTour()
         showScene();
     else if (samples.isEmpty() || !m_files->open(samples.first()))
         return;
-    m_docks["outline"]->raise();
     const std::vector<TourStop> stops{
         {m_viewport, tr("The design, and its flight"),
          tr("Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are at "
@@ -432,6 +437,15 @@ void MainWindow::showCondition()
     m_condition->show();
     m_condition->raise();
     m_condition->activateWindow();
+}
+
+void MainWindow::showRigidity()
+{
+    if (!m_rigidity)
+        m_rigidity = new RigidityDialog(m_document, m_selection, *m_viewport, this);
+    m_rigidity->show();
+    m_rigidity->raise();
+    m_rigidity->activateWindow();
 }
 
 // The start page stands for no scene, even if one is open behind it.

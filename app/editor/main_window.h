@@ -2,6 +2,7 @@
 
 #include "editor/actions.h"
 #include "editor/files.h"
+#include "viewport/draw_tool.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -30,6 +31,7 @@ class Transport;
 class TuningPanel;
 class ConditionDialog;
 class PolarDialog;
+class RigidityDialog;
 class VerificationDialog;
 class Viewport;
 
@@ -81,6 +83,7 @@ private:
     void showVerification();
     void showPolar();
     void showCondition();
+    void showRigidity();
     void showSelected();
     QString summary(const std::vector<Id>& ids) const;
 
@@ -88,6 +91,7 @@ private:
     Selection& m_selection;
     Player& m_player;
     Memory m_memory;
+    DrawSettings m_drawSettings;
 
     Viewport* m_viewport;
     StartPage* m_start;
@@ -109,6 +113,7 @@ private:
     QLabel* m_selected;
     QPointer<VerificationDialog> m_verification; // while it is open
     QPointer<PolarDialog> m_polar;               // while it is open
+    RigidityDialog* m_rigidity = nullptr;        // once it has been asked for
     ConditionDialog* m_condition = nullptr;      // once it has been asked for
     QTimer m_selectedSoon;                       // counts what is selected
 };

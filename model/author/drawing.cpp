@@ -112,6 +112,13 @@ Id Drawing::material(Material material)
     return id;
 }
 
+Id Drawing::materialNamed(std::string name)
+{
+    Material plain;
+    plain.name = std::move(name);
+    return material(std::move(plain));
+}
+
 Id Drawing::part(const std::string& name)
 {
     Part part;

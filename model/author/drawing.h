@@ -26,7 +26,8 @@ public:
     explicit Drawing(const Scene& scene); // has to outlive this
 
     Id material(Material material);
-    Id part(const std::string& name); // an empty one
+    Id materialNamed(std::string name); // a plain one
+    Id part(const std::string& name);   // an empty one
     Id group(const std::string& name, std::vector<Id> members);
 
     Id particle(Id part, const Vec3& position, double mass = 0.0); // m, kg

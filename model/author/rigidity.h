@@ -32,7 +32,7 @@ struct Rigidity
 };
 
 // Above this many particles it is refused: what it takes grows with their cube.
-inline constexpr std::size_t mostForRigidity = 400;
+inline constexpr std::size_t mostForRigidity = 300;
 
 // Of the selected particles and all links among them. Fails with a sentence when there are too
 // many, or none.

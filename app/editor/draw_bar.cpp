@@ -1,0 +1,205 @@
+#include "editor/draw_bar.h"
+
+#include "document/document.h"
+#include "editor/actions.h"
+#include "start/parameter_field.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int gap = 10;         // pixels, from the lower edge of the view
+constexpr int fieldWidth = 110; // pixels
+
+// clang-format off
+constexpr Parameter gridParameter{"grid", "m", 0.1, 0, 100, false, "Places snap to a grid of this step in the plane, unless Ctrl is held; 0 is none."};
+constexpr Parameter massParameter{"mass", "kg", 0.01, 0, 1e3, false, "Of each new particle; of a whole line that has several segments."};
+constexpr Parameter segmentsParameter{"segments", "", 1, 1, 1000, true, "Links between two clicks, with new particles along the way."};
+// clang-format on
+
+} // namespace
+
+DrawBar::DrawBar(Document& document, Viewport& viewport, DrawSettings& settings,
+                 const Actions& actions)
+    : QFrame(&viewport)
+    , m_document(document)
+    , m_viewport(viewport)
+    , m_settings(settings)
+    , m_hints{{actions["drawParticles"], tr("Draw particles"),
+               tr("Click where they are to be: in the plane, on fabric. A right drag turns the "
+                  "view.")},
+              {actions["drawLinks"], tr("Draw links"),
+               tr("Click from particle to particle, or where one is to be. The last one again, or "
+                  "Esc, ends the line.")},
+              {actions["drawPanels"], tr("Draw panels"),
+               tr("Click the three corners. Esc begins again.")}}
+    , m_title(new QLabel)
+    , m_hint(new QLabel)
+{
+    layOut();
+    startOver();
+    hide();
+    viewport.installEventFilter(this);
+    for (const Hint& hint : m_hints)
+        connect(hint.tool, &QAction::toggled, this, &DrawBar::refresh);
+    connect(&document, &Document::replaced, this, &DrawBar::startOver);
+    connect(&document, &Document::changed, this, &DrawBar::refresh);
+}
+
+// Ids mean other things in another scene. Its first part is the one to go on with.
+void DrawBar::startOver()
+{
+    m_settings.part = m_settings.material = noId;
+    forEachPart(m_document.scene(), [this](Id id, const Part&) {
+        if (m_settings.part == noId)
+            m_settings.part = id;
+    });
+    refresh();
+}
+
+void DrawBar::layOut()
+{
+    setObjectName(QStringLiteral("drawBar"));
+    setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    QFont bold = font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    m_hint->setForegroundRole(QPalette::PlaceholderText);
+
+    m_part = chooser(tr("Part"),
+                     tr("Where new particles go. Links and panels go to the part of "
+                        "their first particle."),
+                     {}, [this](int row) { m_settings.part = Id(m_part->itemData(row).toUInt()); });
+    m_material = chooser(tr("Material"), tr("Of new links and panels."), {}, [this](int row) {
+        m_settings.material = Id(m_material->itemData(row).toUInt());
+    });
+    auto* kind = chooser(tr("Kind"),
+                         tr("Rods keep their length, lines only do not grow longer, springs pull "
+                            "with a force."),
+                         {tr("Rods"), tr("Lines"), tr("Springs")}, [this](int row) {
+                             m_settings.kind = row == 2 ? LinkKind::Spring : LinkKind::Rod;
+                             m_settings.resists = row == 1 ? Resists::Tension : Resists::Both;
+                         });
+    auto* segments = field(segmentsParameter, m_settings.segments,
+                           [this](double value) { m_settings.segments = int(value); });
+    m_mass =
+        field(massParameter, m_settings.mass, [this](double value) { m_settings.mass = value; });
+    m_onLinks = {kind, segments};
+    auto* plane =
+        chooser(tr("Plane"),
+                tr("Where places off the fabric lie: in a plane through the particle "
+                   "that was clicked last, or through the origin."),
+                {tr("Facing plane"), tr("Level plane"), tr("Front plane"), tr("Side plane")},
+                [this](int row) { m_settings.plane = DrawSettings::Plane(row); });
+    auto* onMesh = new QCheckBox(tr("On fabric"));
+    onMesh->setToolTip(tr("A click on a panel puts the particle there, and not in the plane."));
+    onMesh->setChecked(m_settings.onMesh);
+    connect(onMesh, &QCheckBox::toggled, this, [this](bool on) { m_settings.onMesh = on; });
+
+    auto* words = new QHBoxLayout;
+    words->addWidget(m_title);
+    words->addWidget(m_hint, 1);
+    auto* what = new QHBoxLayout;
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_part, m_material, kind, segments, m_mass})
+        what->addWidget(widget);
+    what->addStretch(1);
+    auto* where = new QHBoxLayout;
+    where->addWidget(plane);
+    where->addWidget(
+        field(gridParameter, m_settings.grid, [this](double value) { m_settings.grid = value; }));
+    where->addWidget(onMesh);
+    where->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 5, 8, 5);
+    layout->setSpacing(4);
+    layout->addLayout(words);
+    layout->addLayout(what);
+    layout->addLayout(where);
+}
+
+QComboBox* DrawBar::chooser(const QString& name, const QString& help, const QStringList& choices,
+                            const std::function<void(int)>& choose)
+{
+    auto* box = new QComboBox;
+    box->addItems(choices);
+    box->setToolTip(help);
+    box->setAccessibleName(name);
+    connect(box, &QComboBox::activated, this, choose);
+    return box;
+}
+
+// With its name before it. What cannot be read changes nothing.
+QWidget* DrawBar::field(const Parameter& parameter, double value,
+                        const std::function<void(double)>& take)
+{
+    auto* number = new ParameterField(parameter);
+    number->setValue(value);
+    number->setMaximumWidth(fieldWidth);
+    connect(number, &ParameterField::changed, this, [number, take] {
+        if (number->isInRange())
+            take(number->value());
+    });
+    auto* label = new QLabel(ParameterField::label(parameter));
+    label->setBuddy(number);
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label);
+    layout->addWidget(number);
+    return row;
+}
+
+template <typename T>
+void DrawBar::fillItems(QComboBox& box, Id chosen, const QString& fresh)
+{
+    box.clear();
+    box.addItem(fresh, 0U);
+    for (const Entry& entry : m_document.scene().items)
+        if (const T* item = std::get_if<T>(&entry.item))
+            box.addItem(QString::fromStdString(item->name), std::uint32_t(entry.id));
+    box.setCurrentIndex(std::max(box.findData(std::uint32_t(chosen)), 0));
+}
+
+void DrawBar::refresh()
+{
+    const auto used =
+        std::ranges::find_if(m_hints, [](const Hint& hint) { return hint.tool->isChecked(); });
+    setVisible(used != m_hints.end());
+    if (used == m_hints.end())
+        return;
+    m_title->setText(used->title);
+    m_hint->setText(used->words);
+    fillItems<Part>(*m_part, m_settings.part, tr("(new part)"));
+    fillItems<Material>(*m_material, m_settings.material, tr("(new material)"));
+    for (QWidget* widget : m_onLinks)
+        widget->setVisible(used == m_hints.begin() + 1);
+    m_material->setVisible(used != m_hints.begin());
+    settle();
+}
+
+void DrawBar::settle()
+{
+    adjustSize();
+    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
+    raise();
+}
+
+bool DrawBar::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == &m_viewport && event->type() == QEvent::Resize && isVisible())
+        settle();
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace ripstop

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "viewport/draw_tool.h"
+
+#include <QFrame>
+
+#include <functional>
+#include <vector>
+
+class QAction;
+class QComboBox;
+class QLabel;
+
+namespace ripstop {
+
+class Actions;
+class Document;
+class ParameterField;
+struct Parameter;
+class Viewport;
+
+// Over the lower edge of the view while a draw tool is in use: what is drawn, of what, and in which
+// plane.
+class DrawBar final : public QFrame
+{
+    Q_OBJECT
+
+public:
+    DrawBar(Document& document, Viewport& viewport, DrawSettings& settings, const Actions& actions);
+
+    void refresh();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Hint
+    {
+        QAction* tool;
+        QString title;
+        QString words;
+    };
+
+    void startOver();
+    void layOut();
+    QComboBox* chooser(const QString& name, const QString& help, const QStringList& choices,
+                       const std::function<void(int)>& choose);
+    QWidget* field(const Parameter& parameter, double value,
+                   const std::function<void(double)>& take);
+    template <typename T>
+    void fillItems(QComboBox& box, Id chosen, const QString& fresh);
+    void settle(); // at its place in the view
+
+    Document& m_document;
+    Viewport& m_viewport;
+    DrawSettings& m_settings;
+    std::vector<Hint> m_hints;
+    QLabel* m_title;
+    QLabel* m_hint;
+    QComboBox* m_part;
+    QComboBox* m_material;
+    QWidget* m_mass;
+    std::vector<QWidget*> m_onLinks; // that only links have
+};
+
+} // namespace ripstop
