@@ -83,7 +83,8 @@ private:
 std::size_t chunkSize(std::size_t rods)
 {
     constexpr std::size_t oneChunk = 3000; // below this, threads cost more than they bring
-    return rods <= oneChunk ? rods : std::clamp<std::size_t>(rods / 16, 512, 2048);
+    // Eight: few, as each boundary holds threads up, and as many for each of two or four threads.
+    return rods <= oneChunk ? rods : std::clamp<std::size_t>(rods / 8, 512, 2048);
 }
 
 // Neighbours have near numbers, so sorting by the higher end keeps chunks compact.
