@@ -1,0 +1,163 @@
+// How the window keeps up with a large design: prints figures, bounds nothing.
+//
+//     xvfb-run build/release/bin/ripstop-bench-window [SIDE] [SECONDS]
+//
+// A cloth of SIDE x SIDE particles (317, about 100 000) is saved, opened, flown and edited while it
+// flies. Blocks are times in which the window answers nobody: between two beats of a timer that
+// asks for one each millisecond.
+#include "builders/builder.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/main_window.h"
+#include "io/scene_file.h"
+#include "scene/path.h"
+#include "viewport/viewport.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+using namespace ripstop;
+
+namespace {
+
+// How long the window was deaf, ms.
+class Pulse
+{
+public:
+    Pulse()
+    {
+        m_timer.setTimerType(Qt::PreciseTimer);
+        QObject::connect(&m_timer, &QTimer::timeout, [this] { beat(); });
+        m_timer.start(1);
+    }
+    void start()
+    {
+        m_blocks.clear();
+        m_clock.restart();
+    }
+    void tell(const char* what)
+    {
+        beat();
+        std::ranges::sort(m_blocks);
+        const auto share = [&](double part) {
+            return m_blocks[std::min(m_blocks.size() - 1,
+                                     std::size_t(part * double(m_blocks.size())))];
+        };
+        const auto longer = std::ranges::count_if(m_blocks, [](double ms) { return ms > 33.0; });
+        std::printf("%-34s longest block %6.1f ms, 99 %% below %5.1f ms, %td above 33 ms\n", what,
+                    m_blocks.back(), share(0.99), longer);
+    }
+
+private:
+    void beat() { m_blocks.push_back(double(m_clock.nsecsElapsed()) * 1e-6), m_clock.restart(); }
+
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    std::vector<double> m_blocks;
+};
+
+void wait(int ms)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < ms)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
+template <typename Condition>
+double waitFor(Condition holds) // s
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (!holds())
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    return double(clock.nsecsElapsed()) * 1e-9;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("RipstopBench");
+    std::setvbuf(stdout, nullptr, _IOLBF, 0); // each line as it is known
+    const int side = argc > 1 ? std::atoi(argv[1]) : 317;
+    const int seconds = argc > 2 ? std::atoi(argv[2]) : 5;
+
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("cloth.ripstop.json");
+    auto cloth = build(*findBuilder("cloth"), {{"columns", side - 1}, {"rows", side - 1}});
+    if (!cloth || saveScene(*cloth, file.toStdString())) {
+        std::fprintf(stderr, "the cloth cannot be built and saved\n");
+        return 1;
+    }
+
+    Document document;
+    Selection selection(document);
+    Player player(document);
+    MainWindow window(document, selection, player, MainWindow::Memory::Ignore);
+    window.resize(1280, 800);
+    window.show();
+    wait(500);
+    Pulse pulse;
+    int frames = 0;
+    QObject::connect(&player, &Player::frameReady, [&] { ++frames; });
+
+    QElapsedTimer clock;
+    clock.start();
+    window.files().open(file);
+    const double read = double(clock.nsecsElapsed()) * 1e-9;
+    waitFor([&] { return frames > 0; });
+    wait(0);
+    const double shown = double(clock.nsecsElapsed()) * 1e-9;
+    std::printf("%d particles\nopen: read %.2f s, on the screen %.2f s\n", side * side, read,
+                shown);
+
+    pulse.start();
+    wait(1000 * seconds);
+    pulse.tell("at rest:");
+
+    pulse.start();
+    frames = 0;
+    player.play();
+    wait(1000 * seconds);
+    pulse.tell("while it flies:");
+    std::printf("%-34s %.1f pictures a second, %.3f of real time\n", "", double(frames) / seconds,
+                player.frame()->realTimeRatio);
+
+    pulse.start();
+    frames = 0;
+    std::vector<double> calls; // ms
+    const int gesture = document.beginGesture();
+    for (int i = 0; i < 60 * seconds; ++i) {
+        clock.restart();
+        document.drag(
+            *assignment(document.scene(), "structural.compliance=" + std::to_string(1e-5 * i)),
+            gesture);
+        calls.push_back(double(clock.nsecsElapsed()) * 1e-6);
+        wait(16);
+    }
+    pulse.tell("a slider pulled while it flies:");
+    std::ranges::sort(calls);
+    std::printf("%-34s an edit %.2f ms, the longest %.2f ms; %.1f pictures a second\n", "",
+                calls[calls.size() / 2], calls.back(), double(frames) / seconds);
+
+    pulse.start();
+    selection.set({document.scene().items.front().id});
+    wait(1000);
+    pulse.tell("a part is selected:");
+    return 0;
+}
