@@ -5,6 +5,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/design_rows.h"
+#include "editor/dialogs.h"
 #include "editor/draw_rows.h"
 #include "editor/files.h"
 #include "editor/group_menus.h"
@@ -119,12 +120,12 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Run", "step",        tr("&Step"),               "step",    QKeySequence("."),    tr("One time step."), [&player] { player.step(); }},
         {"&Run", "reset",       tr("&Reset"),              "reset",   QKeySequence("Ctrl+R"), tr("Back to the design; controls return to zero."), [&player] { player.reset(); }},
 
-        {"&Tools", "polar",     tr("&Polar of an air law"), "plot",   {},                   tr("What the air law of a material does to a flat plate, beside published curves."), bench.showPolar},
+        {"&Tools", "polar",     tr("&Polar of an air law"), "plot",   {},                   tr("What the air law of a material does to a flat plate, beside published curves."), [&dialogs = bench.dialogs] { dialogs.showPolar(); }},
 
-        {"&Help", "palette",    tr("&Find an action…"),    "search",  QKeySequence("F3"),   tr("Type to find anything that the menus can do."), bench.showPalette},
-        {"&Help", "keys",       tr("&Keys…"),              "keys",    QKeySequence("F1"),   tr("All keys, to see and to change, and those of the controls of this scene."), bench.showKeys},
+        {"&Help", "palette",    tr("&Find an action…"),    "search",  QKeySequence("F3"),   tr("Type to find anything that the menus can do."), [&dialogs = bench.dialogs] { dialogs.showPalette(); }},
+        {"&Help", "keys",       tr("&Keys…"),              "keys",    QKeySequence("F1"),   tr("All keys, to see and to change, and those of the controls of this scene."), [&dialogs = bench.dialogs, &actions] { dialogs.showKeys(actions.keys()); }},
         {"&Help", "tour",       tr("&Tour"),               nullptr,   {},                   tr("What the parts of the window are for, in a minute."), bench.showTour},
-        {"&Help", "verification", tr("&Verification…"),    nullptr,   {},                   tr("Run the cases whose answer is known, and see what comes out."), bench.showVerification},
+        {"&Help", "verification", tr("&Verification…"),    nullptr,   {},                   tr("Run the cases whose answer is known, and see what comes out."), [&dialogs = bench.dialogs] { dialogs.showVerification(); }},
         {"&Help", "about",      tr("&About Ripstop"),      "about",   {},                   tr("Version and licence."), [&window] { about(&window); }},
     };
     // clang-format on
@@ -141,11 +142,12 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
 
 } // namespace
 
-Actions::Actions(const Workbench& bench)
+Actions::Actions(const Workbench& bench, KeyMap::Memory keys)
     : QObject(&bench.window)
     , m_bench(bench)
 {
     build();
+    m_keys = new KeyMap(m_all, keys, this);
     connect(&m_bench.document.history(), &QUndoStack::indexChanged, this, &Actions::keepCurrent);
     connect(&m_bench.selection, &Selection::changed, this, &Actions::keepCurrent);
     connect(&m_bench.player, &Player::stateChanged, this, &Actions::keepCurrent);

@@ -1,6 +1,8 @@
 // Everything that a user can do from a menu, a tool bar or a key, as one table.
 #pragma once
 
+#include "editor/key_map.h"
+
 #include <QIcon>
 #include <QKeySequence>
 #include <QObject>
@@ -17,6 +19,7 @@ class QToolBar;
 
 namespace ripstop {
 
+class Dialogs;
 class Document;
 struct DrawSettings;
 class Files;
@@ -37,19 +40,14 @@ struct Workbench
     Viewport& viewport;
     Outline& outline;
     Files& files;
-    std::function<void()> showStartPage;
-    std::function<void()> showKeys;
-    std::function<void()> showVerification;
-    std::function<void()> showPolar;
-    std::function<void()> showCondition;
-    std::function<void()> importMesh;
-    std::function<void()> showPalette;
-    std::function<void()> showTour;
-    std::function<void(const QString&)> showDock; // by its id
+    Dialogs& dialogs;
     TuningPanel& tuning;
     Inspector& inspector;
-    std::function<void()> showRigidity;
     DrawSettings& drawSettings;
+    std::function<void()> showStartPage;
+    std::function<void()> importMesh;
+    std::function<void()> showTour;
+    std::function<void(const QString&)> showDock; // by its id
 };
 
 class Actions final : public QObject
@@ -57,10 +55,11 @@ class Actions final : public QObject
     Q_OBJECT
 
 public:
-    explicit Actions(const Workbench& bench);
+    Actions(const Workbench& bench, KeyMap::Memory keys);
 
     QAction* operator[](const QString& id) const { return m_byId.at(id); }
     const std::vector<QAction*>& all() const { return m_all; }
+    KeyMap& keys() const { return *m_keys; }
 
     void addDockToggle(QAction* toggle); // to View > Panels
 
@@ -79,6 +78,7 @@ private:
     std::vector<QAction*> m_all;
     std::vector<QAction*> m_needSelection;
     std::vector<QAction*> m_viewToggles;
+    KeyMap* m_keys = nullptr;
     QMenu* m_recent = nullptr;
     QMenu* m_templates = nullptr;
     QMenu* m_panels = nullptr;

@@ -5,18 +5,11 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "document/words.h"
-#include "editor/condition_dialog.h"
+#include "editor/dialogs.h"
 #include "editor/draw_bar.h"
-#include "editor/key_map.h"
-#include "editor/keys_dialog.h"
-#include "editor/palette.h"
-#include "editor/polar_dialog.h"
 #include "editor/rescue_dialog.h"
-#include "editor/result_page.h"
-#include "editor/rigidity_dialog.h"
 #include "editor/tour.h"
 #include "editor/transform_bar.h"
-#include "editor/verification_dialog.h"
 #include "import/import_dialog.h"
 #include "inspector/inspector.h"
 #include "inspector/totals.h"
@@ -75,6 +68,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_transport(new Transport(document, player, this))
     , m_tuning(new TuningPanel(document, selection, m_inspector->sliders(), this))
     , m_files(new Files(document, player, *m_viewport, *this))
+    , m_dialogs(*this, document, selection, *m_viewport)
     , m_counts(new QLabel)
     , m_selected(new QLabel)
 {
@@ -149,16 +143,13 @@ bool MainWindow::showDock(const QString& id)
 
 void MainWindow::buildActions()
 {
-    m_actions = new Actions(
-        {*this, m_document, m_selection, m_player, *m_viewport, *m_outline, *m_files,
-         [this] { showStartPage(); }, [this] { showKeys(); }, [this] { showVerification(); },
-         [this] { showPolar(); }, [this] { showCondition(); }, [this] { importMesh({}); },
-         [this] { showPalette(); }, [this] { showTour(); },
-         [this](const QString& dock) { showDock(dock); }, *m_tuning, *m_inspector,
-         [this] { showRigidity(); }, m_drawSettings});
-    m_keys =
-        new KeyMap(m_actions->all(),
-                   m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore, this);
+    const auto keys = m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore;
+    m_actions =
+        new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline, *m_files,
+                     m_dialogs, *m_tuning, *m_inspector, m_drawSettings,
+                     [this] { showStartPage(); }, [this] { importMesh({}); },
+                     [this] { showTour(); }, [this](const QString& dock) { showDock(dock); }},
+                    keys);
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
 }
@@ -338,20 +329,6 @@ QString MainWindow::summary(const std::vector<Id>& ids) const
     return sums.isEmpty() ? what : what + " · " + sums;
 }
 
-void MainWindow::showKeys()
-{
-    KeysDialog dialog(*m_keys, m_document.scene(), this);
-    dialog.exec();
-}
-
-// The action runs when the palette is gone, as if it had been chosen in its menu.
-void MainWindow::showPalette()
-{
-    Palette palette(*menuBar(), this);
-    if (palette.exec() == QDialog::Accepted)
-        QMetaObject::invokeMethod(palette.chosen(), &QAction::trigger, Qt::QueuedConnection);
-}
-
 // Over a design, a sample when none is open.
 void MainWindow::showTour()
 {
@@ -400,52 +377,6 @@ void MainWindow::keepWork(const QString& folder)
                              QString::fromStdString(failure->message));
     else
         showScene();
-}
-
-// The window goes on while cases run.
-void MainWindow::showVerification()
-{
-    if (!m_verification)
-        m_verification = new VerificationDialog(this); // deletes itself
-    m_verification->show();
-    m_verification->raise();
-    m_verification->activateWindow();
-    ResultPage& cases = m_verification->cases();
-    if (!cases.isRunning() && cases.done() == 0)
-        cases.start();
-}
-
-void MainWindow::showPolar()
-{
-    const auto& ids = m_selection.ids();
-    const bool one = ids.size() == 1 && findItem<Material>(m_document.scene(), ids.front());
-    const Id material = one ? ids.front() : noId;
-    if (m_polar)
-        m_polar->show(material);
-    else
-        m_polar = new PolarDialog(m_document, material, this); // deletes itself when closed
-    m_polar->show();
-    m_polar->raise();
-    m_polar->activateWindow();
-}
-
-void MainWindow::showCondition()
-{
-    if (!m_condition)
-        m_condition = new ConditionDialog(
-            m_document, m_selection, [this] { return m_viewport->frame(); }, this);
-    m_condition->show();
-    m_condition->raise();
-    m_condition->activateWindow();
-}
-
-void MainWindow::showRigidity()
-{
-    if (!m_rigidity)
-        m_rigidity = new RigidityDialog(m_document, m_selection, *m_viewport, this);
-    m_rigidity->show();
-    m_rigidity->raise();
-    m_rigidity->activateWindow();
 }
 
 // The start page stands for no scene, even if one is open behind it.

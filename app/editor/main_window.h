@@ -1,11 +1,11 @@
 #pragma once
 
 #include "editor/actions.h"
+#include "editor/dialogs.h"
 #include "editor/files.h"
 #include "viewport/draw_tool.h"
 
 #include <QMainWindow>
-#include <QPointer>
 #include <QTimer>
 
 #include <map>
@@ -20,7 +20,6 @@ class Autosave;
 class ControlKeys;
 class Document;
 class Inspector;
-class KeyMap;
 class Outline;
 class PlotPanel;
 class Player;
@@ -29,10 +28,6 @@ class Selection;
 class StartPage;
 class Transport;
 class TuningPanel;
-class ConditionDialog;
-class PolarDialog;
-class RigidityDialog;
-class VerificationDialog;
 class Viewport;
 
 // Places the docks and menus; no logic. The view or the start page in the middle, the outline on
@@ -77,13 +72,7 @@ private:
     void restoreLayout();
     void showTitle();
     void showCounts();
-    void showKeys();
-    void showPalette();
     void showTour();
-    void showVerification();
-    void showPolar();
-    void showCondition();
-    void showRigidity();
     void showSelected();
     QString summary(const std::vector<Id>& ids) const;
 
@@ -103,19 +92,15 @@ private:
     Transport* m_transport;
     TuningPanel* m_tuning;
     Files* m_files;
+    Dialogs m_dialogs;
     QToolBar* m_toolBar = nullptr;
     Actions* m_actions = nullptr;
-    KeyMap* m_keys = nullptr;
     Autosave* m_autosave = nullptr;
     std::map<QString, QDockWidget*> m_docks;
     std::set<QString> m_hidden; // docks that the user has closed
     QLabel* m_counts;
     QLabel* m_selected;
-    QPointer<VerificationDialog> m_verification; // while it is open
-    QPointer<PolarDialog> m_polar;               // while it is open
-    RigidityDialog* m_rigidity = nullptr;        // once it has been asked for
-    ConditionDialog* m_condition = nullptr;      // once it has been asked for
-    QTimer m_selectedSoon;                       // counts what is selected
+    QTimer m_selectedSoon; // counts what is selected
 };
 
 } // namespace ripstop

@@ -4,6 +4,7 @@
 #include "author/select.h"
 #include "document/document.h"
 #include "document/selection.h"
+#include "editor/dialogs.h"
 #include "editor/group_menus.h"
 #include "viewport/pointing.h"
 #include "viewport/region_tool.h"
@@ -174,7 +175,7 @@ std::vector<MenuRow> selectRows(const Workbench& bench, const Actions& actions)
         {"&Select/&Turn into", "toLinks",     tr("&Links"),     "link",     {}, tr("The links between the selected."), into(Kind::Link)},
         {"&Select/&Turn into", "toPanels",    tr("P&anels"),    "panel",    {}, tr("The panels between the selected."), into(Kind::Panel)},
         line,
-        {"&Select", "byProperty", tr("By &property…"), "search", QKeySequence("Ctrl+Shift+F"), tr("Select by what things are: strain > 5 %, mass < 1 g, material = ripstop."), bench.showCondition},
+        {"&Select", "byProperty", tr("By &property…"), "search", QKeySequence("Ctrl+Shift+F"), tr("Select by what things are: strain > 5 %, mass < 1 g, material = ripstop."), [&dialogs = bench.dialogs] { dialogs.showCondition(); }},
         {"&Select/Si&milar", "likeType",     tr("Same &type"),     nullptr, {}, tr("All springs where a spring is selected, all rods, pinned particles, free particles, panels."), like(Alike::Type)},
         {"&Select/Si&milar", "likeMaterial", tr("Same &material"), nullptr, {}, tr("All links and panels of the materials of the selected ones."), like(Alike::Material)},
         {"&Select/Si&milar", "likeRole",     tr("Same &role"),     nullptr, {}, tr("All links of the role of the selected ones: line, thread or bias."), like(Alike::Role)},

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QPointer>
+
+class QMainWindow;
+
+namespace ripstop {
+
+class ConditionDialog;
+class Document;
+class KeyMap;
+class PolarDialog;
+class RigidityDialog;
+class Selection;
+class VerificationDialog;
+class Viewport;
+
+// The windows beside the main one. Each is made when it is asked for, and most stay open while one
+// works.
+class Dialogs final
+{
+public:
+    Dialogs(QMainWindow& window, Document& document, Selection& selection, Viewport& viewport);
+
+    void showKeys(KeyMap& keys);
+    void showPalette();
+    void showVerification(); // runs its cases when they have not been
+    void showPolar();        // of the selected material
+    void showCondition();
+    void showRigidity();
+
+private:
+    QMainWindow& m_window;
+    Document& m_document;
+    Selection& m_selection;
+    Viewport& m_viewport;
+    QPointer<VerificationDialog> m_verification; // while it is open
+    QPointer<PolarDialog> m_polar;               // while it is open
+    ConditionDialog* m_condition = nullptr;      // once it has been asked for
+    RigidityDialog* m_rigidity = nullptr;        // once it has been asked for
+};
+
+} // namespace ripstop
