@@ -197,7 +197,9 @@ void Stage::prepare(const Scene& scene)
 {
     if (!m_frame)
         return;
-    const bool otherLayout = m_layout != m_frame->layout;
+    // after an edit of values the layout is another one with the same in it
+    const bool otherLayout =
+        m_layout != m_frame->layout && (!m_layout || *m_layout != *m_frame->layout);
     const bool otherFrame = m_drawn != m_frame;
     if (otherLayout || m_lookIsOld) {
         m_layout = m_frame->layout;

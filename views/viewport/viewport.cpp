@@ -323,7 +323,7 @@ void Viewport::resizeEvent(QResizeEvent*)
 
 QImage Viewport::image(Overlays overlays)
 {
-    QImage picture = d->screen.grabFramebuffer();
+    QImage picture = d->screen.picture();
     if (picture.isNull() || overlays == Overlays::Without)
         return picture;
     picture.setDevicePixelRatio(d->screen.devicePixelRatioF());

@@ -2,6 +2,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QString>
 
 #include <vtkCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -11,6 +12,17 @@
 
 namespace ripstop {
 namespace {
+
+constexpr int samples = 4;     // per pixel, for smooth edges
+constexpr int stillTime = 250; // ms
+
+bool drawsInSoftware(QOpenGLFunctions& gl)
+{
+    const auto* name = reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER));
+    const QString renderer = QString::fromLatin1(name);
+    return renderer.contains("llvmpipe") || renderer.contains("softpipe")
+           || renderer.contains("SWR");
+}
 
 // VTK asks these two questions many times per picture.
 struct ContextBridge : vtkCommand
@@ -44,7 +56,12 @@ VtkWidget::VtkWidget(QWidget* parent)
     m_window->SetOwnContext(false);
     m_window->SetReadyForRendering(false); // until initializeGL
     m_window->SetFrameBlitModeToNoBlit();  // paintGL does it
-    m_window->SetMultiSamples(4);
+    m_still.setSingleShot(true);
+    m_still.setInterval(stillTime);
+    connect(&m_still, &QTimer::timeout, this, [this] {
+        m_isFine = m_isOld = true;
+        update();
+    });
 }
 
 VtkWidget::~VtkWidget()
@@ -69,6 +86,7 @@ void VtkWidget::initializeGL()
 {
     m_window->SetReadyForRendering(true);
     m_window->OpenGLInitContext();
+    m_isSlow = drawsInSoftware(*context()->functions());
     m_isOld = true;
     m_contextDies =
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release);
@@ -84,7 +102,15 @@ void VtkWidget::resizeGL(int width, int height)
 void VtkWidget::renderSoon()
 {
     m_isOld = true;
+    m_isFine = !m_isSlow;
     update();
+}
+
+QImage VtkWidget::picture()
+{
+    m_isOld |= !m_isFine;
+    m_isFine = true;
+    return grabFramebuffer(); // paints
 }
 
 void VtkWidget::paintGL()
@@ -92,7 +118,10 @@ void VtkWidget::paintGL()
     if (std::exchange(m_isOld, false)) {
         if (beforePainting)
             beforePainting();
+        m_window->SetMultiSamples(m_isFine ? samples : 0);
         m_window->Render();
+        if (!m_isFine)
+            m_still.start();
     }
     copyToWidget();
 }

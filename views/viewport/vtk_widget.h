@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <QTimer>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -27,6 +28,9 @@ public:
     // again, as Qt asks for whenever something above this widget is painted.
     void renderSoon();
 
+    // As it is seen when nothing moves, with smooth edges.
+    QImage picture();
+
     // Called before each new picture, so that many changes between two pictures cost one.
     std::function<void()> beforePainting;
 
@@ -41,7 +45,10 @@ private:
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     QMetaObject::Connection m_contextDies;
-    bool m_isOld = true; // the last picture
+    bool m_isOld = true;   // the last picture
+    bool m_isFine = true;  // with smooth edges
+    bool m_isSlow = false; // no graphics card: each sample costs
+    QTimer m_still;        // runs out when the picture has not changed for a while
 };
 
 } // namespace ripstop
