@@ -2,6 +2,7 @@
 
 #include "document/autosave.h"
 #include "document/document.h"
+#include "document/gauge.h"
 #include "document/player.h"
 #include "document/selection.h"
 #include "document/words.h"
@@ -19,6 +20,7 @@
 #include "problems/problem_list.h"
 #include "start/samples.h"
 #include "start/start_page.h"
+#include "table/sheet_panel.h"
 #include "transport/control_keys.h"
 #include "transport/control_strip.h"
 #include "transport/transport.h"
@@ -67,6 +69,8 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_problems(new ProblemList(document, selection, player, this))
     , m_transport(new Transport(document, player, this))
     , m_tuning(new TuningPanel(document, selection, m_inspector->sliders(), this))
+    , m_table(new SheetPanel(
+          document, selection, [this] { return gaugeOf(m_player.frame()); }, this))
     , m_files(new Files(document, player, *m_viewport, *this))
     , m_dialogs(*this, document, selection, *m_viewport)
     , m_counts(new QLabel)
@@ -113,11 +117,13 @@ void MainWindow::buildDocks()
             Qt::BottomDockWidgetArea);
     addDock("problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
     tabifyDockWidget(m_docks["plots"], m_docks["controls"]);
+    addDock("table", tr("Table"), m_table, Qt::BottomDockWidgetArea);
     tabifyDockWidget(m_docks["controls"], m_docks["problems"]);
+    tabifyDockWidget(m_docks["problems"], m_docks["table"]);
     tabifyDockWidget(m_docks["inspector"], m_docks["tuning"]);
     m_docks["inspector"]->raise();
     m_docks["plots"]->raise();
-    resizeDocks({m_docks["outline"], m_docks["inspector"]}, {250, 290}, Qt::Horizontal);
+    resizeDocks({m_docks["outline"], m_docks["inspector"]}, {250, 300}, Qt::Horizontal);
     resizeDocks({m_docks["plots"]}, {210}, Qt::Vertical);
 }
 

@@ -25,6 +25,7 @@ class PlotPanel;
 class Player;
 class ProblemList;
 class Selection;
+class SheetPanel;
 class StartPage;
 class Transport;
 class TuningPanel;
@@ -91,6 +92,7 @@ private:
     ProblemList* m_problems;
     Transport* m_transport;
     TuningPanel* m_tuning;
+    SheetPanel* m_table;
     Files* m_files;
     Dialogs m_dialogs;
     QToolBar* m_toolBar = nullptr;

@@ -18,6 +18,7 @@ std::vector<MenuRow> tuningActionRows(const Workbench& bench)
         {"&Run", "switchSets",  tr("Switch &A and B"),     nullptr,   QKeySequence("Ctrl+Shift+T"), tr("Go to the other set of slider values, to compare the two."), [&tuning] { tuning.switchSets(); }},
         {"&Run", "keepSliders", tr("&Keep slider values"), nullptr,   {},                   tr("Make the present values those that resetting the sliders goes back to."), [&tuning] { tuning.keep(); }},
         {"&Run", "resetSliders", tr("Re&set sliders"),     nullptr,   {},                   tr("All sliders back to the values they had when they were added or last kept."), [&tuning] { tuning.reset(); }},
+        {"&Tools", "table",     tr("&Table of numbers"),   "table",   QKeySequence("Shift+T"), tr("Particles, links, lines, panels and materials as a spreadsheet."), [show] { show("table"); }},
         {"&Edit", "findProperty", tr("Find a propert&y"),  "inspector", QKeySequence("Ctrl+Shift+P"), tr("Search the inspector for a property by its name or its help."), [show, &inspector] { show("inspector"); inspector.startSearch(); }},
     };
     // clang-format on

@@ -1,11 +1,9 @@
 #include "scene/check.h"
 
-#include "base/step_limit.h"
-#include "scene/bending.h"
 #include "scene/canopy_shape.h"
 #include "scene/collider_shape.h"
 #include "scene/element_index.h"
-#include "scene/link_stiffness.h"
+#include "scene/step_limits.h"
 
 #include <algorithm>
 #include <cctype>
@@ -28,50 +26,14 @@ std::string named(Kind kind, Id id)
 
 std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
 {
-    struct Sums
-    {
-        double stiffness = 0.0; // N/m
-        double damping = 0.0;   // N s/m
-        bool forces = false;
-    };
-    std::vector<Sums> at;
-    forEachPart(scene, [&](Id, const Part& part) { at.resize(at.size() + part.particles.size()); });
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Link& link : part.links) {
-            if (link.kind != LinkKind::Spring)
-                continue;
-            const int place = index.material(link.material);
-            const Material* material =
-                place < 0 ? nullptr : &std::get<Material>(scene.items[std::size_t(place)].item);
-            for (const Id end : {link.from, link.to}) {
-                const int particle = index.particle(end);
-                if (particle < 0)
-                    continue;
-                Sums& sums = at[std::size_t(particle)];
-                sums.stiffness += link.stiffness.value_or(
-                    material ? springStiffness(*material, link.role, link.width, link.restLength)
-                             : 0.0);
-                sums.damping += link.damping.value_or(material ? material->damping : 0.0);
-                sums.forces = true;
-            }
-        }
-    });
-    const std::vector<double> bends = bendSumsOf(scene, index);
-    const bool bend = std::any_of(bends.begin(), bends.end(), [](double sum) { return sum > 0.0; });
-    for (std::size_t k = 0; k < bends.size(); ++k) {
-        at[k].stiffness += bends[k];
-        at[k].forces |= bends[k] > 0.0;
-    }
+    const StepLimits limits = stepLimitsOf(scene, index);
     std::optional<StepLimit> limit;
     std::size_t i = 0;
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& particle : part.particles) {
-            const Sums& sums = at[i++];
-            if (particle.pinned || !sums.forces)
-                continue;
-            const double h = springStepLimit(particle.mass, sums.stiffness, sums.damping);
+            const double h = limits.timeStep[i++];
             if (std::isfinite(h) && (!limit || h < limit->timeStep))
-                limit = StepLimit{h, particle.id, bend};
+                limit = StepLimit{h, particle.id, limits.bends};
         }
     });
     return limit;

@@ -221,6 +221,31 @@ private slots:
         QTRY_COMPARE(problems.errorCount(), 0);
     }
 
+    // A row of the stability list selects what it is about; its button repairs it in one step.
+    void whatIsPoorIsRepaired()
+    {
+        Bench bench(fallingPair());
+        ProblemList problems(bench.document, bench.selection, bench.player);
+        problems.resize(900, 200);
+        problems.show();
+        bench.document.push(setValue(bench.document.scene(), Id{4}, "restLength", 0.8));
+        auto* list = problems.findChild<QTreeWidget*>();
+        const auto poor = [list]() -> QPushButton* {
+            const auto buttons = list->findChildren<QPushButton*>();
+            return buttons.isEmpty() ? nullptr : buttons.front();
+        };
+        QTRY_VERIFY(poor() && poor()->isEnabled());
+        const QTreeWidgetItem* row = list->topLevelItem(0);
+        QVERIFY(row->text(1).contains("25 %")); // 1 m at the start, 0.8 m at rest
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(row).center());
+        QCOMPARE(bench.selection.ids(), std::vector{Id{4}});
+        QTest::mouseClick(poor(), Qt::LeftButton);
+        const auto& part = std::get<Part>(*findItem(bench.document.scene(), Id{1}));
+        QCOMPARE(part.links[0].restLength, 1.0);
+        QCOMPARE(bench.document.history().count(), 2);
+        QTRY_VERIFY(!poor());
+    }
+
     void theStartPageOffersEverySampleAndBuilder()
     {
         QVERIFY(!sampleFiles().empty());

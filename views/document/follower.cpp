@@ -78,8 +78,10 @@ void Follower::deliver()
     }
     for (const Compiled& outcome : outbox.compiled)
         emit compiled(outcome);
-    if (outbox.problems)
+    if (outbox.problems) {
         emit checked(*outbox.problems);
+        emit examined(outbox.findings);
+    }
     if (outbox.copy)
         emit copied(outbox.copyTag, outbox.copy);
 }
@@ -111,7 +113,11 @@ void Follower::work(Inbox inbox, LiveSystem& live)
     }
     if (inbox.check) {
         std::vector<Problem> problems = problemsOf(live.scene());
-        answer([&](Outbox& outbox) { outbox.problems = std::move(problems); });
+        std::vector<Finding> findings = stabilityOf(live.scene());
+        answer([&](Outbox& outbox) {
+            outbox.problems = std::move(problems);
+            outbox.findings = std::move(findings);
+        });
     }
     if (inbox.copy) {
         auto scene = std::make_shared<const Scene>(live.scene());

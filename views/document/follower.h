@@ -1,5 +1,6 @@
 #pragma once
 
+#include "author/stability.h"
 #include "compile/live_system.h"
 
 #include <QObject>
@@ -44,6 +45,7 @@ public:
 signals:
     void compiled(const ripstop::Compiled& outcome); // every update has to be run, in order
     void checked(const std::vector<ripstop::Problem>& problems);
+    void examined(const std::vector<ripstop::Finding>& findings); // with each check
     void copied(std::uint64_t tag, const std::shared_ptr<const ripstop::Scene>& scene);
 
 private:
@@ -65,6 +67,7 @@ private:
     {
         std::vector<Compiled> compiled;
         std::optional<std::vector<Problem>> problems;
+        std::vector<Finding> findings; // with the problems
         std::shared_ptr<const Scene> copy;
         std::uint64_t copyTag = 0;
     };

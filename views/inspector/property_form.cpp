@@ -57,12 +57,15 @@ bool canReset(const Property& property)
            && property.key != "notes";
 }
 
+constexpr int rowButtonWidth = 18; // px
+
 // A small button at the end of a row, which keeps its place while it is hidden.
 QToolButton* rowButton(const QString& picture, const QString& tip, const QString& name)
 {
     auto* button = new QToolButton;
     button->setIcon(icon(picture));
     button->setIconSize(QSize(12, 12));
+    button->setFixedWidth(rowButtonWidth);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus); // the menu of the label and a key do the same
     button->setToolTip(tip);
@@ -90,7 +93,7 @@ PropertyForm::PropertyForm(Subject& subject, UsageWatch& usage, SliderShelf& sli
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(8, 4, 4, 8);
-    grid->setHorizontalSpacing(6);
+    grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
     grid->setColumnMinimumWidth(0,

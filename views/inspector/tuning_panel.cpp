@@ -107,8 +107,8 @@ QWidget* TuningPanel::buildEmpty()
     auto* layout = new QVBoxLayout(empty);
     auto* words = new QLabel(
         tr("No sliders yet. Press the slider sign beside a property in the inspector, or Ctrl+T in "
-           "its "
-           "field: the slider stays here, whatever is selected, and acts while the design flies."));
+           "its field: the slider stays here, whatever is selected, and acts while the design "
+           "flies."));
     words->setWordWrap(true);
     words->setForegroundRole(QPalette::PlaceholderText);
     auto* usual = new QPushButton(tr("Add the &usual ones"));

@@ -16,7 +16,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int endWidth = 62; // px
+constexpr int endWidth = 46; // px, "1e-08"
+constexpr int logWidth = 26; // px
 
 QString plural(std::size_t count, Kind kind) { return counted(kind, qsizetype(count)); }
 
@@ -91,6 +92,7 @@ QWidget* TuningRow::rangeLine()
     m_high = endEdit(&SliderRange::high, tr("Right end"));
     m_log = new QToolButton;
     m_log->setText(tr("log"));
+    m_log->setFixedWidth(logWidth);
     m_log->setCheckable(true);
     m_log->setAutoRaise(true);
     m_log->setToolTip(tr("Equal ways of the slider are equal factors, not equal differences."));
@@ -135,7 +137,10 @@ ValueEdit* TuningRow::endEdit(double SliderRange::*end, const QString& name)
     edit->setFrame(false);
     edit->setAlignment(end == &SliderRange::low ? Qt::AlignRight : Qt::AlignLeft);
     edit->setAccessibleName(name);
-    edit->setToolTip(tr("%1 of the slider; type another one.").arg(name));
+    edit->setToolTip(end == &SliderRange::low
+                         ? tr("Left end of the slider; type another one. A logarithmic slider that "
+                              "begins below 1 gives 0 there.")
+                         : tr("Right end of the slider; type another one."));
     connect(edit, &ValueEdit::complained, this, [this](const QString& sentence) {
         m_complaint->setText(sentence);
         m_complaint->setVisible(!sentence.isEmpty());

@@ -3,13 +3,14 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
-#include "icons/icon.h"
+#include "icons/tinted.h"
+#include "problems/stability_list.h"
 
-#include <QApplication>
 #include <QLabel>
 #include <QListWidget>
-#include <QPainter>
+#include <QSplitter>
 #include <QStackedLayout>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -18,21 +19,11 @@ namespace {
 
 constexpr int patience = 250; // ms after the last edit
 
-// The icon in a colour that can be told on light and on dark.
 QIcon signOf(Severity severity)
 {
-    const bool isError = severity == Severity::Error;
-    const QSize side(20, 20); // px
-    QPixmap picture = icon(isError ? QStringLiteral("error") : QStringLiteral("warning"))
-                          .pixmap(side, qApp->devicePixelRatio());
-    QPainter painter(&picture);
-    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
-    painter.fillRect(QRect(QPoint(), side),
-                     isError ? QColor(0xd6, 0x3b, 0x3b) : QColor(0xd9, 0x8e, 0x1f));
-    painter.end();
-    QIcon sign(picture);
-    sign.addPixmap(picture, QIcon::Selected);
-    return sign;
+    return severity == Severity::Error
+               ? tinted(QStringLiteral("error"), QColor(0xd6, 0x3b, 0x3b))
+               : tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f));
 }
 
 } // namespace
@@ -41,9 +32,10 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     : QWidget(parent)
     , m_selection(selection)
     , m_player(player)
-    , m_pages(new QStackedLayout(this))
+    , m_pages(new QStackedLayout)
     , m_empty(new QLabel(tr("No problems")))
     , m_list(new QListWidget)
+    , m_stability(new StabilityList(document, selection))
 {
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
@@ -56,6 +48,16 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     m_list->setToolTip(tr("Click a problem to select what causes it."));
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_list);
+    auto* left = new QWidget;
+    left->setLayout(m_pages);
+    auto* beside = new QSplitter;
+    beside->addWidget(left);
+    beside->addWidget(m_stability);
+    beside->setStretchFactor(0, 2);
+    beside->setStretchFactor(1, 3);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(beside);
 
     m_delay.setSingleShot(true);
     m_delay.setInterval(patience);
@@ -67,6 +69,7 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
                 m_problems = problems;
                 rebuild();
             });
+    connect(&player.follower(), &Follower::examined, m_stability, &StabilityList::showFindings);
     connect(&player, &Player::stopped, this, &ProblemList::noteStop);
     connect(&player, &Player::frameReady, this, [this](const std::shared_ptr<const Frame>& frame) {
         if (frame->stopped.empty() && !m_stops.empty()) {

@@ -14,10 +14,11 @@ namespace ripstop {
 class Document;
 class Player;
 class Selection;
+class StabilityList;
 
 // What keeps the scene from running, and what will run but hardly as meant; and why the
-// simulation stopped. A click selects the culprit. The check runs on a thread of its own, shortly
-// after the last edit.
+// simulation stopped. A click selects the culprit. Beside it stands how near the design is to what
+// its solver can follow. The check runs on a thread of its own, shortly after the last edit.
 class ProblemList final : public QWidget
 {
     Q_OBJECT
@@ -45,6 +46,7 @@ private:
     QStackedLayout* m_pages;
     QLabel* m_empty;
     QListWidget* m_list;
+    StabilityList* m_stability;
     int m_errors = 0;
     int m_warnings = 0;
 };

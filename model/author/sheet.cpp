@@ -1,0 +1,318 @@
+#include "author/sheet.h"
+
+#include "scene/path.h"
+#include "scene/typed_number.h"
+#include "scene/weigh.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::string numberText(double value)
+{
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string nameOf(const Scene& scene, Id id)
+{
+    if (id == noId)
+        return {};
+    if (const auto thing = find(scene, id))
+        if (const Property* name = findProperty(kindOf(*thing), "name")) {
+            const Value value = name->get(*thing);
+            if (const auto* text = std::get_if<std::string>(&value); text && !text->empty())
+                return *text;
+        }
+    return std::string(1, '#').append(std::to_string(std::uint32_t(id)));
+}
+
+bool isNumber(const SheetColumn& column)
+{
+    if (!column.property || column.property->optional)
+        return true;
+    const Value& shape = column.property->initial;
+    return std::holds_alternative<double>(shape) || std::holds_alternative<int>(shape)
+           || std::holds_alternative<bool>(shape) || std::holds_alternative<Vec3>(shape);
+}
+
+double numberIn(const Value& value, int axis)
+{
+    if (const double* real = std::get_if<double>(&value))
+        return *real;
+    if (const int* whole = std::get_if<int>(&value))
+        return *whole;
+    if (const bool* on = std::get_if<bool>(&value))
+        return *on ? 1.0 : 0.0;
+    const Vec3* vector = std::get_if<Vec3>(&value);
+    return vector ? (*vector)[axis] : none;
+}
+
+Result<Value> idNamed(const Scene& scene, const Property& property, std::string_view text)
+{
+    if (text.empty())
+        return Value(noId);
+    if (text.front() == '#') // an element, or an item
+        return valueFromText(property, text);
+    std::string complaint;
+    for (int kind = 0; kind < int(kindCount); ++kind)
+        if (property.pointsAt.contains(Kind(kind))) {
+            const auto found = findNamed(scene, Kind(kind), text);
+            if (found)
+                return Value(*found);
+            complaint = found.message();
+        }
+    return Failure{complaint};
+}
+
+std::vector<std::string_view> splitAt(char mark, std::string_view text)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t end; (end = text.find(mark)) != text.npos; text.remove_prefix(end + 1))
+        parts.push_back(text.substr(0, end));
+    parts.push_back(text);
+    return parts;
+}
+
+std::vector<std::vector<std::string_view>> cellsOf(std::string_view block)
+{
+    while (block.ends_with('\n') || block.ends_with('\r'))
+        block.remove_suffix(1);
+    std::vector<std::vector<std::string_view>> cells;
+    for (std::string_view line : splitAt('\n', block)) {
+        if (line.ends_with('\r'))
+            line.remove_suffix(1);
+        cells.push_back(splitAt('\t', line));
+    }
+    return cells;
+}
+
+std::string titleOf(const SheetColumn& column)
+{
+    if (!column.property)
+        return "id";
+    std::string title(column.property->label);
+    if (std::holds_alternative<Vec3>(column.property->initial))
+        title.append(1, ' ').append(1, "xyz"[column.axis]);
+    return title;
+}
+
+std::string placeText(std::size_t line, const SheetColumn& column)
+{
+    return "Line " + std::to_string(line + 1) + ", " + titleOf(column) + ": ";
+}
+
+// "3 lines", "1 cell"
+std::string counted(std::size_t count, const char* what)
+{
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+} // namespace
+
+Kind kindOf(SheetOf sheet)
+{
+    switch (sheet) {
+    case SheetOf::Particles:
+        return Kind::Particle;
+    case SheetOf::Links:
+    case SheetOf::Lines:
+        return Kind::Link;
+    case SheetOf::Panels:
+        return Kind::Panel;
+    case SheetOf::Materials:
+        break;
+    }
+    return Kind::Material;
+}
+
+std::vector<SheetColumn> sheetColumns(SheetOf sheet)
+{
+    std::vector<SheetColumn> columns{{}};
+    for (const Property& property : propertiesOf(kindOf(sheet))) {
+        const int axes = std::holds_alternative<Vec3>(property.initial) ? 3 : 1;
+        for (int axis = 0; axis < axes; ++axis)
+            columns.push_back({&property, axis});
+    }
+    return columns;
+}
+
+std::vector<Id> sheetRows(const Scene& scene, SheetOf sheet)
+{
+    std::vector<Id> ids;
+    if (sheet == SheetOf::Materials)
+        for (const Entry& entry : scene.items)
+            if (std::holds_alternative<Material>(entry.item))
+                ids.push_back(entry.id);
+    forEachPart(scene, [&](Id, const Part& part) {
+        if (sheet == SheetOf::Particles)
+            for (const Particle& row : part.particles)
+                ids.push_back(row.id);
+        if (sheet == SheetOf::Panels)
+            for (const Panel& row : part.panels)
+                ids.push_back(row.id);
+        if (sheet == SheetOf::Links || sheet == SheetOf::Lines)
+            for (const Link& row : part.links)
+                if (sheet == SheetOf::Links || row.role == LinkRole::Line)
+                    ids.push_back(row.id);
+    });
+    std::ranges::sort(ids);
+    return ids;
+}
+
+SheetKeys sheetKeys(const Scene& scene, std::vector<Id> ids, const SheetColumn& column)
+{
+    SheetKeys keys{std::move(ids), {}, {}};
+    std::map<Id, std::string> names; // many rows point at few things
+    for (const Id id : keys.ids) {
+        if (!column.property) {
+            keys.numbers.push_back(std::uint32_t(id));
+            continue;
+        }
+        const auto thing = find(scene, id);
+        const Value value = thing ? column.property->get(*thing) : Value();
+        if (isNumber(column)) {
+            keys.numbers.push_back(numberIn(value, column.axis));
+        } else if (const Id* other = std::get_if<Id>(&value)) {
+            auto [name, isNew] = names.try_emplace(*other);
+            if (isNew)
+                name->second = nameOf(scene, *other);
+            keys.words.push_back(name->second);
+        } else {
+            keys.words.push_back(textFromValue(value));
+        }
+    }
+    return keys;
+}
+
+std::vector<Id> sorted(SheetKeys keys, SheetOrder order)
+{
+    std::vector<std::uint32_t> rows(keys.ids.size());
+    std::iota(rows.begin(), rows.end(), 0u);
+    const bool falls = order == SheetOrder::Falling;
+    if (keys.words.empty()) {
+        const auto end = std::stable_partition(rows.begin(), rows.end(), [&](std::uint32_t row) {
+            return std::isfinite(keys.numbers[row]);
+        });
+        std::stable_sort(rows.begin(), end, [&](std::uint32_t a, std::uint32_t b) {
+            return falls ? keys.numbers[a] > keys.numbers[b] : keys.numbers[a] < keys.numbers[b];
+        });
+    } else {
+        const auto end = std::stable_partition(
+            rows.begin(), rows.end(), [&](std::uint32_t row) { return !keys.words[row].empty(); });
+        std::stable_sort(rows.begin(), end, [&](std::uint32_t a, std::uint32_t b) {
+            return falls ? keys.words[a] > keys.words[b] : keys.words[a] < keys.words[b];
+        });
+    }
+    std::vector<Id> ids;
+    ids.reserve(rows.size());
+    for (const std::uint32_t row : rows)
+        ids.push_back(keys.ids[row]);
+    return ids;
+}
+
+std::string cellText(const Scene& scene, const ConstRef& thing, const SheetColumn& column)
+{
+    if (!column.property)
+        return {};
+    const Value value = column.property->get(thing);
+    if (const Vec3* vector = std::get_if<Vec3>(&value))
+        return numberText((*vector)[column.axis]);
+    if (const Id* id = std::get_if<Id>(&value))
+        return nameOf(scene, *id);
+    return textFromValue(value);
+}
+
+Result<Value> cellValue(const Scene& scene, Id thing, const SheetColumn& column,
+                        const Value& before, std::string_view text)
+{
+    if (!column.property)
+        return Failure{"An id stays as it is."};
+    const Property& property = *column.property;
+    const auto ref = find(scene, thing);
+    const std::string_view unit = ref ? unitOf(scene, property, *ref) : property.unit;
+    const bool isSwitch = std::holds_alternative<bool>(property.initial);
+    if (property.optional && text.find_first_not_of(" \t") == text.npos)
+        return Value(std::monostate());
+    if (std::holds_alternative<Id>(property.initial))
+        return idNamed(scene, property, text);
+    if (!isNumber(column) || isSwitch) {
+        const auto value = valueFromText(property, text, unit);
+        return value ? value : Result<Value>(Failure{value.message() + "."});
+    }
+    const Typed typed = typedNumber(text, unit);
+    const auto refused = [&](const std::string& reason) {
+        return Failure{std::string(1, '"')
+                           .append(text)
+                           .append("\" is no ")
+                           .append(property.label)
+                           .append(", it ")
+                           .append(reason)
+                           .append(".")};
+    };
+    if (!typed.number)
+        return refused(typed.complaint);
+    Value value = changed(before, *typed.number, column.axis);
+    if (const auto reason = refusal(property, value))
+        return refused(*reason);
+    return value;
+}
+
+Result<Edit> pasted(const Scene& scene, const std::vector<Id>& ids,
+                    const std::vector<SheetColumn>& columns, std::string_view block)
+{
+    const auto cells = cellsOf(block);
+    const bool isOne = cells.size() == 1 && cells[0].size() == 1;
+    const std::size_t lines = isOne ? ids.size() : cells.size();
+    if (lines > ids.size())
+        return Failure{"There are " + counted(cells.size(), "line") + " to paste and "
+                       + counted(ids.size(), "row") + " to take them; begin further up."};
+
+    Edit edit{"Paste " + counted(lines, "row"), {}};
+    std::vector<SetValues> changes; // one for each property
+    for (std::size_t line = 0; line < lines; ++line) {
+        const auto& row = isOne ? cells[0] : cells[line];
+        const std::size_t width = isOne ? columns.size() : row.size();
+        if (width > columns.size())
+            return Failure{"Line " + std::to_string(line + 1) + " has " + counted(width, "cell")
+                           + " and there are " + counted(columns.size(), "column")
+                           + " to take them; begin further left."};
+        for (std::size_t k = 0; k < width; ++k) {
+            const SheetColumn& column = columns[k];
+            if (!column.property)
+                return Failure{placeText(line, column) + "An id stays as it is."};
+            const auto thing = find(scene, ids[line]);
+            if (!thing)
+                return Failure{placeText(line, column) + "What is there was removed."};
+            auto at = std::ranges::find(changes, column.property, &SetValues::property);
+            if (at == changes.end())
+                at = changes.insert(at, SetValues{column.property, {}, {}});
+            SetValues& change = *at;
+            const bool isNext = change.targets.empty() || change.targets.back() != ids[line];
+            const Value before =
+                isNext ? column.property->get(*thing) : change.values.back(); // another axis
+            auto value = cellValue(scene, ids[line], column, before, row[isOne ? 0 : k]);
+            if (!value)
+                return Failure{placeText(line, column) + value.message()};
+            if (isNext) {
+                change.targets.push_back(ids[line]);
+                change.values.push_back(std::move(*value));
+            } else {
+                change.values.back() = std::move(*value);
+            }
+        }
+    }
+    edit.changes.assign(std::make_move_iterator(changes.begin()),
+                        std::make_move_iterator(changes.end()));
+    return weighed(scene, edit);
+}
+
+} // namespace ripstop

@@ -1,0 +1,352 @@
+#include "author/stability.h"
+
+#include "author/net.h"
+#include "scene/step_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ripstop {
+namespace {
+
+using enum Finding::Verdict;
+
+// "0.0125", "1 200 000" is never needed
+std::string shortNumber(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+Edit setting(std::string label, Kind kind, std::string_view key, std::vector<Id> ids,
+             std::vector<Value> values)
+{
+    return {std::move(label),
+            {SetValues{findProperty(kind, key), std::move(ids), std::move(values)}}};
+}
+
+// What is looked at, once.
+struct Look
+{
+    explicit Look(const Scene& which)
+        : scene(which)
+        , index(which)
+        , net(which)
+    {}
+
+    const Particle& end(std::size_t link, std::size_t k) const
+    {
+        return *net.all.particles[std::size_t(net.ends[link][k])];
+    }
+    bool isTied(std::size_t link) const { return net.ends[link][0] >= 0 && net.ends[link][1] >= 0; }
+
+    const Scene& scene;
+    ElementIndex index;
+    Net net;
+};
+
+std::optional<Finding> timeStep(const Look& look)
+{
+    const Settings& settings = look.scene.settings;
+    const StepLimits limits = stepLimitsOf(look.scene, look.index);
+    const double substep = settings.timeStep / settings.substeps;
+    Finding finding{Good, "Time step", {}, {}, {}};
+    double least = INFINITY;
+    std::size_t i = 0;
+    Id worst = noId;
+    forEachPart(look.scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles) {
+            const double limit = limits.timeStep[i++];
+            if (limit < least) {
+                least = limit;
+                worst = particle.id;
+            }
+            if (limit < substep)
+                finding.culprits.push_back(particle.id);
+        }
+    });
+    if (!std::isfinite(least))
+        return std::nullopt;
+    const bool adapts = limits.bends && settings.solver == Solver::Auto;
+    if (finding.culprits.empty() || adapts) {
+        finding.message = "The substep is " + shortNumber(substep) + " s and may be up to "
+                          + shortNumber(least) + " s for the springs and the bending"
+                          + (adapts ? "; the automatic solver keeps to it." : ".");
+        finding.culprits = {worst};
+        return finding;
+    }
+    std::ranges::sort(finding.culprits);
+    finding.verdict = Poor;
+    finding.message = counted(finding.culprits.size(), "particle needs", "particles need")
+                      + " a shorter substep than " + shortNumber(substep) + " s, down to "
+                      + shortNumber(least) + " s.";
+    const double wanted = std::ceil(settings.timeStep / (0.9 * least));
+    const Property& substeps = *findProperty(Kind::Settings, "substeps");
+    if (least > 0.0 && wanted <= substeps.range.high)
+        finding.repair = setting("Take " + shortNumber(wanted) + " substeps", Kind::Settings,
+                                 "substeps", {settingsId}, {int(wanted)});
+    return finding;
+}
+
+bool sweeps(Solver solver) { return solver != Solver::Auto && solver != Solver::Direct; }
+
+std::optional<Finding> massRatio(const Look& look)
+{
+    double worst = 0.0;
+    Finding finding{Good, "Masses", {}, {}, {}};
+    for (std::size_t k = 0; k < look.net.ends.size(); ++k) {
+        const Link& link = *look.net.all.links[k];
+        if (link.kind != LinkKind::Rod || !look.isTied(k))
+            continue;
+        const Particle &a = look.end(k, 0), &b = look.end(k, 1);
+        const auto [light, heavy] = std::minmax(a.mass, b.mass);
+        if (a.pinned || b.pinned || !(light > 0.0))
+            continue;
+        worst = std::max(worst, heavy / light);
+        if (heavy / light > mostMassRatio)
+            finding.culprits.push_back(link.id);
+    }
+    if (worst == 0.0)
+        return std::nullopt;
+    const Solver solver = look.scene.settings.solver;
+    finding.message = "The ends of a rod differ in mass by a factor of up to " + shortNumber(worst);
+    if (finding.culprits.empty() || !sweeps(solver)) {
+        finding.message += finding.culprits.empty() ? "." : ", which this solver can follow.";
+        return finding;
+    }
+    std::ranges::sort(finding.culprits);
+    finding.verdict = Poor;
+    finding.message += ", and sweeps lift a heavy end by a light one only slowly: even the masses "
+                       "out, or choose the automatic solver.";
+    finding.repair = setting("Choose the automatic solver", Kind::Settings, "solver", {settingsId},
+                             {std::string("auto")});
+    return finding;
+}
+
+// The farthest particle from `start` by links, and how many links away it is.
+std::pair<int, int> farthest(const Net& net, const Lists& links, int start, std::vector<int>& seen,
+                             int mark)
+{
+    std::vector<int> queue{start};
+    std::vector<int> steps{0};
+    seen[std::size_t(start)] = mark;
+    for (std::size_t head = 0; head < queue.size(); ++head)
+        for (const int link : links[queue[head]]) {
+            const auto& ends = net.ends[std::size_t(link)];
+            const int other = ends[0] == queue[head] ? ends[1] : ends[0];
+            if (other < 0 || seen[std::size_t(other)] == mark)
+                continue;
+            seen[std::size_t(other)] = mark;
+            queue.push_back(other);
+            steps.push_back(steps[head] + 1);
+        }
+    return {queue.back(), steps.back()};
+}
+
+int lengthOf(const Net& net)
+{
+    const Lists links = linksOfParticles(net);
+    const auto count = net.all.particles.size();
+    std::vector<int> seen(count, 0);
+    std::vector<int> again(count, 0);
+    int longest = 0;
+    for (std::size_t start = 0; start < count; ++start) {
+        if (seen[start] || links[int(start)].empty())
+            continue;
+        const int far = farthest(net, links, int(start), seen, 1).first;
+        longest = std::max(longest, farthest(net, links, far, again, 1).second);
+    }
+    return longest;
+}
+
+std::optional<Finding> iterations(const Look& look)
+{
+    const Settings& settings = look.scene.settings;
+    const bool hasRods = std::ranges::any_of(
+        look.net.all.links, [](const Link* link) { return link->kind == LinkKind::Rod; });
+    if (!hasRods)
+        return std::nullopt;
+    const int length = lengthOf(look.net);
+    const std::string crossing = "A pull has to pass "
+                                 + counted(std::size_t(length), "link", "links")
+                                 + " to cross the network";
+    const bool isJacobi =
+        settings.solver == Solver::AveragedJacobi || settings.solver == Solver::PaperJacobi;
+    if (!isJacobi)
+        return Finding{Good,
+                       "Iterations",
+                       crossing
+                           + (settings.solver == Solver::Direct
+                                  ? "; the direct solver takes it there at once."
+                                  : "; this solver takes it far in each sweep."),
+                       {},
+                       {}};
+    const long long reach = 1LL * settings.sweeps * settings.substeps;
+    const std::string passes = ", and " + std::to_string(settings.sweeps) + " sweeps in "
+                               + counted(std::size_t(settings.substeps), "substep", "substeps")
+                               + " take it past " + std::to_string(reach) + " in each time step";
+    if (reach >= length)
+        return Finding{Good, "Iterations", crossing + passes + ".", {}, {}};
+    const int wanted = (length + settings.substeps - 1) / settings.substeps;
+    return Finding{Poor,
+                   "Iterations",
+                   crossing + passes + ": it will look elastic.",
+                   {},
+                   setting("Make " + std::to_string(wanted) + " sweeps", Kind::Settings, "sweeps",
+                           {settingsId}, {wanted})};
+}
+
+std::vector<Finding> lengths(const Look& look)
+{
+    double worst = 0.0;
+    Finding stretched{Good, "Lengths", {}, {}, {}}, torn{Poor, "Tearing", {}, {}, {}};
+    std::vector<Value> starts; // m, [stretched.culprits]
+    std::vector<std::pair<Id, double>> found;
+    for (std::size_t k = 0; k < look.net.ends.size(); ++k) {
+        const Link& link = *look.net.all.links[k];
+        if (!look.isTied(k) || link.resists == Resists::Compression || !(link.restLength > 0.0))
+            continue;
+        const double start = (look.end(k, 0).position - look.end(k, 1).position).norm();
+        const double strain = start / link.restLength - 1.0;
+        worst = std::max(worst, strain);
+        if (strain > mostStartStrain)
+            found.emplace_back(link.id, start);
+        const int place = look.index.material(link.material);
+        if (place < 0)
+            continue;
+        const auto& material = std::get<Material>(look.scene.items[std::size_t(place)].item);
+        const double limit = link.tearLimit.value_or(material.tearLimit);
+        if ((material.tearRule == TearRule::Length && start > limit)
+            || (material.tearRule == TearRule::Strain && strain > limit))
+            torn.culprits.push_back(link.id);
+    }
+    std::ranges::sort(found);
+    for (const auto& [id, start] : found) {
+        stretched.culprits.push_back(id);
+        starts.emplace_back(start);
+    }
+    std::vector<Finding> findings;
+    if (!found.empty()) {
+        stretched.verdict = Poor;
+        stretched.message = counted(found.size(), "link is longer", "links are longer")
+                            + " at the start than at rest by more than "
+                            + shortNumber(100.0 * mostStartStrain) + " %, up to "
+                            + shortNumber(100.0 * worst) + " %.";
+        stretched.repair = setting("Rest as they start", Kind::Link, "restLength",
+                                   stretched.culprits, std::move(starts));
+    } else if (!look.net.ends.empty()) {
+        stretched.message = worst < 1e-4 ? "No link is longer at the start than at rest."
+                                         : "Links are at most " + shortNumber(100.0 * worst)
+                                               + " % longer at the start than at rest.";
+    }
+    if (!stretched.message.empty())
+        findings.push_back(std::move(stretched));
+    if (!torn.culprits.empty()) {
+        std::ranges::sort(torn.culprits);
+        torn.message = counted(torn.culprits.size(), "link is", "links are")
+                       + " beyond the tear limit at the start and will tear in the first step.";
+        findings.push_back(std::move(torn));
+    }
+    return findings;
+}
+
+std::optional<Finding> massless(const Look& look)
+{
+    Finding finding{Poor, "Masses", {}, {}, {}};
+    double sum = 0.0;
+    std::size_t weighed = 0;
+    for (const Particle* particle : look.net.all.particles)
+        if (particle->mass > 0.0) {
+            sum += particle->mass;
+            ++weighed;
+        } else if (!particle->pinned) {
+            finding.culprits.push_back(particle->id);
+        }
+    if (finding.culprits.empty())
+        return std::nullopt;
+    std::ranges::sort(finding.culprits);
+    const double mean = weighed > 0 ? sum / double(weighed) : 1e-3; // kg
+    finding.message =
+        counted(finding.culprits.size(), "free particle has", "free particles have") + " no mass.";
+    finding.repair = setting("Give " + shortNumber(1e3 * mean) + " g each", Kind::Particle, "mass",
+                             finding.culprits, {mean});
+    return finding;
+}
+
+std::optional<Finding> doubles(const Look& look)
+{
+    Finding finding{Poor, "Double links", {}, {}, {}};
+    std::vector<std::array<int, 3>> ties; // lower end, upper end, link
+    for (std::size_t k = 0; k < look.net.ends.size(); ++k)
+        if (look.isTied(k)) {
+            const auto [low, high] = std::minmax(look.net.ends[k][0], look.net.ends[k][1]);
+            ties.push_back({low, high, int(k)});
+        }
+    std::ranges::sort(ties);
+    for (std::size_t k = 1; k < ties.size(); ++k)
+        if (ties[k][0] == ties[k - 1][0] && ties[k][1] == ties[k - 1][1])
+            finding.culprits.push_back(look.net.all.links[std::size_t(ties[k][2])]->id);
+    if (finding.culprits.empty())
+        return std::nullopt;
+    std::ranges::sort(finding.culprits);
+    finding.message = counted(finding.culprits.size(), "link joins", "links join")
+                      + " particles that are joined already, so that they are as stiff as two.";
+    finding.repair = removal(look.scene, finding.culprits);
+    finding.repair->label = "Remove the double links";
+    return finding;
+}
+
+std::optional<Finding> loose(const Look& look)
+{
+    Finding finding{Poor, "Loose particles", {}, {}, {}};
+    if (look.net.ends.empty())
+        return std::nullopt; // a cloud of particles is meant
+    std::vector<char> tied(look.net.all.particles.size(), 0);
+    for (const auto& ends : look.net.ends)
+        for (const int end : ends)
+            if (end >= 0)
+                tied[std::size_t(end)] = 1;
+    for (const auto& corners : look.net.corners)
+        for (const int corner : corners)
+            if (corner >= 0)
+                tied[std::size_t(corner)] = 1;
+    for (std::size_t i = 0; i < tied.size(); ++i)
+        if (!tied[i] && !look.net.all.particles[i]->pinned)
+            finding.culprits.push_back(look.net.all.particles[i]->id);
+    if (finding.culprits.empty())
+        return std::nullopt;
+    std::ranges::sort(finding.culprits);
+    finding.message = counted(finding.culprits.size(), "particle hangs", "particles hang")
+                      + " on no link and no panel.";
+    finding.repair = removal(look.scene, finding.culprits);
+    finding.repair->label = "Remove the loose particles";
+    return finding;
+}
+
+} // namespace
+
+std::vector<Finding> stabilityOf(const Scene& scene)
+{
+    const Look look(scene);
+    std::vector<Finding> findings;
+    for (auto examine : {massless, loose, doubles, timeStep, massRatio, iterations})
+        if (auto finding = examine(look))
+            findings.push_back(std::move(*finding));
+    for (Finding& finding : lengths(look))
+        findings.push_back(std::move(finding));
+    std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
+        return a.verdict == Poor && b.verdict == Good;
+    });
+    return findings;
+}
+
+int networkLength(const Scene& scene) { return lengthOf(Net(scene)); }
+
+} // namespace ripstop

@@ -1,0 +1,82 @@
+#include "problems/stability_list.h"
+
+#include "document/document.h"
+#include "document/selection.h"
+#include "icons/tinted.h"
+
+#include <QHeaderView>
+#include <QPushButton>
+
+namespace ripstop {
+namespace {
+
+enum Column { Subject, Message, Repair };
+
+} // namespace
+
+StabilityList::StabilityList(Document& document, Selection& selection, QWidget* parent)
+    : QTreeWidget(parent)
+    , m_document(document)
+    , m_selection(selection)
+{
+    setColumnCount(3);
+    setHeaderHidden(true);
+    setRootIsDecorated(false);
+    setFrameShape(NoFrame);
+    setWordWrap(true);
+    setSelectionMode(SingleSelection);
+    setAccessibleName(tr("Stability"));
+    setToolTip(tr("How near the design is to what its solver can follow. Click a row to select "
+                  "what it is about."));
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(Subject, QHeaderView::ResizeToContents);
+    header()->setSectionResizeMode(Message, QHeaderView::Stretch);
+    header()->setSectionResizeMode(Repair, QHeaderView::ResizeToContents);
+    const auto select = [this](QTreeWidgetItem* item) {
+        const Finding& finding = m_findings[std::size_t(indexOfTopLevelItem(item))];
+        if (!finding.culprits.empty())
+            m_selection.set(finding.culprits);
+    };
+    connect(this, &QTreeWidget::itemClicked, this, select);
+    connect(this, &QTreeWidget::itemActivated, this, select);
+    connect(&document, &Document::changed, this, &StabilityList::outdate);
+    connect(&document, &Document::replaced, this, &StabilityList::outdate);
+}
+
+void StabilityList::showFindings(const std::vector<Finding>& findings)
+{
+    m_findings = findings;
+    clear();
+    for (std::size_t row = 0; row < findings.size(); ++row) {
+        const Finding& finding = findings[row];
+        const bool isPoor = finding.verdict == Finding::Verdict::Poor;
+        auto* item = new QTreeWidgetItem(this, {QString::fromStdString(finding.subject),
+                                                QString::fromStdString(finding.message)});
+        item->setIcon(Subject, isPoor ? tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f))
+                                      : tinted(QStringLiteral("ok"), QColor(0x3c, 0x9a, 0x5f)));
+        item->setData(Subject, Qt::AccessibleTextRole,
+                      (isPoor ? tr("Poor: %1") : tr("Good: %1")).arg(item->text(Subject)));
+        item->setToolTip(Message, item->text(Message));
+        if (!finding.repair)
+            continue;
+        auto* button = new QPushButton(QString::fromStdString(finding.repair->label));
+        button->setToolTip(tr("Repairs it as one step that can be undone."));
+        connect(button, &QPushButton::clicked, this, [this, row] { repair(row); });
+        setItemWidget(item, Repair, button);
+    }
+}
+
+void StabilityList::outdate()
+{
+    for (int row = 0; row < topLevelItemCount(); ++row)
+        if (QWidget* button = itemWidget(topLevelItem(row), Repair))
+            button->setEnabled(false);
+}
+
+void StabilityList::repair(std::size_t row)
+{
+    const Edit edit = *m_findings[row].repair; // the list is about to be made anew
+    m_document.push(edit);
+}
+
+} // namespace ripstop

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "author/stability.h"
+
+#include <QTreeWidget>
+
+namespace ripstop {
+
+class Document;
+class Selection;
+
+// The figures that a simulation stands or falls with, before it is started. A click selects what a
+// row is about; a button repairs it, where that can be done without asking, as one step of undo.
+class StabilityList final : public QTreeWidget
+{
+    Q_OBJECT
+
+public:
+    StabilityList(Document& document, Selection& selection, QWidget* parent = nullptr);
+
+    void showFindings(const std::vector<Finding>& findings); // of the document as it is now
+
+private:
+    void repair(std::size_t row);
+    void outdate(); // the repairs may not fit any more
+
+    Document& m_document;
+    Selection& m_selection;
+    std::vector<Finding> m_findings;
+};
+
+} // namespace ripstop

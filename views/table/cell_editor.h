@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace ripstop {
+
+class SheetModel;
+
+// The field that opens in a cell: a list for a choice, a line for all else.
+class CellEditor final : public QStyledItemDelegate
+{
+    Q_OBJECT
+
+public:
+    CellEditor(SheetModel& model, QObject* parent);
+
+private:
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override;
+
+    SheetModel& m_model;
+};
+
+} // namespace ripstop
