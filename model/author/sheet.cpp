@@ -35,6 +35,9 @@ std::string nameOf(const Scene& scene, Id id)
     return std::string(1, '#').append(std::to_string(std::uint32_t(id)));
 }
 
+// Things without a name of their own are told by number.
+bool isNameless(const Property& property) { return property.pointsAt.contains(Kind::Particle); }
+
 bool isNumber(const SheetColumn& column)
 {
     if (!column.property || column.property->optional)
@@ -179,9 +182,12 @@ SheetKeys sheetKeys(const Scene& scene, std::vector<Id> ids, const SheetColumn& 
         }
         const auto thing = find(scene, id);
         const Value value = thing ? column.property->get(*thing) : Value();
-        if (isNumber(column)) {
+        const Id* other = std::get_if<Id>(&value);
+        if (other && isNameless(*column.property)) {
+            keys.numbers.push_back(std::uint32_t(*other));
+        } else if (isNumber(column)) {
             keys.numbers.push_back(numberIn(value, column.axis));
-        } else if (const Id* other = std::get_if<Id>(&value)) {
+        } else if (other) {
             auto [name, isNew] = names.try_emplace(*other);
             if (isNew)
                 name->second = nameOf(scene, *other);

@@ -163,7 +163,7 @@ SliderRange rangeAround(const Property& property, double value)
     if (value == 0.0)
         range.high = isWhole ? 10.0 : 1.0;
     if (isBounded && allowed.high <= 100.0)
-        range = {allowed.low, allowed.high, false};
+        range = {allowed.low, allowed.high, allowed.low > 0.0 && allowed.high > 1e3 * allowed.low};
     else if (allowed.low >= 0.0 && value > 0.0)
         range = {isWhole ? 1.0 : rounded(value / 30.0), rounded(value * 30.0), true};
     else if (std::holds_alternative<double>(property.initial) && allowed.low < 0.0)

@@ -77,6 +77,14 @@ private slots:
         QVERIFY(tried > 100);
     }
 
+    // What spans many powers of ten is turned by factors.
+    void wideRangesAreLogarithmic()
+    {
+        QVERIFY(rangeAround(*findProperty(Kind::Settings, "strainGoal"), 1.0).logarithmic);
+        QVERIFY(rangeAround(mass, 0.02).logarithmic);
+        QVERIFY(!rangeAround(*findProperty(Kind::Collider, "restitution"), 0.2).logarithmic);
+    }
+
     void rangesThatCannotBeHad()
     {
         const double infinity = std::numeric_limits<double>::infinity();

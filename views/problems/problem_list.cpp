@@ -53,8 +53,9 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     auto* beside = new QSplitter;
     beside->addWidget(left);
     beside->addWidget(m_stability);
-    beside->setStretchFactor(0, 2);
-    beside->setStretchFactor(1, 3);
+    beside->setStretchFactor(0, 1);
+    beside->setStretchFactor(1, 2);
+    beside->setSizes({260, 600}); // px; the sentences of the second are longer
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(beside);

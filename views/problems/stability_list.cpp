@@ -66,6 +66,13 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
     }
 }
 
+// Rows are as high as their sentences need in the new width.
+void StabilityList::resizeEvent(QResizeEvent* event)
+{
+    QTreeWidget::resizeEvent(event);
+    scheduleDelayedItemsLayout();
+}
+
 void StabilityList::outdate()
 {
     for (int row = 0; row < topLevelItemCount(); ++row)

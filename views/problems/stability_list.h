@@ -21,6 +21,7 @@ public:
     void showFindings(const std::vector<Finding>& findings); // of the document as it is now
 
 private:
+    void resizeEvent(QResizeEvent* event) override;
     void repair(std::size_t row);
     void outdate(); // the repairs may not fit any more
 

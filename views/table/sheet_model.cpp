@@ -45,7 +45,6 @@ void SheetModel::show(SheetOf sheet)
     m_sortColumn = 0;
     m_sortOrder = Qt::AscendingOrder;
     endResetModel();
-    reload();
 }
 
 void SheetModel::limitTo(std::optional<std::vector<Id>> ids)

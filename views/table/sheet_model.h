@@ -20,7 +20,7 @@ class SheetModel final : public QAbstractTableModel
 public:
     explicit SheetModel(Document& document, QObject* parent = nullptr);
 
-    void show(SheetOf sheet);
+    void show(SheetOf sheet); // without rows until the next limit or reload
     // Only these rows; ascending. Nothing takes the limit away.
     void limitTo(std::optional<std::vector<Id>> ids);
     void reload(); // rows may have come or gone
