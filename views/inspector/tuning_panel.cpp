@@ -170,8 +170,13 @@ void TuningPanel::refresh()
 
 void TuningPanel::showSets()
 {
-    for (const int set : {0, 1})
-        m_letters[std::size_t(set)]->setChecked(set == m_active);
+    for (const int set : {0, 1}) {
+        QToolButton* letter = m_letters[std::size_t(set)];
+        letter->setChecked(set == m_active);
+        QFont font = this->font();
+        font.setBold(set == m_active); // dark styles hardly show what is pressed
+        letter->setFont(font);
+    }
     const Set& other = m_sets[std::size_t(1 - m_active)];
     const QString name = m_active == 0 ? tr("B") : tr("A");
     const auto count = restoring(other, {}).changes.size();

@@ -12,6 +12,8 @@ namespace {
 
 enum Column { Subject, Message, Repair };
 
+constexpr int padding = 6; // px
+
 } // namespace
 
 StabilityList::StabilityList(Document& document, Selection& selection, QWidget* parent)
@@ -64,13 +66,26 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
         connect(button, &QPushButton::clicked, this, [this, row] { repair(row); });
         setItemWidget(item, Repair, button);
     }
+    fitRows();
 }
 
-// Rows are as high as their sentences need in the new width.
 void StabilityList::resizeEvent(QResizeEvent* event)
 {
     QTreeWidget::resizeEvent(event);
-    scheduleDelayedItemsLayout();
+    fitRows();
+}
+
+// Rows are as high as their sentences need in the width that there is; a tree does not see to it.
+void StabilityList::fitRows()
+{
+    const int width = columnWidth(Message) - 2 * padding;
+    for (int row = 0; row < topLevelItemCount(); ++row) {
+        QTreeWidgetItem* item = topLevelItem(row);
+        const QRect words =
+            fontMetrics().boundingRect(QRect(0, 0, std::max(width, 1), QWIDGETSIZE_MAX),
+                                       Qt::TextWordWrap, item->text(Message));
+        item->setSizeHint(Message, QSize(0, words.height() + padding));
+    }
 }
 
 void StabilityList::outdate()

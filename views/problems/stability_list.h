@@ -22,6 +22,7 @@ public:
 
 private:
     void resizeEvent(QResizeEvent* event) override;
+    void fitRows();
     void repair(std::size_t row);
     void outdate(); // the repairs may not fit any more
 
