@@ -246,6 +246,13 @@ void PropertyForm::refresh()
     }
 }
 
+// What is bold is lost when labels are first given the font of their window.
+void PropertyForm::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    refresh();
+}
+
 void PropertyForm::leave()
 {
     for (const Row& row : m_rows)

@@ -42,6 +42,7 @@ private:
         bool isChanged = false; // from the default
     };
 
+    void showEvent(QShowEvent* event) override;
     void addRow(QGridLayout& grid, const Property& property);
     void addMenu(const Row& row);
     void toggleSlider(const Property& property);

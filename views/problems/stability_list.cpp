@@ -4,6 +4,7 @@
 #include "document/selection.h"
 #include "icons/tinted.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
 
@@ -64,7 +65,11 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
         auto* button = new QPushButton(QString::fromStdString(finding.repair->label));
         button->setToolTip(tr("Repairs it as one step that can be undone."));
         connect(button, &QPushButton::clicked, this, [this, row] { repair(row); });
-        setItemWidget(item, Repair, button);
+        auto* place = new QWidget; // a row may be higher than its button
+        auto* inside = new QHBoxLayout(place);
+        inside->setContentsMargins(0, 0, 0, 0);
+        inside->addWidget(button);
+        setItemWidget(item, Repair, place);
     }
     fitRows();
 }
@@ -91,8 +96,8 @@ void StabilityList::fitRows()
 void StabilityList::outdate()
 {
     for (int row = 0; row < topLevelItemCount(); ++row)
-        if (QWidget* button = itemWidget(topLevelItem(row), Repair))
-            button->setEnabled(false);
+        if (QWidget* place = itemWidget(topLevelItem(row), Repair))
+            place->setEnabled(false);
 }
 
 void StabilityList::repair(std::size_t row)
