@@ -6,7 +6,9 @@
 #include "io/scene_file.h"
 
 #include <charconv>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 namespace ripstop {
 namespace {
@@ -28,7 +30,20 @@ const Builder* chooseBuilder(const std::string& name)
     return nullptr;
 }
 
-Result<Parameters> parametersFrom(const std::vector<std::string>& texts)
+// "1.2, 0.5; 1.1, 0.4", or "@lengths.csv" for what stands in a file.
+Result<NumberRows> tableFrom(const TableParameter& table, const std::string& text)
+{
+    if (!text.starts_with('@'))
+        return tableFromText(table, text);
+    std::ifstream file(text.substr(1));
+    std::ostringstream content;
+    content << file.rdbuf();
+    if (!file)
+        return Failure{std::string(table.key) + ": cannot read the file " + text.substr(1) + "."};
+    return tableFromText(table, content.str());
+}
+
+Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std::string>& texts)
 {
     Parameters parameters;
     for (const std::string& text : texts) {
@@ -36,6 +51,13 @@ Result<Parameters> parametersFrom(const std::vector<std::string>& texts)
         if (equals == std::string::npos)
             return Failure{"\"" + text + "\" sets nothing; write KEY=VALUE, like span=2.4."};
         const std::string key = text.substr(0, equals);
+        if (builder.table && key == builder.table->key) {
+            const Result<NumberRows> rows = tableFrom(*builder.table, text.substr(equals + 1));
+            if (!rows)
+                return rows.failure();
+            setTable(parameters, *builder.table, *rows);
+            continue;
+        }
         const char* const first = text.data() + equals + 1;
         const char* const last = text.data() + text.size();
         double value = 0.0;
@@ -61,7 +83,7 @@ int buildScene(const BuildOptions& options)
     const Builder* builder = chooseBuilder(options.builder);
     if (!builder)
         return WrongUsage;
-    const Result<Parameters> parameters = parametersFrom(options.parameters);
+    const Result<Parameters> parameters = parametersFrom(*builder, options.parameters);
     if (!parameters)
         return fail(WrongUsage, parameters.message());
     Result<Scene> scene = build(*builder, *parameters);
@@ -85,10 +107,17 @@ Json jsonOf(const Builder& builder)
                               {"high", parameter.high},
                               {"whole", parameter.whole},
                               {"help", parameter.help}});
-    return {{"name", builder.name},
-            {"label", builder.label},
-            {"help", builder.help},
-            {"parameters", std::move(parameters)}};
+    Json json = {{"name", builder.name},
+                 {"label", builder.label},
+                 {"help", builder.help},
+                 {"parameters", std::move(parameters)}};
+    if (builder.table)
+        json["table"] = {{"key", builder.table->key},
+                         {"unit", builder.table->unit},
+                         {"low", builder.table->low},
+                         {"high", builder.table->high},
+                         {"help", builder.table->help}};
+    return json;
 }
 
 std::string padded(std::string_view text, std::size_t width)
@@ -108,6 +137,13 @@ void describe(const Builder& builder)
                                                    : parameter.unit,
                             8)
                   << parameter.help << '\n';
+    if (builder.table)
+        std::cout << padded(builder.table->key, 18) << padded("none", 12)
+                  << padded(shortNumber(builder.table->low) + " to "
+                                + shortNumber(builder.table->high),
+                            18)
+                  << padded(builder.table->unit, 8) << builder.table->help
+                  << " Rows end with ; or @FILE names a file.\n";
 }
 
 struct BuildersOptions
@@ -155,6 +191,7 @@ void addBuild(CLI::App& app, Command& chosen)
     command->footer("Examples:\n"
                     "  ripstop-cli builders delta_kite              (lists the parameters)\n"
                     "  ripstop-cli build delta_kite segments=14 span=2.4 -o kite.ripstop.json\n"
+                    "  ripstop-cli build bridle lengths=@lengths.csv -o bridle.ripstop.json\n"
                     "  ripstop-cli build parachute rings=8 -o canopy.ripstop.json \\\n"
                     "      --set settings.substeps=8");
     command->callback([options, &chosen] { chosen = [options] { return buildScene(*options); }; });

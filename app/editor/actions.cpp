@@ -9,6 +9,7 @@
 #include "editor/draw_rows.h"
 #include "editor/files.h"
 #include "editor/group_menus.h"
+#include "editor/insert_rows.h"
 #include "editor/select_rows.h"
 #include "editor/templates.h"
 #include "editor/tuning_action_rows.h"
@@ -176,10 +177,9 @@ void Actions::build()
     };
     std::vector<MenuRow> rows = rowsOf(m_bench, *this);
     const auto isView = [](const MenuRow& row) { return QLatin1String(row.menu) == "&View"; };
-    const std::vector<MenuRow> design = designRows(m_bench);
-    rows.insert(std::ranges::find_if(rows, isView), design.begin(), design.end());
-    const std::vector<MenuRow> draw = drawRows(m_bench);
-    rows.insert(std::ranges::find_if(rows, isView), draw.begin(), draw.end());
+    for (const std::vector<MenuRow>& more :
+         {insertRows(m_bench), designRows(m_bench), drawRows(m_bench)})
+        rows.insert(std::ranges::find_if(rows, isView), more.begin(), more.end());
     for (const MenuRow& row : rows) {
         if (!row.id) {
             (*row.menu ? open(row.menu) : menu)->addSeparator();

@@ -48,6 +48,7 @@ struct Workbench
     std::function<void()> importMesh;
     std::function<void()> showTour;
     std::function<void(const QString&)> showDock; // by its id
+    std::function<void(const QString& builder)> insert;
 };
 
 class Actions final : public QObject

@@ -3,11 +3,11 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "editor/ask_file.h"
+#include "editor/builder_dialog.h"
 #include "editor/export_dialog.h"
 #include "editor/templates.h"
 #include "import/import_dialog.h"
 #include "io/scene_file.h"
-#include "start/builder_dialog.h"
 #include "viewport/viewport.h"
 
 #include <QDir>

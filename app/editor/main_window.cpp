@@ -6,6 +6,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "editor/builder_dialog.h"
 #include "editor/dialogs.h"
 #include "editor/draw_bar.h"
 #include "editor/rescue_dialog.h"
@@ -154,7 +155,8 @@ void MainWindow::buildActions()
         new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline, *m_files,
                      m_dialogs, *m_tuning, *m_inspector, m_drawSettings,
                      [this] { showStartPage(); }, [this] { importMesh({}); },
-                     [this] { showTour(); }, [this](const QString& dock) { showDock(dock); }},
+                     [this] { showTour(); }, [this](const QString& dock) { showDock(dock); },
+                     [this](const QString& builder) { insert(builder); }},
                     keys);
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
@@ -390,6 +392,17 @@ void MainWindow::importMesh(const QString& file)
 {
     const bool isStart = m_middle->currentWidget() == m_start;
     m_files->importMesh(isStart ? Files::Into::NewScene : Files::Into::OpenScene, file);
+}
+
+// The dialog shows what it inserts in the view, so the design is there and not a run.
+void MainWindow::insert(const QString& builder)
+{
+    if (m_middle->currentWidget() == m_start)
+        return m_files->startFrom(builder);
+    m_viewport->transformTool().goToDesign();
+    BuilderDialog dialog(builder, {m_document, m_selection, m_viewport->camera().focus}, this);
+    connect(&dialog, &BuilderDialog::shown, m_viewport, qOverload<>(&Viewport::fit));
+    dialog.exec();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

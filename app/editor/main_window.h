@@ -53,6 +53,7 @@ public:
     void showStartPage();
     void showViewOnly();                  // for pictures
     void importMesh(const QString& file); // empty: asks for one
+    void insert(const QString& builder);  // into the open scene
 
     // Keeps copies of unsaved work in that folder, and asks about those that were left behind
     // there.

@@ -5,12 +5,10 @@
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
-#include "start/parameter_field.h"
+#include "start/parameter_form.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -72,13 +70,6 @@ QString outcomeOf(const Scene& before, const Edit& edit)
 
 } // namespace
 
-double OperationDialog::Field::value() const
-{
-    return choice ? double(choice->currentIndex()) : number->value();
-}
-
-bool OperationDialog::Field::isInRange() const { return choice || number->isInRange(); }
-
 OperationDialog::OperationDialog(const Operation& operation, Document& document,
                                  Selection& selection, QWidget* parent)
     : QDialog(parent)
@@ -86,6 +77,7 @@ OperationDialog::OperationDialog(const Operation& operation, Document& document,
     , m_document(document)
     , m_selection(selection)
     , m_ids(selection.ids())
+    , m_form(new ParameterForm(operation.parameters))
     , m_preview(new QCheckBox(tr("Show in the view")))
     , m_outcome(new QLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
@@ -109,10 +101,7 @@ void OperationDialog::layOut()
     auto* help = new QLabel(text(m_operation.help));
     help->setWordWrap(true);
     help->setForegroundRole(QPalette::PlaceholderText);
-    auto* form = new QFormLayout;
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    for (const OperationParameter& parameter : m_operation.parameters)
-        m_fields.push_back(addField(parameter, *form));
+    connect(m_form, &ParameterForm::changed, this, &OperationDialog::soon);
     // a large design takes too long to be shown at each key
     m_preview->setChecked(particlesOf(m_document.scene(), m_ids).size() <= mostShown);
     m_preview->setToolTip(tr("The design shows the outcome while this dialog is open."));
@@ -123,54 +112,20 @@ void OperationDialog::layOut()
     m_buttons->button(QDialogButtonBox::Ok)->setText(text(m_operation.label));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(help);
-    layout->addLayout(form);
+    layout->addWidget(m_form);
     layout->addWidget(m_preview);
     layout->addWidget(m_outcome);
     layout->addWidget(m_buttons);
     setMinimumWidth(380);
 }
 
-OperationDialog::Field OperationDialog::addField(const OperationParameter& parameter,
-                                                 QFormLayout& form)
-{
-    Field field{&parameter};
-    QWidget* widget = nullptr;
-    if (parameter.choices.empty()) {
-        field.number = new ParameterField(parameter.number);
-        connect(field.number, &ParameterField::changed, this, &OperationDialog::soon);
-        widget = field.number;
-    } else {
-        field.choice = new QComboBox;
-        for (const std::string_view choice : parameter.choices)
-            field.choice->addItem(choiceLabel(choice));
-        field.choice->setCurrentIndex(int(parameter.number.initial));
-        field.choice->setToolTip(text(parameter.number.help));
-        connect(field.choice, &QComboBox::currentIndexChanged, this, &OperationDialog::soon);
-        widget = field.choice;
-    }
-    widget->setObjectName(text(parameter.number.key));
-    auto* label = new QLabel(ParameterField::label(parameter.number));
-    label->setToolTip(widget->toolTip());
-    label->setBuddy(widget);
-    form.addRow(label, widget);
-    return field;
-}
-
 void OperationDialog::soon() { m_pause.start(); }
 
 Result<Shaped> OperationDialog::shaped() const
 {
-    Parameters values;
-    for (const Field& field : m_fields) {
-        const Parameter& number = field.parameter->number;
-        if (!field.isInRange())
-            return Failure{tr("%1 must be a number from %2 to %3.")
-                               .arg(ParameterField::label(number), compactNumber(number.low),
-                                    compactNumber(number.high))
-                               .toStdString()};
-        values[std::string(number.key)] = field.value();
-    }
-    return m_operation.apply(m_document.scene(), m_ids, values);
+    if (const QString refusal = m_form->refusal(); !refusal.isEmpty())
+        return Failure{refusal.toStdString()};
+    return m_operation.apply(m_document.scene(), m_ids, m_form->values());
 }
 
 void OperationDialog::takeBack()

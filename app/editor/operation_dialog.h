@@ -8,15 +8,13 @@
 #include <vector>
 
 class QCheckBox;
-class QComboBox;
 class QDialogButtonBox;
-class QFormLayout;
 class QLabel;
 
 namespace ripstop {
 
 class Document;
-class ParameterField;
+class ParameterForm;
 class Selection;
 
 // The parameters of an operation on what is selected. The design shows the outcome while the dialog
@@ -33,17 +31,7 @@ public:
     void reject() override;
 
 private:
-    struct Field
-    {
-        const OperationParameter* parameter;
-        ParameterField* number = nullptr;
-        QComboBox* choice = nullptr;
-        double value() const;
-        bool isInRange() const;
-    };
-
     void layOut();
-    Field addField(const OperationParameter& parameter, QFormLayout& form);
     void soon();    // shows the outcome when the hand pauses
     void preview(); // shows it now
     void takeBack();
@@ -54,7 +42,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     const std::vector<Id> m_ids; // what was selected
-    std::vector<Field> m_fields;
+    ParameterForm* m_form;
     QCheckBox* m_preview;
     QLabel* m_outcome;
     QDialogButtonBox* m_buttons;

@@ -28,35 +28,35 @@ constexpr std::array<std::string_view, 5> massWays{"each_particle_(kg)", "by_len
 
 // clang-format off
 const std::array mirrorParameters{
-    OperationParameter{{"plane",     "",  0, 0, 2, true, "Direction that is turned round: x swaps left and right, y up and down, z front and back."}, planes},
-    OperationParameter{{"place",     "",  0, 0, 3, true, "Where the plane stands: at the origin, on the side of least or most x, y or z of what is selected, or in its middle."}, planePlaces},
-    OperationParameter{{"offset",    "m", 0, -1e4, 1e4, false, "Moves the plane along its direction."}},
-    OperationParameter{{"tolerance", "m", 0.001, 0, 10, false, "Particles as near to the plane as this are put on it and belong to both halves."}},
+    Parameter{"plane",     "",  0, 0, 2, true, "Direction that is turned round: x swaps left and right, y up and down, z front and back.", {}, planes},
+    Parameter{"place",     "",  0, 0, 3, true, "Where the plane stands: at the origin, on the side of least or most x, y or z of what is selected, or in its middle.", {}, planePlaces},
+    Parameter{"offset",    "m", 0, -1e4, 1e4, false, "Moves the plane along its direction."},
+    Parameter{"tolerance", "m", 0.001, 0, 10, false, "Particles as near to the plane as this are put on it and belong to both halves."},
 };
 const std::array rowParameters{
-    OperationParameter{{"count", "",  3, 2, 1000, true, "How many there are in the end, with the one that is there."}},
-    OperationParameter{{"x",     "m", 0.5, -1e4, 1e4, false, "Step from one to the next."}},
-    OperationParameter{{"y",     "m", 0, -1e4, 1e4, false, "Step from one to the next."}},
-    OperationParameter{{"z",     "m", 0, -1e4, 1e4, false, "Step from one to the next."}},
+    Parameter{"count", "",  3, 2, 1000, true, "How many there are in the end, with the one that is there."},
+    Parameter{"x",     "m", 0.5, -1e4, 1e4, false, "Step from one to the next."},
+    Parameter{"y",     "m", 0, -1e4, 1e4, false, "Step from one to the next."},
+    Parameter{"z",     "m", 0, -1e4, 1e4, false, "Step from one to the next."},
 };
 const std::array ringParameters{
-    OperationParameter{{"count",  "",    6, 2, 1000, true, "How many there are in the end, with the one that is there."}},
-    OperationParameter{{"axis",   "",    1, 0, 2, true, "Axis that the ring runs about."}, axes},
-    OperationParameter{{"centre", "",    0, 0, 3, true, "What the axis runs through."}, centres},
-    OperationParameter{{"angle",  "deg", 360, -360, 360, false, "From the first to the last; a full turn puts none on the first."}},
+    Parameter{"count",  "",    6, 2, 1000, true, "How many there are in the end, with the one that is there."},
+    Parameter{"axis",   "",    1, 0, 2, true, "Axis that the ring runs about.", {}, axes},
+    Parameter{"centre", "",    0, 0, 3, true, "What the axis runs through.", {}, centres},
+    Parameter{"angle",  "deg", 360, -360, 360, false, "From the first to the last; a full turn puts none on the first."},
 };
 const std::array weldParameters{
-    OperationParameter{{"which",    "",  0, 0, 1, true, "Which of the selected particles become one."}, weldWhich},
-    OperationParameter{{"distance", "m", 0.001, 0, 100, false, "Particles nearer to each other than this become one."}},
-    OperationParameter{{"place",    "",  0, 0, 1, true, "Where the one particle is."}, weldPlaces},
+    Parameter{"which",    "",  0, 0, 1, true, "Which of the selected particles become one.", {}, weldWhich},
+    Parameter{"distance", "m", 0.001, 0, 100, false, "Particles nearer to each other than this become one."},
+    Parameter{"place",    "",  0, 0, 1, true, "Where the one particle is.", {}, weldPlaces},
 };
 const std::array massParameters{
-    OperationParameter{{"way",    "", 3, 0, 4, true, "What the amount is and how it is shared out. Links and panels count that lie among what is selected."}, massWays},
-    OperationParameter{{"amount", "", 0.1, 0, 1e6, false, "Mass in the unit that the line above says. It takes the place of the mass that is there."}},
+    Parameter{"way",    "", 3, 0, 4, true, "What the amount is and how it is shared out. Links and panels count that lie among what is selected.", {}, massWays},
+    Parameter{"amount", "", 0.1, 0, 1e6, false, "Mass in the unit that the line above says. It takes the place of the mass that is there."},
 };
 const std::array splitParameters{
-    OperationParameter{{"count", "",   2, 2, 1000, true, "Links that each one becomes."}},
-    OperationParameter{{"mass",  "kg", 0.001, 0, 1e3, false, "Mass of each new particle, where the linear density of the material does not say it."}},
+    Parameter{"count", "",   2, 2, 1000, true, "Links that each one becomes."},
+    Parameter{"mass",  "kg", 0.001, 0, 1e3, false, "Mass of each new particle, where the linear density of the material does not say it."},
 };
 // clang-format on
 

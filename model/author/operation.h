@@ -12,13 +12,6 @@
 
 namespace ripstop {
 
-// A number, a switch, or one of `choices`, of which the value is the place.
-struct OperationParameter
-{
-    Parameter number;
-    std::span<const std::string_view> choices = {};
-};
-
 struct Shaped
 {
     Edit edit;
@@ -30,7 +23,7 @@ struct Operation
     std::string_view name;
     std::string_view label; // on screen
     std::string_view help;  // in two or three sentences
-    std::span<const OperationParameter> parameters;
+    std::span<const Parameter> parameters;
     // Every parameter is there and in range. Fails with a sentence that says what to select.
     Result<Shaped> (*apply)(const Scene&, const std::vector<Id>& ids, const Parameters&);
 };

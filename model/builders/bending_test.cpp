@@ -19,9 +19,9 @@ namespace {
 
 // clang-format off
 constexpr Parameter parameters[]{
-    {"cells",  "",    16,    4, 64,       true,  "Cells from the edge of the table to the tip."},
+    {"cells",  "",    16,    4, 64,       true,  "Cells from the edge of the table to the tip.", "Mesh"},
     {"across", "",    4,     1, 40,       true,  "Cells across a strip."},
-    {"reach",  "",    2,     0.2, 4,      false, "Overhang of a strip over its bending length; with 2 strips come to 41.5 degrees."},
+    {"reach",  "",    2,     0.2, 4,      false, "Overhang of a strip over its bending length; with 2 strips come to 41.5 degrees.", "Test"},
     {"gap",    "m",   0.012, 0.001, 1,    false, "Between strips, with a ramp in it."},
     {"angle",  "deg", 41.5,  0, 80,       false, "Of the ramps, below level."},
 };
@@ -129,7 +129,7 @@ void addRamp(Scene& scene, int number, double angle, double length, double from,
            -angle);
 }
 
-Scene buildBendingTest(const Parameters& p)
+Result<Scene> buildBendingTest(const Parameters& p)
 {
     Scene scene;
     scene.settings.title = "Bending test";
@@ -188,6 +188,6 @@ Scene buildBendingTest(const Parameters& p)
 
 const Builder bendingTestBuilder{"bending_test", "Bending test",
                                  "Strips of fabric that droop over the edge of a table.",
-                                 parameters, buildBendingTest};
+                                 parameters, buildBendingTest, Family::Cloth};
 
 } // namespace ripstop

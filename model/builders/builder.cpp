@@ -3,6 +3,9 @@
 #include "builders/designs.h"
 #include "scene/property.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -47,13 +50,77 @@ std::optional<Failure> refused(const Parameter& parameter, double value)
     return Failure{text};
 }
 
+std::string cellKey(const TableParameter& table, std::size_t row, std::size_t column)
+{
+    return std::string(table.key) + "." + std::to_string(row + 1) + "."
+           + std::to_string(column + 1);
+}
+
+bool isCell(const Builder& builder, std::string_view key)
+{
+    return builder.table && key.starts_with(std::string(builder.table->key) + ".");
+}
+
+std::optional<Failure> refused(const TableParameter& parameter, const NumberRows& table)
+{
+    const auto place = [&](std::size_t row, std::size_t column) {
+        return std::string(parameter.key) + ", row " + std::to_string(row + 1) + ", column "
+               + std::to_string(column + 1) + ": ";
+    };
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const std::size_t count = std::min(table[row].size(), table[0].size());
+        if (table[row].size() != table[0].size())
+            return Failure{place(row, count) + "each row needs as many numbers as the first, "
+                           + std::to_string(table[0].size()) + ", and this one has "
+                           + std::to_string(table[row].size()) + "."};
+        for (std::size_t column = 0; column < count; ++column) {
+            const double value = table[row][column];
+            if (value >= parameter.low && value <= parameter.high)
+                continue; // false for NaN
+            char text[120];
+            std::snprintf(text, sizeof text, "must be from %g to %g %s, and is %g.",
+                          parameter.low, parameter.high,
+                          std::string(parameter.unit).c_str(), value);
+            return Failure{place(row, column) + text};
+        }
+    }
+    return std::nullopt;
+}
+
+// Between tabs a cell may be written with a comma and be empty; else commas and blanks part cells.
+std::vector<std::string> cellsOf(std::string_view row)
+{
+    const bool tabs = row.find('\t') != std::string_view::npos;
+    std::vector<std::string> cells(1);
+    for (const char letter : row) {
+        if (letter == '\t' || (!tabs && letter == ','))
+            cells.emplace_back();
+        else if (letter == ' ' && !tabs && !cells.back().empty())
+            cells.emplace_back();
+        else if (letter != ' ' && letter != '\r')
+            cells.back() += letter == ',' ? '.' : letter;
+    }
+    // "1, 2" and a tab at the end leave nothing behind them
+    if (cells.size() > 1 && cells.back().empty())
+        cells.pop_back();
+    return cells;
+}
+
 } // namespace
 
 std::span<const Builder> allBuilders()
 {
-    static const std::array table{clothBuilder,      ropeBuilder,      hangGliderBuilder,
-                                  deltaKiteBuilder,  parachuteBuilder, stiffenedRodBuilder,
-                                  bendingTestBuilder};
+    static const std::array table{
+        // wings
+        deltaKiteBuilder, diamondKiteBuilder, rectangularKiteBuilder, hangGliderBuilder,
+        // canopies
+        parachuteBuilder, crossParachuteBuilder,
+        // cloth
+        clothBuilder, poleFlagBuilder, bendingTestBuilder,
+        // lines
+        ropeBuilder, bridleBuilder, frameBuilder, stiffenedRodBuilder,
+        // obstacles
+        boxBuilder, sphereBuilder, hillsBuilder};
     return table;
 }
 
@@ -72,13 +139,65 @@ Result<Scene> build(const Builder& builder, const Parameters& given)
         all.emplace(parameter.key, parameter.initial);
     for (const auto& [key, value] : given) {
         const Parameter* parameter = findParameter(builder, key);
-        if (!parameter)
+        if (!parameter && !isCell(builder, key))
             return unknown(builder, key);
-        if (const auto failure = refused(*parameter, value))
+        if (const auto failure = parameter ? refused(*parameter, value) : std::nullopt)
             return *failure;
         all[key] = value;
     }
+    if (builder.table)
+        if (const auto failure = refused(*builder.table, tableOf(all, *builder.table)))
+            return *failure;
     return builder.build(all);
+}
+
+void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows)
+{
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        for (std::size_t column = 0; column < rows[row].size(); ++column)
+            parameters[cellKey(table, row, column)] = rows[row][column];
+}
+
+NumberRows tableOf(const Parameters& parameters, const TableParameter& table)
+{
+    NumberRows rows;
+    for (std::size_t row = 0; parameters.contains(cellKey(table, row, 0)); ++row) {
+        rows.emplace_back();
+        for (std::size_t column = 0;; ++column) {
+            const auto cell = parameters.find(cellKey(table, row, column));
+            if (cell == parameters.end())
+                break;
+            rows.back().push_back(cell->second);
+        }
+    }
+    return rows;
+}
+
+Result<NumberRows> tableFromText(const TableParameter& table, std::string_view text)
+{
+    NumberRows rows;
+    int line = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\n;"), text.size());
+        std::string_view row = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        ++line;
+        if (row.find_first_not_of(" \t\r") == std::string_view::npos)
+            continue; // a spreadsheet ends with an empty row
+        std::vector<double> numbers;
+        for (const std::string& cell : cellsOf(row)) {
+            double value = 0.0;
+            const auto [last, error] =
+                std::from_chars(cell.data(), cell.data() + cell.size(), value);
+            if (error != std::errc() || last != cell.data() + cell.size())
+                return Failure{std::string(table.key) + ", row " + std::to_string(line)
+                               + ", column " + std::to_string(numbers.size() + 1)
+                               + ": \"" + cell + "\" is not a number."};
+            numbers.push_back(value);
+        }
+        rows.push_back(std::move(numbers));
+    }
+    return rows;
 }
 
 } // namespace ripstop

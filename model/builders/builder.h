@@ -1,8 +1,8 @@
 // Builders: parametric designs.
 //
 // A builder is one row of a table: its parameters with unit, default and range, and a function
-// that turns values into a whole scene. The command line, the Insert menu and the manual are made
-// from the rows.
+// that turns values into a whole scene. The command line, the forms of the editor and the manual are
+// made from the rows.
 #pragma once
 
 #include "base/result.h"
@@ -22,11 +22,26 @@ struct Parameter
     double initial;
     double low;
     double high;
-    bool whole; // counts and switches (0 or 1)
+    bool whole; // counts, switches (0 or 1) and choices
     std::string_view help;
+    std::string_view group = {};                    // heading over this one and those after it
+    std::span<const std::string_view> choices = {}; // what whole numbers from 0 on stand for
 };
 
 using Parameters = std::map<std::string, double>;
+
+// Rows of numbers, as one copies them from a spreadsheet. Among the parameters its cells are called
+// KEY.ROW.COLUMN, from 1 on: "lengths.2.1".
+struct TableParameter
+{
+    std::string_view key;
+    std::string_view unit; // SI, of every number
+    double low;
+    double high;
+    std::string_view help;
+};
+
+enum class Family { Wings, Canopies, Cloth, Lines, Obstacles };
 
 struct Builder
 {
@@ -34,13 +49,23 @@ struct Builder
     std::string_view label; // on screen
     std::string_view help;
     std::span<const Parameter> parameters;
-    Scene (*build)(const Parameters&); // every parameter is there and in range
+    // Every number is there and in range. May fail where they do not go together.
+    Result<Scene> (*build)(const Parameters&);
+    Family family;
+    const TableParameter* table = nullptr; // null for most
 };
 
-std::span<const Builder> allBuilders();
+std::span<const Builder> allBuilders(); // by family
 const Builder* findBuilder(std::string_view name); // null when there is none
 
 // Fills in defaults and checks names and ranges, then builds.
 Result<Scene> build(const Builder& builder, const Parameters& given);
+
+void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows);
+NumberRows tableOf(const Parameters& parameters, const TableParameter& table); // empty without cells
+
+// Cells between tabs, commas or blanks, rows between line breaks or semicolons; between tabs, a
+// comma may stand for the point. A refusal names row and column.
+Result<NumberRows> tableFromText(const TableParameter& table, std::string_view text);
 
 } // namespace ripstop

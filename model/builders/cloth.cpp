@@ -17,13 +17,15 @@
 namespace ripstop {
 namespace {
 
+constexpr std::string_view hangs[]{"two_corners", "left_edge", "nothing", "both_edges", "clamped_edge"};
+
 // clang-format off
 constexpr Parameter parameters[]{
-    {"columns",   "",       20,   1, 400,  true,  "Cells across."},
+    {"columns",   "",       20,   1, 400,  true,  "Cells across.", "Mesh"},
     {"rows",      "",       20,   1, 400,  true,  "Cells down."},
-    {"width",     "m",      1.0,  0.01, 50, false, "From corner to corner across."},
+    {"width",     "m",      1.0,  0.01, 50, false, "From corner to corner across.", "Size"},
     {"height",    "m",      1.0,  0.01, 50, false, "From the top edge to the bottom edge."},
-    {"density",   "kg/m^2", 0.25, 0.005, 10, false, "Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric."},
+    {"density",   "kg/m^2", 0.25, 0.005, 10, false, "Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric.", "Fabric"},
     {"stiffness", "N/m",    100,  0, 1e6,  false, "Of structural springs: the tension of the fabric per strain; light knits have 25 to 130."},
     {"membrane",  "N/m",    0,    0, 1e7,  false, "Membrane stiffness E t of the fabric along its threads; above 0 it replaces the stiffness, and the sheet stretches alike at every resolution."},
     {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones; of the membrane, shear stiffness over membrane stiffness."},
@@ -31,14 +33,14 @@ constexpr Parameter parameters[]{
     {"bending",   "N m",    0,    0, 10,   false, "Bending stiffness of the fabric, its moment per width and curvature; garments have 1e-5 to 1e-4."},
     {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only."},
     {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never."},
-    {"hang",      "",       0,    0, 4,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped."},
+    {"hang",      "",       0,    0, 4,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped.", "Set-up", hangs},
     {"slit",      "",       0,    0, 0.9,  false, "A cut from the middle of the lower edge upwards, over the height; tears start there."},
     {"level",     "m",      1.6,  0.01, 1000, false, "Height of the top edge over the ground."},
     {"flat",      "",       1,    0, 1,    true,  "1 starts with the sheet lying level, 0 hanging."},
     {"sphere",    "m",      0.25,    0, 20,   false, "Radius of a sphere below the sheet; 0 leaves it out."},
     {"boxes",     "",       0,    0, 9,    true,  "Boxes on the ground in a ring below the sheet, each turned another way."},
     {"thickness", "m",      0,    0, 0.2,  false, "Distance that the sheet keeps from itself and from sphere and boxes; 0 lets it pass through itself."},
-    {"wind",      "m/s",    0,    -50, 50, false, "Speed of the wind, across the sheet when it is hung by corners and along it when by an edge."},
+    {"wind",      "m/s",    0,    -50, 50, false, "Speed of the wind, across the sheet when it is hung by corners and along it when by an edge.", "Air"},
     {"lift_slope", "1/rad", 2,    0, 8,    false, "Normal force coefficient of the fabric in the wind."},
     {"friction",  "",       0.02, 0, 0.5,  false, "Coefficient of the air's force along the fabric."},
 };
@@ -262,7 +264,7 @@ void addControls(Scene& scene, const std::string& name, const std::vector<Id>& t
     addItem(scene, control);
 }
 
-Scene buildCloth(const Parameters& p)
+Result<Scene> buildCloth(const Parameters& p)
 {
     Scene scene;
     scene.settings.title = "Cloth";
@@ -322,6 +324,6 @@ Scene buildCloth(const Parameters& p)
 
 const Builder clothBuilder{"cloth", "Cloth",
                            "A sheet of masses and springs, hung by corners or an edge.", parameters,
-                           buildCloth};
+                           buildCloth, Family::Cloth};
 
 } // namespace ripstop

@@ -5,7 +5,16 @@
 
 namespace ripstop {
 
+extern const Builder boxBuilder;
+extern const Builder bridleBuilder;
 extern const Builder clothBuilder;
+extern const Builder crossParachuteBuilder;
+extern const Builder diamondKiteBuilder;
+extern const Builder frameBuilder;
+extern const Builder hillsBuilder;
+extern const Builder sphereBuilder;
+extern const Builder poleFlagBuilder;
+extern const Builder rectangularKiteBuilder;
 extern const Builder ropeBuilder;
 extern const Builder hangGliderBuilder;
 extern const Builder deltaKiteBuilder;

@@ -22,21 +22,21 @@ namespace {
 
 // clang-format off
 constexpr Parameter parameters[]{
-    {"segments",    "",      8,     2, 40,    true,  "Lattice segments per side; the sail has their square of panels."},
-    {"span",        "m",     9.6,   2, 20,    false, "From tip to tip."},
+    {"segments",    "",      8,     2, 40,    true,  "Lattice segments per side; the sail has their square of panels.", "Mesh"},
+    {"span",        "m",     9.6,   2, 20,    false, "From tip to tip.", "Size and mass"},
     {"chord",       "m",     4.0,   1, 10,    false, "Length of the keel from the nose to the trailing edge."},
     {"wing_mass",   "kg",    25,    1, 100,   false, "Sail and frame together, shared equally by all particles but the pilot."},
     {"pilot_mass",  "kg",    65,    1, 200,   false, "Pilot and harness."},
     {"pilot_depth", "m",     1.3,   0.3, 4,     false, "How far the pilot hangs below the keel."},
     {"speed",       "m/s",   11,    5, 30,    false, "Airspeed in trim; it says where along the keel the pilot hangs."},
-    {"dihedral",    "deg",   3,     -10, 20,    false, "Rise of the leading edges to the tips; rolls the wing level when it slips."},
+    {"dihedral",    "deg",   3,     -10, 20,    false, "Rise of the leading edges to the tips; rolls the wing level when it slips.", "Shape"},
     {"billow",      "",      0.02,  0, 0.3,   false, "Arch of the sail between keel and leading edge, over its local half width."},
     {"washout",     "deg",   7,     -10, 40,    false, "How much less the tips meet the wind than the root; gives pitch stability to a swept wing."},
     {"reflex",      "",      0.02,  -0.1, 0.2,   false, "Rise of the rear end of the keel over its length; gives pitch stability."},
-    {"lift_slope",  "1/rad", 4.0,   0.1, 8,     false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a taut delta of aspect ratio A, 3.1 fits the first, slack Rogallo wings."},
+    {"lift_slope",  "1/rad", 4.0,   0.1, 8,     false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a taut delta of aspect ratio A, 3.1 fits the first, slack Rogallo wings.", "Air"},
     {"vortex",      "",      0,     0, 1,     true,  "1 flies with the vortex law, which finds lift slope and induced drag from the shape of the wing; 0 with the plate law and the lift slope above."},
     {"drag",        "",      0.06,  0, 0.5,   false, "Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin friction."},
-    {"altitude",    "m",     100,   5, 3000,  false, "Height of the nose at the start."},
+    {"altitude",    "m",     100,   5, 3000,  false, "Height of the nose at the start.", "Start"},
     {"shift",       "m",     0.4,   0.01, 1,     false, "How far the pilot can shift either way."},
 };
 // clang-format on
@@ -182,7 +182,7 @@ void addProbes(Scene& scene, Id part)
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
 }
 
-Scene buildHangGlider(const Parameters& p)
+Result<Scene> buildHangGlider(const Parameters& p)
 {
     Scene scene;
     scene.settings.title = "Hang glider";
@@ -219,6 +219,6 @@ Scene buildHangGlider(const Parameters& p)
 
 const Builder hangGliderBuilder{"hang_glider", "Hang glider",
                                 "A flexible wing with a pilot who steers by shifting weight.",
-                                parameters, buildHangGlider};
+                                parameters, buildHangGlider, Family::Wings};
 
 } // namespace ripstop

@@ -29,6 +29,9 @@ public:
     Id spring(Id from, Id to, Id material);
     Id panel(Id a, Id b, Id c, Id material);
 
+    // Of the link laid last, m; it is under load or slack then.
+    void setRestLength(double length) { m_part.links.back().restLength = length; }
+
     // Says of the link laid last that it stands for a strip of fabric of this width, m.
     void asFabric(LinkRole role, double width);
 

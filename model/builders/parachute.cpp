@@ -14,6 +14,7 @@
 // tension only, so that it can fold, and holds the air that comes in by its mouth
 // (sim/canopy_air.h). It starts full, in the shape of above, or as a tube in folds with a round
 // crown.
+#include "builders/descent.h"
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
@@ -28,23 +29,23 @@ namespace {
 
 // clang-format off
 constexpr Parameter parameters[]{
-    {"rings",         "",       6,      2, 40,    true,  "Rings of fabric from the apex to the skirt."},
+    {"rings",         "",       6,      2, 40,    true,  "Rings of fabric from the apex to the skirt.", "Mesh"},
     {"sectors",       "",       24,     6, 120,   true,  "Gores, and suspension lines."},
     {"hoop",          "",       1,      0, 1,     true,  "1 holds the skirt open with a rigid hoop, 0 leaves it to the air."},
-    {"diameter",      "m",      5,      0.3, 60,  false, "Nominal diameter D0: that of the canopy laid out flat."},
+    {"diameter",      "m",      5,      0.3, 60,  false, "Nominal diameter D0: that of the canopy laid out flat.", "Canopy"},
     {"fullness",      "",       0.67,   0.5, 0.95, false, "Width of the open mouth over the nominal diameter; 0.67 to 0.70 for flat circular canopies."},
     {"drag",          "",       0.775,  0.05, 2,  false, "Drag coefficient CD0 on the nominal area; 0.75 to 0.80 for flat circular canopies."},
-    {"payload",       "kg",     25,     0.01, 2000, false, "Mass that hangs below."},
+    {"payload",       "kg",     25,     0.01, 2000, false, "Mass that hangs below.", "Load and lines"},
     {"line_length",   "m",      4.5,    0.3, 60,  false, "From the skirt to the payload; 0.8 to 1 nominal diameter is usual."},
     {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
     {"line_density",  "kg/m",   0.004,  1e-5, 0.2, false, "Mass of a line per length."},
     {"line_diameter", "m",      0.003,  0, 0.05,  false, "Thickness of a line, which the wind drags."},
-    {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I."},
+    {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I.", "Fabric"},
     {"hoop_mass",     "kg",     0.4,    0.01, 50, false, "Mass of the hoop."},
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
-    {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start."},
+    {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start.", "Start"},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
-    {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself."},
+    {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy"},
     {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full."},
     {"porosity",      "",       0,      0, 0.5,   false, "Porosity of the cloth; about 0.03 for parachute nylon."},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
@@ -171,36 +172,6 @@ private:
     std::vector<Vec3> m_start; // [nodes] m
 };
 
-// The normal force coefficient that gives the wanted drag when the canopy sinks upright. Skin
-// friction takes its share: the force upwards is Cn sum(A ny^2) + Cf sum(A |wt| wt_y).
-double normalCoefficient(Scene& scene, const Network& network, const Materials& materials,
-                         const Parameters& p)
-{
-    const double nominalArea = 0.25 * pi * p.at("diameter") * p.at("diameter");
-    const double wanted = 0.5 * scene.settings.airDensity * p.at("drag") * nominalArea; // at 1 m/s
-    const auto force = [&](double coefficient) {
-        for (const Id id : materials.cloth)
-            std::get<Material>(*findItem(scene, id)).normalCoefficient = coefficient;
-        return airLoad(scene, network.part(), Vec3::UnitY()).force.y();
-    };
-    const double alone = force(0.0);
-    return (wanted - alone) / (force(1.0) - alone);
-}
-
-std::vector<Id> addHoop(Network& network, const std::vector<Id>& skirt, const Parameters& p,
-                        const Materials& materials)
-{
-    const double height = network.position(skirt.front()).y();
-    const double reach = 0.25 * p.at("diameter");
-    std::vector<Id> hubs;
-    for (const double side : {1.0, -1.0}) {
-        hubs.push_back(
-            network.particle({0.0, height + side * reach, 0.0}, 0.5 * p.at("hoop_mass")));
-        network.spokes(hubs.back(), skirt, materials.frame);
-    }
-    return hubs;
-}
-
 Id addPayload(Network& network, const std::vector<Id>& skirt, const Parameters& p,
               const Materials& materials)
 {
@@ -214,7 +185,7 @@ Id addPayload(Network& network, const std::vector<Id>& skirt, const Parameters& 
     return payload;
 }
 
-Scene buildParachute(const Parameters& p)
+Result<Scene> buildParachute(const Parameters& p)
 {
     Scene scene;
     addGround(scene);
@@ -229,9 +200,8 @@ Scene buildParachute(const Parameters& p)
     if (holdsAir) {
         canopy.shape(network);
     } else {
-        const double coefficient = normalCoefficient(scene, network, materials, p);
-        for (const Id id : materials.cloth)
-            std::get<Material>(*findItem(scene, id)).normalCoefficient = coefficient;
+        setDrag(scene, network, materials.cloth, p.at("drag"),
+                0.25 * pi * p.at("diameter") * p.at("diameter"));
     }
 
     const std::size_t firstLineRod = network.part().links.size();
@@ -239,7 +209,8 @@ Scene buildParachute(const Parameters& p)
     const Id lineRod = network.part().links[firstLineRod].id;
     std::vector<Id> hubs;
     if (p.at("hoop") > 0.0 && !holdsAir)
-        hubs = addHoop(network, canopy.skirt(), p, materials);
+        hubs = addHoop(network, canopy.skirt(), 0.25 * p.at("diameter"), p.at("hoop_mass"),
+                       materials.frame);
     network.place(Eigen::Matrix3d::Identity(),
                   {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
                   {0.0, 0.0 - p.at("speed"), 0.0}); // no -0 in files
@@ -269,6 +240,6 @@ Scene buildParachute(const Parameters& p)
 
 const Builder parachuteBuilder{"parachute", "Parachute",
                                "A round canopy with suspension lines and a payload.", parameters,
-                               buildParachute};
+                               buildParachute, Family::Canopies};
 
 } // namespace ripstop

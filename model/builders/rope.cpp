@@ -15,13 +15,13 @@ namespace {
 
 // clang-format off
 constexpr Parameter parameters[]{
-    {"segments",  "",     20,   1, 5000, true,  "Rods from end to end."},
+    {"segments",  "",     20,   1, 5000, true,  "Rods from end to end.", "Rope"},
     {"length",    "m",    2,    0.01, 1000, false, "Of the whole rope."},
     {"density",   "kg/m", 0.05, 0, 50,   false, "Mass of the rope per length."},
     {"axial",     "N",    0,    0, 1e9,  false, "Axial stiffness EA of the rope, its tension per strain; 0 never stretches."},
     {"rigidity",  "N m^2", 0,   0, 1e6,  false, "Flexural rigidity EI of a spar, its bending moment per curvature; a kite spar has 1 to 10, a rope nothing."},
     {"clamped",   "",     0,    0, 1,    true,  "1 pins the second particle as well, so that the first segment keeps its direction."},
-    {"end_mass",  "kg",   0,    0, 1000, false, "A bob at the free end, over and above the rope's own mass."},
+    {"end_mass",  "kg",   0,    0, 1000, false, "A bob at the free end, over and above the rope's own mass.", "Set-up"},
     {"angle",     "deg",  60,   0, 180,  false, "Of the rope at the start, from straight down."},
     {"ends",      "",     1,    0, 2,    true,  "How many ends are pinned."},
     {"stiffened", "",     0,    0, 1,    true,  "1 adds rods between second neighbours."},
@@ -29,7 +29,7 @@ constexpr Parameter parameters[]{
 };
 // clang-format on
 
-Scene buildRope(const Parameters& p)
+Result<Scene> buildRope(const Parameters& p)
 {
     Scene scene;
     scene.settings.title = "Rope";
@@ -86,6 +86,6 @@ Scene buildRope(const Parameters& p)
 } // namespace
 
 const Builder ropeBuilder{"rope", "Rope", "A row of rods, hung by one end or by both.", parameters,
-                          buildRope};
+                          buildRope, Family::Lines};
 
 } // namespace ripstop

@@ -15,7 +15,7 @@ constexpr Parameter parameters[]{
 };
 // clang-format on
 
-Scene buildStiffenedRod(const Parameters& p)
+Result<Scene> buildStiffenedRod(const Parameters& p)
 {
     Scene scene;
     scene.settings.title = "Stiffened rod";
@@ -60,6 +60,6 @@ Scene buildStiffenedRod(const Parameters& p)
 
 const Builder stiffenedRodBuilder{"stiffened_rod", "Stiffened rod",
                                   "Four particles in a row, kept straight by two more.", parameters,
-                                  buildStiffenedRod};
+                                  buildStiffenedRod, Family::Lines};
 
 } // namespace ripstop

@@ -406,8 +406,8 @@ private slots:
         QFETCH(QString, name);
         const Operation& operation = *findOperation(name.toStdString());
         Parameters values;
-        for (const OperationParameter& one : operation.parameters)
-            values[std::string(one.number.key)] = one.number.initial;
+        for (const Parameter& one : operation.parameters)
+            values[std::string(one.key)] = one.initial;
         const Scene scene = strip();
         std::vector<Id> all{Id{1}};
         for (const Link& row : partOf(scene).links)
@@ -447,8 +447,8 @@ private slots:
         for (const Operation& operation : allOperations())
             for (const auto& ids : {whole, some}) {
                 Parameters values;
-                for (const OperationParameter& one : operation.parameters)
-                    values[std::string(one.number.key)] = one.number.initial;
+                for (const Parameter& one : operation.parameters)
+                    values[std::string(one.key)] = one.initial;
                 if (const Result<Shaped> shaped = operation.apply(scene, ids, values)) {
                     (void)after(scene, shaped->edit);
                     ++done;

@@ -4,10 +4,13 @@
 #include "scene/typed_number.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSlider>
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +19,46 @@
 namespace ripstop {
 namespace {
 
+constexpr int sliderSteps = 1000;
+constexpr double wide = 20.0; // a range that spans more than this is shown by its logarithm
+
 bool isSwitch(const Parameter& parameter)
 {
-    return parameter.whole && parameter.low == 0.0 && parameter.high == 1.0;
+    return parameter.whole && parameter.low == 0.0 && parameter.high == 1.0
+           && parameter.choices.empty();
+}
+
+// Where a value stands on its slider, from 0 to 1, and back. Wide ranges are logarithmic; those from
+// zero rise with the cube, so that small values have room, too.
+double shareOf(const Parameter& parameter, double value)
+{
+    const double low = parameter.low;
+    const double high = parameter.high;
+    if (low > 0.0 && high > wide * low)
+        return std::log(value / low) / std::log(high / low);
+    const double share = (value - low) / (high - low);
+    return low == 0.0 && high > wide * parameter.initial ? std::cbrt(share) : share;
+}
+
+double valueAt(const Parameter& parameter, double share)
+{
+    const double low = parameter.low;
+    const double high = parameter.high;
+    if (low > 0.0 && high > wide * low)
+        return low * std::pow(high / low, share);
+    if (low == 0.0 && high > wide * parameter.initial)
+        share = share * share * share;
+    return low + share * (high - low);
+}
+
+// To as many digits as make sense for a hand on a slider.
+double rounded(const Parameter& parameter, double value)
+{
+    if (parameter.whole)
+        return std::round(value);
+    const double size = value != 0.0 ? std::abs(value) : parameter.high - parameter.low;
+    const double step = std::pow(10.0, std::floor(std::log10(size)) - 1.0);
+    return std::round(value / step) * step;
 }
 
 QString text(std::string_view words)
@@ -37,14 +77,17 @@ QString range(const Parameter& parameter)
 QString help(const Parameter& parameter)
 {
     const QString unit = parameter.unit.empty() ? QString() : QChar(' ') + text(parameter.unit);
+    QString limits = ParameterField::tr("%1; at first %2%3.")
+                         .arg(range(parameter), compactNumber(parameter.initial), unit);
+    if (isSwitch(parameter))
+        limits = ParameterField::tr("At first %1.")
+                     .arg(parameter.initial > 0.0 ? ParameterField::tr("on")
+                                                  : ParameterField::tr("off"));
+    else if (!parameter.choices.empty())
+        limits = ParameterField::tr("At first %1.")
+                     .arg(choiceLabel(parameter.choices[std::size_t(parameter.initial)]));
     return QStringLiteral("<p>%1</p><p>%2<br>%3</p>")
-        .arg(text(parameter.help).toHtmlEscaped(),
-             isSwitch(parameter)
-                 ? ParameterField::tr("At first %1.")
-                       .arg(parameter.initial > 0.0 ? ParameterField::tr("on")
-                                                    : ParameterField::tr("off"))
-                 : ParameterField::tr("%1; at first %2%3.")
-                       .arg(range(parameter), compactNumber(parameter.initial), unit),
+        .arg(text(parameter.help).toHtmlEscaped(), limits,
              ParameterField::tr("On the command line: %1").arg(text(parameter.key)));
 }
 
@@ -59,35 +102,65 @@ ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
     setToolTip(help(parameter));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    QWidget* field = nullptr;
     if (isSwitch(parameter)) {
-        m_switch = new QCheckBox;
-        m_switch->setAccessibleName(label(parameter));
-        layout->addWidget(m_switch);
-        setFocusProxy(m_switch);
+        field = m_switch = new QCheckBox;
         connect(m_switch, &QCheckBox::toggled, this, &ParameterField::changed);
+    } else if (!parameter.choices.empty()) {
+        field = m_choice = new QComboBox;
+        for (const std::string_view choice : parameter.choices)
+            m_choice->addItem(choiceLabel(choice));
+        connect(m_choice, &QComboBox::currentIndexChanged, this, &ParameterField::changed);
     } else {
-        m_number = new QLineEdit;
-        m_number->setAccessibleName(label(parameter));
-        m_number->setAlignment(Qt::AlignRight);
-        m_number->installEventFilter(this);
-        auto* unit = new QLabel(text(parameter.unit));
-        unit->setForegroundRole(QPalette::PlaceholderText);
-        unit->setMinimumWidth(unit->fontMetrics().horizontalAdvance(QStringLiteral("kg/m\u00b2")));
-        layout->addWidget(m_number, 1);
-        layout->addWidget(unit);
-        setFocusProxy(m_number);
-        connect(m_number, &QLineEdit::textEdited, this, [this] {
-            mark();
-            emit changed();
-        });
+        field = numberRow();
     }
+    layout->addWidget(field, 1);
+    QWidget* focused = m_number ? m_number : field;
+    focused->setAccessibleName(label(parameter));
+    setFocusProxy(focused);
     setValue(parameter.initial);
 }
 
+QWidget* ParameterField::numberRow()
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_slider = new QSlider(Qt::Horizontal);
+    m_slider->setRange(0, sliderSteps);
+    m_slider->setFocusPolicy(Qt::NoFocus); // the arrow keys of the number do the same
+    m_slider->setMinimumWidth(60);
+    m_slider->installEventFilter(this);
+    m_number = new QLineEdit;
+    m_number->setAlignment(Qt::AlignRight);
+    m_number->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.0000 m")));
+    m_number->installEventFilter(this);
+    auto* unit = new QLabel(text(m_parameter.unit));
+    unit->setForegroundRole(QPalette::PlaceholderText);
+    unit->setMinimumWidth(unit->fontMetrics().horizontalAdvance(QStringLiteral("kg/m\u00b2")));
+    layout->addWidget(m_slider, 1);
+    layout->addWidget(m_number);
+    layout->addWidget(unit);
+    connect(m_number, &QLineEdit::textEdited, this, [this] {
+        mark();
+        showOnSlider();
+        emit changed();
+    });
+    connect(m_slider, &QSlider::valueChanged, this, [this] {
+        m_number->setText(compactNumber(sliderValue()));
+        mark();
+        emit changed();
+    });
+    return row;
+}
+
+// "2.4", "240 cm", "2 * 1.2"
 double ParameterField::value() const
 {
     if (m_switch)
         return m_switch->isChecked() ? 1.0 : 0.0;
+    if (m_choice)
+        return m_choice->currentIndex();
     const Typed typed = typedValue(m_number->text().toStdString(), m_parameter.unit);
     return typed.number ? typed.number->number : std::numeric_limits<double>::quiet_NaN();
 }
@@ -96,10 +169,13 @@ void ParameterField::setValue(double value)
 {
     if (m_switch) {
         m_switch->setChecked(value > 0.0);
-        return;
+    } else if (m_choice) {
+        m_choice->setCurrentIndex(int(value));
+    } else {
+        m_number->setText(compactNumber(value));
+        mark();
+        showOnSlider();
     }
-    m_number->setText(compactNumber(value));
-    mark();
 }
 
 bool ParameterField::isInRange() const
@@ -107,6 +183,14 @@ bool ParameterField::isInRange() const
     const double number = value();
     return number >= m_parameter.low && number <= m_parameter.high
            && (!m_parameter.whole || number == std::floor(number));
+}
+
+QString ParameterField::refusal() const
+{
+    if (isInRange())
+        return {};
+    const QString kind = m_parameter.whole ? tr("a whole number") : tr("a number");
+    return tr("%1 must be %2 from %3.").arg(label(m_parameter), kind, range(m_parameter));
 }
 
 void ParameterField::mark()
@@ -119,10 +203,29 @@ void ParameterField::mark()
     m_number->setPalette(colors);
 }
 
-// The arrow keys count up and down: by one, or by a tenth of the number's own size.
+void ParameterField::showOnSlider()
+{
+    if (!isInRange())
+        return;
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setValue(int(std::lround(sliderSteps * shareOf(m_parameter, value()))));
+}
+
+double ParameterField::sliderValue() const
+{
+    const double value = valueAt(m_parameter, double(m_slider->value()) / sliderSteps);
+    return std::clamp(rounded(m_parameter, value), m_parameter.low, m_parameter.high);
+}
+
+// The arrow keys count up and down: by one, or by a tenth of the number's own size. The wheel scrolls
+// the form, and turns no slider on its way.
 bool ParameterField::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::KeyPress) {
+    if (watched == m_slider && event->type() == QEvent::Wheel) {
+        event->ignore();
+        return true;
+    }
+    if (watched == m_number && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         const double now = value();
         if ((key == Qt::Key_Up || key == Qt::Key_Down) && !std::isnan(now)) {

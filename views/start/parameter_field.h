@@ -5,12 +5,15 @@
 #include <QWidget>
 
 class QCheckBox;
+class QComboBox;
 class QLineEdit;
+class QSlider;
 
 namespace ripstop {
 
-// One parameter of a builder, as a person sets it: a switch, a count or a number with its unit.
-// What cannot be read as a number is kept and marked, and has the value NaN.
+// One parameter of a builder or an operation, as a person sets it: a switch, a choice, or a number
+// with its unit and a slider over its range. Another unit of the same measure may be typed behind
+// the number ("12 cm"). What cannot be read is kept and marked, and has the value NaN.
 class ParameterField final : public QWidget
 {
     Q_OBJECT
@@ -21,6 +24,7 @@ public:
     const Parameter& parameter() const { return m_parameter; }
     double value() const; // in the unit of the parameter
     bool isInRange() const;
+    QString refusal() const; // a sentence, empty while the value is one that can be taken
     void setValue(double value);
 
     static QString label(const Parameter& parameter); // "End mass"
@@ -32,11 +36,16 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    QWidget* numberRow();
     void mark();
+    void showOnSlider();
+    double sliderValue() const; // rounded to what a step of the slider can tell
 
-    const Parameter& m_parameter; // of the static table of builders
+    const Parameter& m_parameter; // of a static table
     QCheckBox* m_switch = nullptr;
+    QComboBox* m_choice = nullptr;
     QLineEdit* m_number = nullptr;
+    QSlider* m_slider = nullptr;
 };
 
 } // namespace ripstop

@@ -148,6 +148,8 @@ QWidget* StartPage::builders()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
     for (const Builder& builder : allBuilders()) {
+        if (builder.family == Family::Obstacles)
+            continue; // nothing that moves
         const QString name = QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size()));
         const auto text = [](std::string_view words) {
             return QString::fromUtf8(words.data(), qsizetype(words.size()));

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "editor/builder_work.h"
+
+#include <QDialog>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QScrollArea;
+
+namespace ripstop {
+
+class Document;
+class ParameterForm;
+class Selection;
+
+// The open design that a builder's part goes into.
+struct OpenDesign
+{
+    Document& document;
+    Selection& selection;
+    Vec3 focus; // m, what the view turns about
+};
+
+// Chooses a builder and its parameters. The design is built anew, on a thread of its own, shortly
+// after each change, so that its shape, its figures and what is wrong with it are always on screen:
+// in the open design when it goes there, and in a view of the dialog's own when it is a new one.
+// Accepted, an insertion is one step of the history, and dismissed, none.
+class BuilderDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    explicit BuilderDialog(const QString& builder, QWidget* parent = nullptr); // a new design
+    BuilderDialog(const QString& builder, const OpenDesign& open, QWidget* parent = nullptr);
+    ~BuilderDialog() override;
+
+    // What was built for a new design; the dialog can only be accepted while there is something.
+    const Scene& scene() const { return m_outcome->scene; }
+
+    void accept() override;
+    void reject() override;
+
+signals:
+    void shown(); // for the first time since the builder was chosen: time to look at it
+
+private:
+    struct Preview; // of a new design
+
+    BuilderDialog(const QString& builder, std::optional<OpenDesign> open, QWidget* parent);
+    void layOut();
+    QGroupBox* placeBox();
+    void showParameters(); // of the chosen builder
+    void showPlace();
+    void restoreDefaults();
+    void buildSoon();
+    void post();
+    void collect();
+    void preview();
+    void takeBack();
+    void refuse(const QString& why);
+    std::optional<BuildJob> job(); // nothing, and a refusal, where the form cannot be read
+    const Builder& chosen() const;
+
+    std::optional<OpenDesign> m_open;
+    std::vector<Id> m_selected; // when the dialog was opened
+    QComboBox* m_builders;
+    QLabel* m_help;
+    QScrollArea* m_scroll;
+    ParameterForm* m_form = nullptr;
+    QPlainTextEdit* m_table = nullptr; // of a builder that takes one
+    QLabel* m_figures;
+    QDialogButtonBox* m_buttons;
+
+    // of an insertion
+    QComboBox* m_at = nullptr;
+    std::array<QLineEdit*, 3> m_place{};
+    QCheckBox* m_surroundings = nullptr;
+    QCheckBox* m_instruments = nullptr;
+    QCheckBox* m_show = nullptr;
+    std::shared_ptr<const InsertGround> m_ground;
+    int m_gesture = 0; // of the preview that stands in the history, or 0
+    bool m_isNew = true; // no design of this builder was shown yet
+
+    std::unique_ptr<Preview> m_preview;
+    std::shared_ptr<const BuildOutcome> m_outcome; // of what the form says, or null
+    int m_number = 0;                              // of the newest job
+    QTimer m_delay;
+    BuildWork m_worker;
+};
+
+} // namespace ripstop

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "author/insert.h"
+
+#include <QGroupBox>
+
+#include <array>
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+
+namespace ripstop {
+
+// Where in the open design a built one goes, and what of its surroundings comes along.
+class PlaceForm final : public QGroupBox
+{
+    Q_OBJECT
+
+public:
+    PlaceForm(const InsertGround& ground, const Vec3& focus, QWidget* parent = nullptr);
+
+    QString refusal() const; // empty while the numbers can be read
+    InsertWish wish() const; // without a label
+
+signals:
+    void changed();
+
+private:
+    QWidget* shiftRow();
+    void showShift();
+
+    Vec3 m_focus; // m, what the view turns about
+    QComboBox* m_at;
+    std::array<QLineEdit*, 3> m_shift{};
+    QCheckBox* m_surroundings;
+    QCheckBox* m_instruments;
+};
+
+} // namespace ripstop

@@ -1,0 +1,89 @@
+#include "author/figures.h"
+
+#include "author/insert.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+using Side = std::pair<Id, Id>;
+
+Side side(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::vector<Side> sidesOf(const Part& part)
+{
+    std::vector<Side> sides;
+    sides.reserve(3 * part.panels.size());
+    for (const Panel& panel : part.panels) {
+        sides.push_back(side(panel.a, panel.b));
+        sides.push_back(side(panel.b, panel.c));
+        sides.push_back(side(panel.c, panel.a));
+    }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+double lineLength(const Scene& scene, const Part& part)
+{
+    double length = 0.0;
+    std::vector<Side> sides;
+    Id looked = noId;
+    bool isShown = true;
+    for (const Link& link : part.links) {
+        if (link.resists != Resists::Tension)
+            continue;
+        if (sides.empty())
+            sides = sidesOf(part);
+        if (link.material != looked) {
+            const Material* material = findItem<Material>(scene, link.material);
+            isShown = !material || material->shown;
+            looked = link.material;
+        }
+        if (isShown
+            && !std::binary_search(sides.begin(), sides.end(), side(link.from, link.to)))
+            length += link.restLength;
+    }
+    return length;
+}
+
+} // namespace
+
+Figures figuresOf(const Scene& scene, Family family)
+{
+    Figures figures;
+    Vec3 doubled = Vec3::Zero(); // m^2, twice the area as a vector
+    Eigen::AlignedBox3d cloth;
+    forEachPart(scene, [&](Id, const Part& part) {
+        figures.particles += part.particles.size();
+        figures.links += part.links.size();
+        figures.panels += part.panels.size();
+        for (const Particle& row : part.particles)
+            figures.mass += row.mass;
+        for (const Panel& panel : part.panels) {
+            const Vec3& a = findRow(part.particles, panel.a)->position;
+            const Vec3& b = findRow(part.particles, panel.b)->position;
+            const Vec3& c = findRow(part.particles, panel.c)->position;
+            const Vec3 normal = (b - a).cross(c - a);
+            figures.area += 0.5 * normal.norm();
+            doubled += normal;
+            for (const Vec3& corner : {a, b, c})
+                cloth.extend(corner);
+        }
+        figures.lineLength += lineLength(scene, part);
+    });
+    if (const Eigen::AlignedBox3d box = extentOf(scene); !box.isEmpty())
+        figures.size = box.sizes();
+    if (!cloth.isEmpty())
+        figures.span = cloth.sizes().z();
+    // a keel stands along the lift and shows nothing of itself
+    const double seen = 0.5 * std::hypot(doubled.x(), doubled.y());
+    if (family == Family::Wings && seen > 0.0)
+        figures.aspect = figures.span * figures.span / seen;
+    figures.substeps = scene.settings.substeps;
+    figures.timeStep = scene.settings.timeStep;
+    return figures;
+}
+
+} // namespace ripstop

@@ -1,0 +1,211 @@
+// A cruciform parachute: a square of cloth with an arm on each side; without arms a square one.
+//
+// With n cells along a side of the square and m along an arm: (n+1)^2 + 4 m (n+1) canopy particles
+// and 2 n^2 + 8 m n panels. It is built as it is when it is full: the square level, the arms hanging
+// down by `droop`. Lines run from the ends of the arms, or from the rim of the square, to the payload,
+// and two rigidity particles hold these ends apart as the air would.
+//
+// As for the round parachute, the coefficient of the cloth is chosen such that the drag is that of
+// the wanted CD0 on the area of the cloth S0 = w^2 (1 + 4 arms); Knacke 1991, table 5-1, has 0.60 to
+// 0.85 for cross parachutes.
+#include "builders/descent.h"
+#include "builders/designs.h"
+#include "builders/statics.h"
+
+#include <array>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+// clang-format off
+constexpr Parameter parameters[]{
+    {"cells",         "",       6,      2, 40,    true,  "Cells along each side of the square in the middle.", "Mesh"},
+    {"width",         "m",      1.5,    0.1, 20,  false, "Side of the square, and width of the arms.", "Canopy"},
+    {"arms",          "",       1,      0, 2,     false, "Length of an arm over the width; 0 is a square canopy without arms."},
+    {"droop",         "deg",    50,     0, 80,    false, "How far the arms hang below level when the canopy is full."},
+    {"drag",          "",       0.7,    0.05, 2,  false, "Drag coefficient CD0 on the area of the cloth; 0.60 to 0.85 for cross parachutes."},
+    {"payload",       "kg",     10,     0.01, 2000, false, "Mass that hangs below.", "Load and lines"},
+    {"line_length",   "m",      4,      0.2, 60,  false, "From the canopy to the payload; made longer where it would not reach."},
+    {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
+    {"line_density",  "kg/m",   0.002,  1e-5, 0.2, false, "Mass of a line per length."},
+    {"line_diameter", "m",      0.002,  0, 0.05,  false, "Thickness of a line, which the wind drags."},
+    {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I.", "Fabric"},
+    {"hoop_mass",     "kg",     0.1,    0.01, 50, false, "Mass of the two particles that hold the canopy open."},
+    {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
+    {"altitude",      "m",      100,    1, 5000,  false, "Height of the payload at the start.", "Start"},
+    {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
+    {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
+};
+// clang-format on
+
+struct Materials
+{
+    std::array<Id, 2> cloth; // square and arms
+    Id seams;
+    Id lines;
+    Id frame;
+};
+
+Materials addMaterials(Scene& scene, const Parameters& p)
+{
+    Material material;
+    material.skinFriction = p.at("friction");
+    const auto add = [&](const char* name, const char* color, bool shown) {
+        material.name = name;
+        material.color = color;
+        material.shown = shown;
+        return addItem(scene, material);
+    };
+    Materials materials{};
+    materials.cloth = {add("square", "#f2f0e6", true), add("arms", "#3a7ca5", true)};
+    materials.seams = add("seams", "#b5b2a6", true);
+    material.diameter = p.at("line_diameter");
+    materials.lines = add("suspension line", "#4f5d75", true);
+    material.diameter = 0.0;
+    materials.frame = add("frame", "#8d99ae", false);
+    return materials;
+}
+
+// Rows of n + 1 nodes; row 0 may be nodes that are there already.
+using Rows = std::vector<std::vector<Id>>;
+
+void weave(Network& network, const Rows& rows, Id cloth, Id seams, bool withFirst)
+{
+    for (std::size_t row = withFirst ? 0 : 1; row < rows.size(); ++row)
+        for (std::size_t i = 1; i < rows[row].size(); ++i)
+            network.rod(rows[row][i - 1], rows[row][i], seams);
+    for (std::size_t row = 1; row < rows.size(); ++row)
+        for (std::size_t i = 0; i < rows[row].size(); ++i) {
+            network.rod(rows[row - 1][i], rows[row][i], seams);
+            if (i == 0)
+                continue;
+            const Id a = rows[row - 1][i - 1], b = rows[row - 1][i];
+            const Id c = rows[row][i - 1], d = rows[row][i];
+            const bool leansRight = (row + i) % 2 == 0; // no grain
+            network.rod(leansRight ? a : b, leansRight ? d : c, seams);
+            network.panel(a, leansRight ? d : b, c, cloth);
+            network.panel(leansRight ? a : c, b, d, cloth);
+        }
+}
+
+// Answers where lines are tied.
+std::vector<Id> addCanopy(Network& network, const Parameters& p, const Materials& materials)
+{
+    const int n = int(p.at("cells"));
+    const int m = int(std::lround(p.at("arms") * n));
+    const double width = p.at("width");
+    const double droop = p.at("droop") * degrees;
+    const double arm = m > 0 ? p.at("arms") * width / m : 0.0; // m, of one cell
+    const auto node = [&](double x, double y, double z) {
+        const Id id = network.particle({x, y, z});
+        const double whole = width * (1.0 + 2.0 * p.at("arms"));
+        network.texture(id, 0.5 + x / whole, 0.5 + z / whole);
+        return id;
+    };
+    Rows square;
+    for (int row = 0; row <= n; ++row) {
+        square.emplace_back();
+        for (int i = 0; i <= n; ++i)
+            square.back().push_back(
+                node((double(i) / n - 0.5) * width, 0.0, (double(row) / n - 0.5) * width));
+    }
+    weave(network, square, materials.cloth[0], materials.seams, true);
+
+    // the four sides, in turn, each as one sees it from outside from left to right
+    std::vector<Id> ends;
+    for (int side = 0; side < 4; ++side) {
+        Rows rows(1);
+        for (int i = 0; i <= n; ++i) {
+            const int j = n - i;
+            const std::array<Id, 4> nodes{square[std::size_t(n)][std::size_t(i)],
+                                          square[std::size_t(j)][std::size_t(n)],
+                                          square[0][std::size_t(j)],
+                                          square[std::size_t(i)][0]};
+            rows[0].push_back(nodes[std::size_t(side)]);
+        }
+        const std::array<Vec3, 4> outs{Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitZ(),
+                                       -Vec3::UnitX()};
+        const Vec3 along = std::cos(droop) * outs[std::size_t(side)] - std::sin(droop) * Vec3::UnitY();
+        for (int row = 1; row <= m; ++row) {
+            std::vector<Id> next;
+            for (const Id above : rows[0]) {
+                const Vec3 place = network.position(above) + row * arm * along;
+                next.push_back(node(place.x(), place.y(), place.z()));
+            }
+            rows.push_back(std::move(next));
+        }
+        weave(network, rows, materials.cloth[1], materials.seams, false);
+        const std::vector<Id>& last = rows.back();
+        // corners of a square canopy belong to two sides
+        ends.insert(ends.end(), last.begin() + (m == 0 ? 1 : 0), last.end());
+    }
+    return ends;
+}
+
+Id addPayload(Network& network, const std::vector<Id>& ends, const Parameters& p,
+              const Materials& materials)
+{
+    double reach = 0.0; // m, of the ends from the axis
+    for (const Id end : ends)
+        reach = std::max(reach, std::hypot(network.position(end).x(), network.position(end).z()));
+    const double level = network.position(ends.front()).y();
+    const double length = std::max(p.at("line_length"), 1.05 * reach);
+    const double depth = std::sqrt(length * length - reach * reach);
+    const Id payload = network.particle({0.0, level - depth, 0.0}, p.at("payload"));
+    for (const Id end : ends) {
+        const double own = (network.position(end) - network.position(payload)).norm();
+        network.line(end, payload, int(p.at("line_segments")), own * p.at("line_density"),
+                     materials.lines, Resists::Tension);
+    }
+    return payload;
+}
+
+Result<Scene> buildCrossParachute(const Parameters& p)
+{
+    Scene scene;
+    scene.settings.title = p.at("arms") > 0.0 ? "Cruciform parachute" : "Square parachute";
+    scene.settings.notes = "The payload sinks at sqrt(2 m g / (rho CD0 S0)).";
+    addGround(scene);
+    addWind(scene, Vec3(p.at("wind"), 0.0, 0.0));
+    const Materials materials = addMaterials(scene, p);
+
+    Network network(scene, "parachute");
+    const std::vector<Id> ends = addCanopy(network, p, materials);
+    std::vector<Id> canopy;
+    for (const Particle& row : network.part().particles)
+        canopy.push_back(row.id);
+    network.addFabricMass(p.at("fabric"));
+    const int n = int(p.at("cells"));
+    const double arms = std::lround(p.at("arms") * n) > 0 ? p.at("arms") : 0.0;
+    setDrag(scene, network, materials.cloth, p.at("drag"),
+            p.at("width") * p.at("width") * (1.0 + 4.0 * arms));
+    const std::size_t firstLineRod = network.part().links.size();
+    const Id payload = addPayload(network, ends, p, materials);
+    const Id lineRod = network.part().links[firstLineRod].id;
+    const std::vector<Id> hubs =
+        addHoop(network, ends, 0.75 * p.at("width"), p.at("hoop_mass"), materials.frame);
+    network.place(Eigen::Matrix3d::Identity(),
+                  {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
+                  {0.0, 0.0 - p.at("speed"), 0.0}); // no -0 in files
+
+    addGroup(scene, "canopy", canopy);
+    addGroup(scene, "skirt", ends);
+    addGroup(scene, "rigidity", hubs);
+    addGroup(scene, "payload", {payload});
+    const Id part = network.finish("cross_parachute", p);
+    addProbe(scene, "height", Quantity::PositionY, payload);
+    addProbe(scene, "sink rate", Quantity::SinkRate, part);
+    addProbe(scene, "air force", Quantity::AirForce, part);
+    addProbe(scene, "line tension", Quantity::Tension, lineRod);
+    addProbe(scene, "max strain", Quantity::MaxStrain, part);
+    return scene;
+}
+
+} // namespace
+
+const Builder crossParachuteBuilder{"cross_parachute", "Cruciform or square parachute",
+                                    "A square of cloth with four arms, or without, over a payload.",
+                                    parameters, buildCrossParachute, Family::Canopies};
+
+} // namespace ripstop

@@ -1,0 +1,263 @@
+// Designs of the builders against closed forms: areas, masses, trim, descent, tensions.
+#include "author/figures.h"
+#include "builders/statics.h"
+#include "model/sample_scenes.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr double gravity = 9.80665; // m/s^2
+constexpr double air = 1.225;       // kg/m^3
+
+Scene built(const char* name, const Parameters& given = {})
+{
+    const Result<Scene> scene = build(*findBuilder(name), given);
+    if (!scene)
+        qFatal("%s", scene.message().c_str());
+    return *scene;
+}
+
+Figures figures(const char* name, const Parameters& given = {})
+{
+    return figuresOf(built(name, given), findBuilder(name)->family);
+}
+
+Parameters parametersOf(const QVariantMap& given)
+{
+    Parameters parameters;
+    for (auto i = given.cbegin(); i != given.cend(); ++i)
+        parameters[i.key().toStdString()] = i.value().toDouble();
+    return parameters;
+}
+
+Simulation started(const Scene& scene)
+{
+    const auto system = compile(scene);
+    if (!system)
+        qFatal("%s", system.message().c_str());
+    return Simulation(*system);
+}
+
+Scene bridle(const char* lengths, Parameters given)
+{
+    const Builder& builder = *findBuilder("bridle");
+    setTable(given, *builder.table, *tableFromText(*builder.table, lengths));
+    return *build(builder, given);
+}
+
+} // namespace
+
+class TestDesigns : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void areas_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QVariantMap>("given");
+        QTest::addColumn<double>("area"); // m^2
+        const auto row = [](const char* text, const char* name, const QVariantMap& given,
+                            double area) { QTest::newRow(text) << name << given << area; };
+        row("rectangle", "rectangular_kite", {{"width", 1.2}, {"height", 0.8}, {"bow", 0}}, 0.96);
+        row("diamond: half of width by height", "diamond_kite",
+            {{"width", 1.2}, {"height", 0.8}, {"dihedral", 0}}, 0.48);
+        // each half rises by the dihedral: longer by its secant
+        row("diamond with dihedral", "diamond_kite",
+            {{"width", 1.2}, {"height", 0.8}, {"dihedral", 30}},
+            0.48 / std::cos(std::numbers::pi / 6.0));
+        row("square canopy", "cross_parachute", {{"width", 2}, {"arms", 0}}, 4.0);
+        row("cross: the square and four arms", "cross_parachute", {{"width", 2}, {"arms", 1.5}},
+            4.0 * (1.0 + 4.0 * 1.5));
+        row("flag", "pole_flag", {{"length", 1.5}, {"height", 0.5}}, 0.75);
+    }
+
+    void areas()
+    {
+        QFETCH(QString, name);
+        QFETCH(QVariantMap, given);
+        QFETCH(double, area);
+        Parameters parameters = parametersOf(given);
+        const Figures once = figures(qPrintable(name), parameters);
+        QVERIFY2(std::abs(once.area - area) < 1e-9, qPrintable(QString::number(once.area)));
+        // a fabric that is 0.1 kg/m^2 heavier weighs 0.1 A more
+        const char* key = name == "pole_flag" ? "density" : "fabric";
+        parameters[key] = 0.1;
+        const double light = figures(qPrintable(name), parameters).mass;
+        parameters[key] = 0.2;
+        const double heavy = figures(qPrintable(name), parameters).mass;
+        QVERIFY(std::abs(heavy - light - 0.1 * area) < 1e-9);
+    }
+
+    void figuresOfAWing()
+    {
+        const Figures kite =
+            figures("rectangular_kite", {{"width", 1.2}, {"height", 0.8}, {"bow", 0}});
+        QVERIFY(kite.aspect && std::abs(*kite.aspect - 1.5) < 1e-2); // it flies at an angle
+        QVERIFY(std::abs(kite.span - 1.2) < 1e-9);
+        // 25 m of flying line, 3 m of tail, and the bridle
+        const double bridle = kite.lineLength - 25.0 - 3.0;
+        QVERIFY(bridle > 4.0 * 0.45 * 0.8 && bridle < 4.0 * 1.2);
+        QVERIFY(!figures("rope").aspect);
+    }
+
+    // The moment of air and weight about the tow point is zero at the start. Without tail and
+    // thickness of the line nothing else turns the kite.
+    void kitesStartInTrim_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("diamond") << "diamond_kite";
+        QTest::newRow("rectangular") << "rectangular_kite";
+    }
+
+    void kitesStartInTrim()
+    {
+        QFETCH(QString, name);
+        const Scene scene = built(qPrintable(name), {{"tail_length", 0}});
+        Part kite = partOf(scene);
+        Id tow{};
+        for (const Entry& entry : scene.items)
+            if (const Probe* probe = std::get_if<Probe>(&entry.item); probe && probe->name == "height")
+                tow = probe->target;
+        const Vec3 place = findRow(kite.particles, tow)->position;
+        const double angle = std::atan2(place.y() - 1.2, place.x());
+        QVERIFY(std::abs(angle * 180.0 / std::numbers::pi - 35.0) < 1e-6); // of the line
+        std::erase_if(kite.particles, [&](const Particle& row) { return row.id > tow; });
+        const Load load = airLoad(scene, kite, Vec3(6.0, 0.0, 0.0));
+        const Weight weight = weightOf(kite);
+        const Vec3 pull = weight.mass * gravity * -Vec3::UnitY();
+        const Vec3 moment =
+            load.moment - place.cross(load.force) + (weight.center - place).cross(pull);
+        QVERIFY2(moment.norm() < 1e-6 * load.force.norm(), qPrintable(QString::number(moment.norm())));
+        QVERIFY(load.force.y() > weight.mass * gravity); // it climbs
+    }
+
+    // Up at its line after ten seconds, steady from there on.
+    void kitesFly_data() { kitesStartInTrim_data(); }
+
+    void kitesFly()
+    {
+        QFETCH(QString, name);
+        Simulation simulation = ::started(built(qPrintable(name)));
+        double lowest = 90.0, highest = 0.0; // degrees
+        for (double time = 12.0; time <= 16.0; time += 0.5) {
+            QVERIFY(simulation.runUntil(time));
+            lowest = std::min(lowest, probe(simulation, "line angle"));
+            highest = std::max(highest, probe(simulation, "line angle"));
+            QVERIFY(probe(simulation, "line tension") > 0.0);
+        }
+        qInfo("line angle %.1f to %.1f degrees", lowest, highest);
+        QVERIFY(lowest > 30.0 && highest < 80.0);
+        QVERIFY(highest - lowest < 5.0);
+    }
+
+    // v = sqrt(2 m g / (rho CD0 S0)), Knacke 1991, page 5-128; lines without thickness.
+    void crossParachuteSinks_data()
+    {
+        QTest::addColumn<double>("arms");
+        QTest::newRow("cruciform") << 1.0;
+        QTest::newRow("square") << 0.0;
+    }
+
+    void crossParachuteSinks()
+    {
+        QFETCH(double, arms);
+        const Scene scene = built("cross_parachute", {{"arms", arms}, {"line_diameter", 0}});
+        const double mass = weightOf(partOf(scene)).mass;
+        const double area = 1.5 * 1.5 * (1.0 + 4.0 * arms);
+        const double expected = std::sqrt(2.0 * mass * gravity / (air * 0.7 * area));
+        Simulation simulation = ::started(scene);
+        QVERIFY(simulation.runUntil(7.0));
+        const double rate = probe(simulation, "sink rate");
+        QVERIFY2(std::abs(rate / expected - 1.0) < 0.03,
+                 qPrintable(QString("%1 and not %2 m/s").arg(rate).arg(expected)));
+    }
+
+    // A row of a table from the riser up, times the lines on each level: 1, 2, 4.
+    void lineLengthsAreThoseOfTheTable()
+    {
+        const Scene scene = bridle("1.5\t0.6\t0,4\n1.6\t0.6\t0,4\n", {{"span", 1.0}});
+        const double expected = 1.5 + 1.6 + 2.0 * 2.0 * 0.6 + 2.0 * 4.0 * 0.4;
+        const Figures found = figuresOf(scene, Family::Lines);
+        QVERIFY(std::abs(found.lineLength - expected) < 1e-9);
+        QCOMPARE(found.links, std::size_t(2 * 7));
+        std::vector<double> lengths;
+        for (const Link& link : partOf(scene).links)
+            lengths.push_back(link.restLength);
+        QCOMPARE(lengths.front(), 1.5);
+        QCOMPARE(lengths[7], 1.6);
+    }
+
+    // A load F on a fork of half angle a: each line carries F / (2 cos a). Two lines of 0.5 m to
+    // points 0.6 m apart: cos a = 0.8.
+    void forksShareTheLoad()
+    {
+        Scene scene = bridle("1;", {{"load", 5.0}, {"line_density", 1e-6}});
+        QCOMPARE(partOf(scene).links.size(), std::size_t(1));
+        scene = bridle("1, 0.5", {{"span", 0.6}, {"load", 5.0}, {"line_density", 1e-6}});
+        scene.settings.viscosity = 5.0;
+        Simulation simulation = ::started(scene);
+        QVERIFY(simulation.runUntil(4.0));
+        const auto frame = simulation.frame();
+        const double load = 5.0 * gravity;
+        QVERIFY2(std::abs(frame->tension[0] / load - 1.0) < 0.01,
+                 qPrintable(QString::number(frame->tension[0])));
+        for (const std::size_t i : {1, 2})
+            QVERIFY2(std::abs(frame->tension[i] / (load / 1.6) - 1.0) < 0.01,
+                     qPrintable(QString::number(frame->tension[i])));
+    }
+
+    // 3 by 2 bays over 1.5 m by 1 m: spars 3 x 1.5 + 4 x 1, braces of sqrt(0.5^2 + 0.5^2).
+    void frameWeighsWhatItsSparsDo()
+    {
+        const double length = 3 * 1.5 + 4 * 1.0 + 6 * std::sqrt(0.5);
+        QVERIFY(std::abs(figures("frame", {{"density", 0.05}}).mass - 0.05 * length) < 1e-12);
+    }
+
+    // A frame without braces falls to one side when its hinges are free; rigidity particles or
+    // braces hold it. Hung by one corner, it hangs with its centre below that corner, as it was.
+    void rigidityParticlesKeepTheShape()
+    {
+        for (const char* kind : {"braces", "rigidity"}) {
+            Scene scene = built("frame", {{"braces", 0}, {kind, kind[0] == 'b' ? 2.0 : 1.0}});
+            Part* part = nullptr;
+            forEachPart(scene, [&](Id, Part& one) { part = &one; });
+            part->particles[0].pinned = false; // the upper left corner
+            const Vec3 before = part->particles.back().position; // of a node or a hub
+            const Vec3 held = part->particles[3].position;
+            const double radius = (before - held).norm();
+            Simulation simulation = ::started(scene);
+            QVERIFY(simulation.runUntil(1.0));
+            const auto frame = simulation.frame();
+            const double now = (frame->position.back() - frame->position[3]).norm();
+            QVERIFY2(std::abs(now / radius - 1.0) < 0.02, kind);
+        }
+    }
+
+    // The wind carries the fly away from the pole, which stays where it is.
+    void flagStreams()
+    {
+        Simulation simulation = ::started(built("pole_flag"));
+        QVERIFY(simulation.runUntil(4.0));
+        QVERIFY(probe(simulation, "fly") > 0.5 * 1.2);
+        QVERIFY(std::abs(probe(simulation, "pole top")) < 1e-9);
+    }
+
+    // A pole of EI gives way to the pull of its flag.
+    void poleBends()
+    {
+        Simulation simulation = ::started(built("pole_flag", {{"rigidity", 40}}));
+        QVERIFY(simulation.runUntil(3.0));
+        QVERIFY(probe(simulation, "pole top") > 1e-3);
+        QVERIFY(probe(simulation, "pole top") < 0.5 * 2.5);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestDesigns)
+#include "test_designs.moc"

@@ -1,0 +1,81 @@
+#include "start/parameter_form.h"
+
+#include "start/parameter_field.h"
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+namespace ripstop {
+namespace {
+
+QString text(std::string_view words)
+{
+    return QString::fromUtf8(words.data(), qsizetype(words.size()));
+}
+
+QLabel* headingOf(std::string_view words)
+{
+    auto* heading = new QLabel(text(words));
+    QFont bold = heading->font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    heading->setContentsMargins(0, 6, 0, 0);
+    return heading;
+}
+
+} // namespace
+
+ParameterForm::ParameterForm(std::span<const Parameter> parameters, QWidget* parent)
+    : QWidget(parent)
+{
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 4, 8, 4);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    for (const Parameter& parameter : parameters) {
+        if (!parameter.group.empty())
+            form->addRow(headingOf(parameter.group));
+        auto* field = new ParameterField(parameter);
+        field->setObjectName(text(parameter.key));
+        auto* label = new QLabel(ParameterField::label(parameter));
+        label->setToolTip(field->toolTip());
+        label->setBuddy(field);
+        form->addRow(label, field);
+        m_fields.push_back(field);
+        connect(field, &ParameterField::changed, this, &ParameterForm::changed);
+    }
+}
+
+Parameters ParameterForm::values() const
+{
+    Parameters values;
+    for (const ParameterField* field : m_fields)
+        values[std::string(field->parameter().key)] = field->value();
+    return values;
+}
+
+QString ParameterForm::refusal() const
+{
+    for (const ParameterField* field : m_fields)
+        if (const QString refusal = field->refusal(); !refusal.isEmpty())
+            return refusal;
+    return {};
+}
+
+void ParameterForm::setValues(const Parameters& values)
+{
+    const QSignalBlocker quiet(this); // once for all
+    for (ParameterField* field : m_fields)
+        if (const auto found = values.find(std::string(field->parameter().key));
+            found != values.end())
+            field->setValue(found->second);
+}
+
+void ParameterForm::restoreDefaults()
+{
+    const QSignalBlocker quiet(this);
+    for (ParameterField* field : m_fields)
+        field->setValue(field->parameter().initial);
+}
+
+} // namespace ripstop
