@@ -5,17 +5,14 @@
 #include "document/selection.h"
 #include "document/words.h"
 #include "editor/figures_text.h"
+#include "editor/place_form.h"
 #include "start/parameter_form.h"
 #include "viewport/viewport.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFormLayout>
-#include <QGroupBox>
 #include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -62,6 +59,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     , m_builders(new QComboBox)
     , m_help(new QLabel)
     , m_scroll(new QScrollArea)
+    , m_show(new QCheckBox(tr("Show in the view")))
     , m_figures(new QLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel
                                      | QDialogButtonBox::RestoreDefaults))
@@ -69,15 +67,21 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
         QMetaObject::invokeMethod(this, &BuilderDialog::collect, Qt::QueuedConnection);
     })
 {
-    setWindowTitle(m_open ? tr("Insert") : tr("New from builder"));
     for (const Builder& one : allBuilders())
         m_builders->addItem(text(one.label), text(one.name));
-    if (m_open) {
-        m_selected = m_open->selection.ids();
+    const Part* part = m_open ? findItem<Part>(m_open->document.scene(), m_open->part) : nullptr;
+    if (part) {
+        setWindowTitle(tr("Parameters of %1").arg(QString::fromStdString(part->name)));
+        m_scene = std::make_shared<const Scene>(m_open->document.scene());
+    } else if (m_open) {
+        setWindowTitle(tr("Insert"));
         m_ground = std::make_shared<const InsertGround>(groundOf(m_open->document.scene()));
     } else {
+        setWindowTitle(tr("New from builder"));
         m_preview = std::make_unique<Preview>();
     }
+    if (m_open)
+        m_selected = m_open->selection.ids();
     layOut();
 
     m_delay.setSingleShot(true);
@@ -90,7 +94,10 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
             &BuilderDialog::restoreDefaults);
 
     m_builders->setCurrentIndex(std::max(m_builders->findData(builder), 0));
+    m_builders->setEnabled(!part);
     showParameters();
+    if (part)
+        showValuesOf(*part);
     if (m_open && parent) // beside the design, not on it
         move(parent->geometry().right() - width() - margin, parent->geometry().top() + 3 * margin);
 }
@@ -111,10 +118,17 @@ void BuilderDialog::layOut()
     m_figures->setWordWrap(true);
     m_figures->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_figures->setMinimumHeight(4 * fontMetrics().lineSpacing()); // does not jump as it fills
+    m_show->setObjectName(QStringLiteral("show"));
+    m_show->setChecked(true);
+    m_show->setToolTip(tr("The design shows the outcome while this dialog is open."));
+    connect(m_show, &QCheckBox::toggled, this, &BuilderDialog::post);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_buttons->button(QDialogButtonBox::Ok)->setText(m_open ? tr("Insert") : tr("Build"));
+    m_buttons->button(QDialogButtonBox::Ok)
+        ->setText(m_scene    ? tr("Change")
+                  : m_ground ? tr("Insert")
+                             : tr("Build"));
     QPushButton* defaults = m_buttons->button(QDialogButtonBox::RestoreDefaults);
     defaults->setText(tr("Defaults"));
     defaults->setToolTip(tr("Sets every parameter to what it was at first."));
@@ -123,8 +137,13 @@ void BuilderDialog::layOut()
     form->addWidget(m_builders);
     form->addWidget(m_help);
     form->addWidget(m_scroll, 1);
+    if (m_ground) {
+        m_place = new PlaceForm(*m_ground, m_open->focus);
+        form->addWidget(m_place);
+        connect(m_place, &PlaceForm::changed, this, &BuilderDialog::buildSoon);
+    }
     if (m_open)
-        form->addWidget(placeBox());
+        form->addWidget(m_show);
     form->addWidget(m_figures);
     form->addWidget(m_buttons);
     auto* layout = new QHBoxLayout(this);
@@ -136,62 +155,6 @@ void BuilderDialog::layOut()
     } else {
         resize(formWidth, 660);
     }
-}
-
-QGroupBox* BuilderDialog::placeBox()
-{
-    m_at = new QComboBox;
-    m_at->setObjectName(QStringLiteral("at"));
-    m_at->addItems({tr("Where the builder has it"), tr("Beside what is there"),
-                    tr("In the middle of the view"), tr("Moved by")}); // in the order of PlaceAt
-    m_at->setToolTip(tr("Builders put their designs over the origin, at the height that they fly "
-                        "or hang at. Afterwards G moves what was inserted."));
-    auto* place = new QHBoxLayout;
-    for (int axis = 0; axis < 3; ++axis) {
-        auto* field = m_place[std::size_t(axis)] = new QLineEdit(QStringLiteral("0"));
-        field->setObjectName(QStringLiteral("place %1").arg(QChar('x' + axis)));
-        field->setAccessibleName(tr("Moved by, %1").arg(QChar('x' + axis)));
-        place->addWidget(new QLabel(QChar('x' + axis)));
-        place->addWidget(field);
-        connect(field, &QLineEdit::textEdited, this, &BuilderDialog::buildSoon);
-    }
-    place->addWidget(new QLabel(QStringLiteral("m")));
-
-    m_surroundings = new QCheckBox(tr("Its ground, wind and settings"));
-    m_surroundings->setObjectName(QStringLiteral("surroundings"));
-    m_surroundings->setToolTip(tr("A second wind adds to the first. On at first where the design "
-                                  "has neither ground nor wind."));
-    m_surroundings->setChecked(!hasSurroundings(m_ground->scene));
-    m_instruments = new QCheckBox(tr("Its controls and probes"));
-    m_instruments->setObjectName(QStringLiteral("instruments"));
-    m_instruments->setChecked(true);
-    m_instruments->setToolTip(tr("Keys that steer it and what is measured of it."));
-    m_show = new QCheckBox(tr("Show in the view"));
-    m_show->setObjectName(QStringLiteral("show"));
-    m_show->setChecked(true);
-    m_show->setToolTip(tr("The design shows what will be inserted while this dialog is open."));
-
-    auto* box = new QGroupBox(tr("Place"));
-    auto* layout = new QVBoxLayout(box);
-    layout->setSpacing(4);
-    layout->addWidget(m_at);
-    layout->addLayout(place);
-    layout->addWidget(m_surroundings);
-    layout->addWidget(m_instruments);
-    layout->addWidget(m_show);
-    m_at->setCurrentIndex(m_ground->box.isEmpty() ? int(PlaceAt::Origin) : int(PlaceAt::Beside));
-    showPlace();
-    connect(m_at, &QComboBox::currentIndexChanged, this, &BuilderDialog::showPlace);
-    connect(m_at, &QComboBox::currentIndexChanged, this, &BuilderDialog::buildSoon);
-    for (QCheckBox* choice : {m_surroundings, m_instruments, m_show})
-        connect(choice, &QCheckBox::toggled, this, &BuilderDialog::buildSoon);
-    return box;
-}
-
-void BuilderDialog::showPlace()
-{
-    for (QLineEdit* field : m_place)
-        field->setEnabled(PlaceAt(m_at->currentIndex()) == PlaceAt::Shift);
 }
 
 const Builder& BuilderDialog::chosen() const
@@ -216,11 +179,12 @@ void BuilderDialog::showParameters()
         m_table->setObjectName(text(builder.table->key));
         m_table->setAccessibleName(choiceLabel(builder.table->key));
         m_table->setTabChangesFocus(true);
-        m_table->setPlaceholderText(tr("Empty: by the numbers above. Or paste from a spreadsheet."));
+        m_table->setPlaceholderText(
+            tr("Empty: by the numbers above. Or paste from a spreadsheet."));
         m_table->setToolTip(text(builder.table->help));
         m_table->setFixedHeight(5 * fontMetrics().lineSpacing());
-        auto* label = new QLabel(tr("%1 (%2)").arg(choiceLabel(builder.table->key),
-                                                   text(builder.table->unit)));
+        auto* label = new QLabel(
+            tr("%1 (%2)").arg(choiceLabel(builder.table->key), text(builder.table->unit)));
         label->setBuddy(m_table);
         layout->addWidget(label);
         layout->addWidget(m_table);
@@ -229,6 +193,23 @@ void BuilderDialog::showParameters()
     layout->addStretch(1);
     m_scroll->setWidget(page); // the page before it is deleted
     m_scroll->setMinimumWidth(page->minimumSizeHint().width() + 20);
+    post();
+}
+
+// What the part was built with.
+void BuilderDialog::showValuesOf(const Part& part)
+{
+    m_form->setValues(part.parameters);
+    if (m_table) {
+        QStringList rows;
+        for (const std::vector<double>& row : tableOf(part.parameters, *chosen().table)) {
+            QStringList cells;
+            for (const double cell : row)
+                cells << compactNumber(cell);
+            rows << cells.join(QChar('\t'));
+        }
+        m_table->setPlainText(rows.join(QChar('\n')));
+    }
     post();
 }
 
@@ -265,24 +246,21 @@ std::optional<BuildJob> BuilderDialog::job()
         }
         setTable(job.parameters, *job.builder->table, *table);
     }
-    if (!m_open)
-        return job;
-    job.ground = m_ground;
-    job.nextId = m_open->document.scene().nextId;
-    job.wish = {std::string(job.builder->label), PlaceAt(m_at->currentIndex()), m_open->focus,
-                m_surroundings->isChecked(), m_instruments->isChecked()};
-    if (job.wish.at == PlaceAt::Shift)
-        for (int axis = 0; axis < 3; ++axis) {
-            bool isNumber = false;
-            const QString typed = m_place[std::size_t(axis)]->text();
-            job.wish.place[axis] = QLocale::c().toDouble(typed, &isNumber);
-            if (!isNumber) {
-                refuse(tr("%1 must be a number of metres, not \"%2\".")
-                           .arg(QChar('x' + axis))
-                           .arg(typed));
-                return std::nullopt;
-            }
+    if (m_open)
+        job.nextId = m_open->document.scene().nextId;
+    if (m_scene) {
+        job.scene = m_scene;
+        job.part = m_open->part;
+    }
+    if (m_ground) {
+        if (const QString refusal = m_place->refusal(); !refusal.isEmpty()) {
+            refuse(refusal);
+            return std::nullopt;
         }
+        job.ground = m_ground;
+        job.wish = m_place->wish();
+        job.wish.label = job.builder->label;
+    }
     return job;
 }
 
@@ -307,8 +285,10 @@ void BuilderDialog::collect()
         return refuse(QString::fromStdString(outcome->refusal));
     m_outcome = std::move(outcome);
     QStringList lines{textOf(m_outcome->figures)};
-    if (m_outcome->insertion.substeps > 0)
-        lines << tr("Raises the substeps of the scene to %1.").arg(m_outcome->insertion.substeps);
+    if (m_outcome->substeps > 0)
+        lines << tr("Raises the substeps of the scene to %1.").arg(m_outcome->substeps);
+    if (const QString lost = textOf(m_outcome->lost, m_outcome->letGo); !lost.isEmpty())
+        lines << lost;
     if (m_outcome->figures.particles > mostShown)
         lines << tr("Too large to be shown while you type.");
     m_figures->setText(lines.join(QChar('\n')));
@@ -331,7 +311,7 @@ void BuilderDialog::preview()
         m_preview->document.replace(m_outcome->scene);
     } else if (m_show->isChecked()) {
         m_gesture = m_open->document.beginGesture();
-        m_open->document.drag(m_outcome->insertion.edit, m_gesture);
+        m_open->document.drag(m_outcome->edit, m_gesture);
         if (m_isNew)
             emit shown();
         m_isNew = false;
@@ -355,8 +335,8 @@ void BuilderDialog::accept()
         return;
     takeBack();
     if (m_open) {
-        m_open->document.push(m_outcome->insertion.edit);
-        m_open->selection.set(m_outcome->insertion.bodies);
+        m_open->document.push(m_outcome->edit);
+        m_open->selection.set(m_outcome->bodies);
     }
     QDialog::accept();
 }

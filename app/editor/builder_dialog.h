@@ -11,9 +11,7 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
-class QGroupBox;
 class QLabel;
-class QLineEdit;
 class QPlainTextEdit;
 class QScrollArea;
 
@@ -21,20 +19,22 @@ namespace ripstop {
 
 class Document;
 class ParameterForm;
+class PlaceForm;
 class Selection;
 
-// The open design that a builder's part goes into.
+// The open design that a builder's part goes into, or stands in.
 struct OpenDesign
 {
     Document& document;
     Selection& selection;
-    Vec3 focus; // m, what the view turns about
+    Vec3 focus = Vec3::Zero(); // m, what the view turns about
+    Id part = noId;            // to be built again with other parameters; none inserts one
 };
 
 // Chooses a builder and its parameters. The design is built anew, on a thread of its own, shortly
 // after each change, so that its shape, its figures and what is wrong with it are always on screen:
 // in the open design when it goes there, and in a view of the dialog's own when it is a new one.
-// Accepted, an insertion is one step of the history, and dismissed, none.
+// Accepted, a change of the open design is one step of the history, and dismissed, none.
 class BuilderDialog final : public QDialog
 {
     Q_OBJECT
@@ -58,9 +58,8 @@ private:
 
     BuilderDialog(const QString& builder, std::optional<OpenDesign> open, QWidget* parent);
     void layOut();
-    QGroupBox* placeBox();
     void showParameters(); // of the chosen builder
-    void showPlace();
+    void showValuesOf(const Part& part);
     void restoreDefaults();
     void buildSoon();
     void post();
@@ -78,18 +77,16 @@ private:
     QScrollArea* m_scroll;
     ParameterForm* m_form = nullptr;
     QPlainTextEdit* m_table = nullptr; // of a builder that takes one
+    QCheckBox* m_show;
     QLabel* m_figures;
     QDialogButtonBox* m_buttons;
 
-    // of an insertion
-    QComboBox* m_at = nullptr;
-    std::array<QLineEdit*, 3> m_place{};
-    QCheckBox* m_surroundings = nullptr;
-    QCheckBox* m_instruments = nullptr;
-    QCheckBox* m_show = nullptr;
-    std::shared_ptr<const InsertGround> m_ground;
-    int m_gesture = 0; // of the preview that stands in the history, or 0
-    bool m_isNew = true; // no design of this builder was shown yet
+    // of a change of the open design
+    PlaceForm* m_place = nullptr;
+    std::shared_ptr<const InsertGround> m_ground; // of an insertion
+    std::shared_ptr<const Scene> m_scene;         // as it was, where a part is built again
+    int m_gesture = 0;                            // of the preview that stands in the history, or 0
+    bool m_isNew = true;                          // no design of this builder was shown yet
 
     std::unique_ptr<Preview> m_preview;
     std::shared_ptr<const BuildOutcome> m_outcome; // of what the form says, or null

@@ -26,6 +26,11 @@ QString weight(double mass)
 QString textOf(const Figures& figures)
 {
     const QString point = QStringLiteral(" \u00b7 ");
+    const QString box = words("%1 wide, %2 high, %3 deep")
+                            .arg(quantity(figures.size.x(), "m"), quantity(figures.size.y(), "m"),
+                                 quantity(figures.size.z(), "m"));
+    if (figures.particles == 0) // an obstacle
+        return box;
     QStringList counts{counted(Kind::Particle, qsizetype(figures.particles)),
                        counted(Kind::Link, qsizetype(figures.links))};
     if (figures.panels > 0)
@@ -40,13 +45,31 @@ QString textOf(const Figures& figures)
         shape << words("Span %1").arg(quantity(figures.span, "m"))
               << words("aspect ratio %1").arg(QString::number(*figures.aspect, 'g', 3));
     else
-        shape << words("%1 wide, %2 high, %3 deep")
-                     .arg(quantity(figures.size.x(), "m"), quantity(figures.size.y(), "m"),
-                          quantity(figures.size.z(), "m"));
+        shape << box;
     shape << words("%1 substeps of %2")
                  .arg(figures.substeps)
                  .arg(quantity(1000.0 * figures.timeStep / figures.substeps, "ms"));
     return counts.join(point) + QChar('\n') + sizes.join(point) + QChar('\n') + shape.join(point);
+}
+
+QString textOf(const HandWork& lost, std::size_t letGo)
+{
+    QStringList work;
+    if (lost.moved > 0)
+        work << words("%1 moved").arg(counted(Kind::Particle, qsizetype(lost.moved)));
+    if (lost.changed > 0)
+        work << words("%1 changed rows").arg(lost.changed);
+    if (lost.added > 0)
+        work << words("%1 added rows").arg(lost.added);
+    if (lost.removed > 0)
+        work << words("%1 removed rows").arg(lost.removed);
+    QStringList lines;
+    if (!work.isEmpty())
+        lines << words("Takes back what was done by hand: %1. To keep it, detach the part instead.")
+                     .arg(work.join(QStringLiteral(", ")));
+    if (letGo > 0)
+        lines << words("Lets go of what %1 others point at.").arg(letGo);
+    return lines.join(QChar(' '));
 }
 
 } // namespace ripstop

@@ -81,7 +81,9 @@ QString PlaceForm::refusal() const
         const QString typed = m_shift[std::size_t(axis)]->text();
         QLocale::c().toDouble(typed, &isNumber);
         if (!isNumber)
-            return tr("%1 must be a number of metres, not \"%2\".").arg(QChar('x' + axis)).arg(typed);
+            return tr("%1 must be a number of metres, not \"%2\".")
+                .arg(QChar('x' + axis))
+                .arg(typed);
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace ripstop {
 namespace {
@@ -51,11 +52,19 @@ public:
     {}
 
     // Stands for itself in the copies.
-    void share(Id id) { m_copyOf[id] = id; }
+    void share(Id id)
+    {
+        m_copyOf[id] = id;
+        m_shared.insert(id);
+    }
     void use(Id original, Id copy) { m_copyOf[original] = copy; }
 
     // Forgets the copies made so far: another copy of the same follows.
-    void begin() { m_copyOf.clear(); }
+    void begin()
+    {
+        m_copyOf.clear();
+        m_shared.clear();
+    }
 
     Id take(Id original)
     {
@@ -71,16 +80,9 @@ public:
         return id;
     }
 
-    bool isShared(Id id) const
-    {
-        const auto found = m_copyOf.find(id);
-        return found != m_copyOf.end() && found->second == id;
-    }
-    bool isCopied(Id id) const
-    {
-        const auto found = m_copyOf.find(id);
-        return found != m_copyOf.end() && found->second != id;
-    }
+    // A copy in another scene may happen to have the number of its original, and is no shared one.
+    bool isShared(Id id) const { return m_shared.contains(id); }
+    bool isCopied(Id id) const { return m_copyOf.contains(id) && !isShared(id); }
     Id operator()(Id id) const // itself where there is no copy
     {
         const auto found = m_copyOf.find(id);
@@ -151,6 +153,7 @@ public:
 private:
     Id m_next;
     std::unordered_map<Id, Id> m_copyOf;
+    std::unordered_set<Id> m_shared;
 };
 
 void rename(Item& item)

@@ -41,8 +41,7 @@ double lineLength(const Scene& scene, const Part& part)
             isShown = !material || material->shown;
             looked = link.material;
         }
-        if (isShown
-            && !std::binary_search(sides.begin(), sides.end(), side(link.from, link.to)))
+        if (isShown && !std::binary_search(sides.begin(), sides.end(), side(link.from, link.to)))
             length += link.restLength;
     }
     return length;

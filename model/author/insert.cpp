@@ -106,8 +106,7 @@ void addSettings(Insertion& insertion, const Scene& scene, const Scene& built,
                 continue;
             insertion.substeps = std::get<int>(wanted);
             set(property, wanted);
-        } else if (held == property.get(&usual) && wish.withSurroundings
-                   && (isFirst || !isTitle)) {
+        } else if (held == property.get(&usual) && wish.withSurroundings && (isFirst || !isTitle)) {
             set(property, wanted);
         }
     }
@@ -150,8 +149,7 @@ Insertion inserted(const InsertGround& ground, Scene built, const InsertWish& wi
     Insertion insertion{std::move(copies.edit), {}, 0};
     insertion.edit.label = "Insert " + wish.label;
     for (const Change& change : insertion.edit.changes)
-        if (const auto* added = std::get_if<AddItem>(&change);
-            added && isBody(added->entry.item))
+        if (const auto* added = std::get_if<AddItem>(&change); added && isBody(added->entry.item))
             insertion.bodies.push_back(added->entry.id);
     addSettings(insertion, ground.scene, built, wish);
     return insertion;

@@ -24,9 +24,9 @@ struct InsertWish
 {
     std::string label; // of the design, "Delta kite"
     PlaceAt at = PlaceAt::Origin;
-    Vec3 place = Vec3::Zero();           // m, the point or the shift
-    bool withSurroundings = true;        // planes, winds and settings other than at first
-    bool withInstruments = true;         // controls and probes
+    Vec3 place = Vec3::Zero();    // m, the point or the shift
+    bool withSurroundings = true; // planes, winds and settings other than at first
+    bool withInstruments = true;  // controls and probes
 };
 
 // What an insertion needs to know of the open scene, so that another thread can make the edit: the

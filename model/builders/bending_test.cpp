@@ -186,8 +186,8 @@ Result<Scene> buildBendingTest(const Parameters& p)
 
 } // namespace
 
-const Builder bendingTestBuilder{"bending_test", "Bending test",
-                                 "Strips of fabric that droop over the edge of a table.",
-                                 parameters, buildBendingTest, Family::Cloth};
+const Builder bendingTestBuilder{
+    "bending_test", "Bending test",   "Strips of fabric that droop over the edge of a table.",
+    parameters,     buildBendingTest, Family::Cloth};
 
 } // namespace ripstop

@@ -5,10 +5,10 @@
 // pinned, in R rows along the chord and 2^(L-1) across the span, and the load hangs from the riser.
 //
 // Without a table the forks lie on the straight lines from the riser to the middle of the points
-// above them, and the lengths are what they come to. With a table, row by row of the bridle and from
-// the riser up, the lengths are those of the table: each fork hangs below the middle of its two
-// points, and the riser where the first row is taut. At rest a line of a single row that carries the
-// load F at a fork of half angle a carries F / (2 cos a).
+// above them, and the lengths are what they come to. With a table, row by row of the bridle and
+// from the riser up, the lengths are those of the table: each fork hangs below the middle of its
+// two points, and the riser where the first row is taut. At rest a line of a single row that
+// carries the load F at a fork of half angle a carries F / (2 cos a).
 #include "builders/designs.h"
 #include "builders/network.h"
 
@@ -217,9 +217,13 @@ Result<Scene> buildBridle(const Parameters& p)
 
 } // namespace
 
-const Builder bridleBuilder{"bridle", "Bridle cascade",
+const Builder bridleBuilder{"bridle",
+                            "Bridle cascade",
                             "Rows of lines that fork from a riser to the points of a wing, with "
                             "lengths from a table.",
-                            parameters, buildBridle, Family::Lines, &lengths};
+                            parameters,
+                            buildBridle,
+                            Family::Lines,
+                            &lengths};
 
 } // namespace ripstop

@@ -78,9 +78,8 @@ std::optional<Failure> refused(const TableParameter& parameter, const NumberRows
             if (value >= parameter.low && value <= parameter.high)
                 continue; // false for NaN
             char text[120];
-            std::snprintf(text, sizeof text, "must be from %g to %g %s, and is %g.",
-                          parameter.low, parameter.high,
-                          std::string(parameter.unit).c_str(), value);
+            std::snprintf(text, sizeof text, "must be from %g to %g %s, and is %g.", parameter.low,
+                          parameter.high, std::string(parameter.unit).c_str(), value);
             return Failure{place(row, column) + text};
         }
     }
@@ -110,17 +109,17 @@ std::vector<std::string> cellsOf(std::string_view row)
 
 std::span<const Builder> allBuilders()
 {
-    static const std::array table{
-        // wings
-        deltaKiteBuilder, diamondKiteBuilder, rectangularKiteBuilder, hangGliderBuilder,
-        // canopies
-        parachuteBuilder, crossParachuteBuilder,
-        // cloth
-        clothBuilder, poleFlagBuilder, bendingTestBuilder,
-        // lines
-        ropeBuilder, bridleBuilder, frameBuilder, stiffenedRodBuilder,
-        // obstacles
-        boxBuilder, sphereBuilder, hillsBuilder};
+    static const std::array table{// wings
+                                  deltaKiteBuilder, diamondKiteBuilder, rectangularKiteBuilder,
+                                  hangGliderBuilder,
+                                  // canopies
+                                  parachuteBuilder, crossParachuteBuilder,
+                                  // cloth
+                                  clothBuilder, poleFlagBuilder, bendingTestBuilder,
+                                  // lines
+                                  ropeBuilder, bridleBuilder, frameBuilder, stiffenedRodBuilder,
+                                  // obstacles
+                                  boxBuilder, sphereBuilder, hillsBuilder};
     return table;
 }
 
@@ -191,8 +190,8 @@ Result<NumberRows> tableFromText(const TableParameter& table, std::string_view t
                 std::from_chars(cell.data(), cell.data() + cell.size(), value);
             if (error != std::errc() || last != cell.data() + cell.size())
                 return Failure{std::string(table.key) + ", row " + std::to_string(line)
-                               + ", column " + std::to_string(numbers.size() + 1)
-                               + ": \"" + cell + "\" is not a number."};
+                               + ", column " + std::to_string(numbers.size() + 1) + ": \"" + cell
+                               + "\" is not a number."};
             numbers.push_back(value);
         }
         rows.push_back(std::move(numbers));

@@ -1,8 +1,8 @@
 // Builders: parametric designs.
 //
 // A builder is one row of a table: its parameters with unit, default and range, and a function
-// that turns values into a whole scene. The command line, the forms of the editor and the manual are
-// made from the rows.
+// that turns values into a whole scene. The command line, the forms of the editor and the manual
+// are made from the rows.
 #pragma once
 
 #include "base/result.h"
@@ -55,14 +55,15 @@ struct Builder
     const TableParameter* table = nullptr; // null for most
 };
 
-std::span<const Builder> allBuilders(); // by family
+std::span<const Builder> allBuilders();            // by family
 const Builder* findBuilder(std::string_view name); // null when there is none
 
 // Fills in defaults and checks names and ranges, then builds.
 Result<Scene> build(const Builder& builder, const Parameters& given);
 
 void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows);
-NumberRows tableOf(const Parameters& parameters, const TableParameter& table); // empty without cells
+NumberRows tableOf(const Parameters& parameters,
+                   const TableParameter& table); // empty without cells
 
 // Cells between tabs, commas or blanks, rows between line breaks or semicolons; between tabs, a
 // comma may stand for the point. A refusal names row and column.

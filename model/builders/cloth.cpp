@@ -17,7 +17,8 @@
 namespace ripstop {
 namespace {
 
-constexpr std::string_view hangs[]{"two_corners", "left_edge", "nothing", "both_edges", "clamped_edge"};
+constexpr std::string_view hangs[]{"two_corners", "left_edge", "nothing", "both_edges",
+                                   "clamped_edge"};
 
 // clang-format off
 constexpr Parameter parameters[]{
@@ -322,8 +323,8 @@ Result<Scene> buildCloth(const Parameters& p)
 
 } // namespace
 
-const Builder clothBuilder{"cloth", "Cloth",
-                           "A sheet of masses and springs, hung by corners or an edge.", parameters,
-                           buildCloth, Family::Cloth};
+const Builder clothBuilder{
+    "cloth",    "Cloth",    "A sheet of masses and springs, hung by corners or an edge.",
+    parameters, buildCloth, Family::Cloth};
 
 } // namespace ripstop

@@ -1,13 +1,14 @@
 // A cruciform parachute: a square of cloth with an arm on each side; without arms a square one.
 //
 // With n cells along a side of the square and m along an arm: (n+1)^2 + 4 m (n+1) canopy particles
-// and 2 n^2 + 8 m n panels. It is built as it is when it is full: the square level, the arms hanging
-// down by `droop`. Lines run from the ends of the arms, or from the rim of the square, to the payload,
-// and two rigidity particles hold these ends apart as the air would.
+// and 2 n^2 + 8 m n panels. It is built as it is when it is full: the square level, the arms
+// hanging down by `droop`. Lines run from the ends of the arms, or from the rim of the square, to
+// the payload, and two rigidity particles hold these ends apart as the air would, and the corners
+// of the square.
 //
 // As for the round parachute, the coefficient of the cloth is chosen such that the drag is that of
-// the wanted CD0 on the area of the cloth S0 = w^2 (1 + 4 arms); Knacke 1991, table 5-1, has 0.60 to
-// 0.85 for cross parachutes.
+// the wanted CD0 on the area of the cloth S0 = w^2 (1 + 4 arms); Knacke 1991, table 5-1, has 0.60
+// to 0.85 for cross parachutes.
 #include "builders/descent.h"
 #include "builders/designs.h"
 #include "builders/statics.h"
@@ -89,8 +90,13 @@ void weave(Network& network, const Rows& rows, Id cloth, Id seams, bool withFirs
         }
 }
 
-// Answers where lines are tied.
-std::vector<Id> addCanopy(Network& network, const Parameters& p, const Materials& materials)
+struct Canopy
+{
+    std::vector<Id> ends;    // where lines are tied
+    std::vector<Id> corners; // of the square, where it has arms
+};
+
+Canopy addCanopy(Network& network, const Parameters& p, const Materials& materials)
 {
     const int n = int(p.at("cells"));
     const int m = int(std::lround(p.at("arms") * n));
@@ -120,13 +126,13 @@ std::vector<Id> addCanopy(Network& network, const Parameters& p, const Materials
             const int j = n - i;
             const std::array<Id, 4> nodes{square[std::size_t(n)][std::size_t(i)],
                                           square[std::size_t(j)][std::size_t(n)],
-                                          square[0][std::size_t(j)],
-                                          square[std::size_t(i)][0]};
+                                          square[0][std::size_t(j)], square[std::size_t(i)][0]};
             rows[0].push_back(nodes[std::size_t(side)]);
         }
         const std::array<Vec3, 4> outs{Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitZ(),
                                        -Vec3::UnitX()};
-        const Vec3 along = std::cos(droop) * outs[std::size_t(side)] - std::sin(droop) * Vec3::UnitY();
+        const Vec3 along =
+            std::cos(droop) * outs[std::size_t(side)] - std::sin(droop) * Vec3::UnitY();
         for (int row = 1; row <= m; ++row) {
             std::vector<Id> next;
             for (const Id above : rows[0]) {
@@ -140,7 +146,11 @@ std::vector<Id> addCanopy(Network& network, const Parameters& p, const Materials
         // corners of a square canopy belong to two sides
         ends.insert(ends.end(), last.begin() + (m == 0 ? 1 : 0), last.end());
     }
-    return ends;
+    Canopy canopy{ends, {}};
+    if (m > 0)
+        for (const std::vector<Id>* row : {&square.front(), &square.back()})
+            canopy.corners.insert(canopy.corners.end(), {row->front(), row->back()});
+    return canopy;
 }
 
 Id addPayload(Network& network, const std::vector<Id>& ends, const Parameters& p,
@@ -171,10 +181,12 @@ Result<Scene> buildCrossParachute(const Parameters& p)
     const Materials materials = addMaterials(scene, p);
 
     Network network(scene, "parachute");
-    const std::vector<Id> ends = addCanopy(network, p, materials);
+    const auto [ends, corners] = addCanopy(network, p, materials);
     std::vector<Id> canopy;
     for (const Particle& row : network.part().particles)
         canopy.push_back(row.id);
+    std::vector<Id> held = ends;
+    held.insert(held.end(), corners.begin(), corners.end());
     network.addFabricMass(p.at("fabric"));
     const int n = int(p.at("cells"));
     const double arms = std::lround(p.at("arms") * n) > 0 ? p.at("arms") : 0.0;
@@ -184,7 +196,9 @@ Result<Scene> buildCrossParachute(const Parameters& p)
     const Id payload = addPayload(network, ends, p, materials);
     const Id lineRod = network.part().links[firstLineRod].id;
     const std::vector<Id> hubs =
-        addHoop(network, ends, 0.75 * p.at("width"), p.at("hoop_mass"), materials.frame);
+        addHoop(network, held, 0.75 * p.at("width"), p.at("hoop_mass"), materials.frame);
+    // no cloth runs from arm to arm, so they could all come in together as the hubs part
+    network.rod(hubs[0], hubs[1], materials.frame);
     network.place(Eigen::Matrix3d::Identity(),
                   {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
                   {0.0, 0.0 - p.at("speed"), 0.0}); // no -0 in files
@@ -204,8 +218,11 @@ Result<Scene> buildCrossParachute(const Parameters& p)
 
 } // namespace
 
-const Builder crossParachuteBuilder{"cross_parachute", "Cruciform or square parachute",
+const Builder crossParachuteBuilder{"cross_parachute",
+                                    "Cruciform or square parachute",
                                     "A square of cloth with four arms, or without, over a payload.",
-                                    parameters, buildCrossParachute, Family::Canopies};
+                                    parameters,
+                                    buildCrossParachute,
+                                    Family::Canopies};
 
 } // namespace ripstop

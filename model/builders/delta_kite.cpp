@@ -169,8 +169,8 @@ Result<Scene> buildDeltaKite(const Parameters& p)
 
 } // namespace
 
-const Builder deltaKiteBuilder{"delta_kite", "Delta kite",
-                               "A delta wing with a keel, on a line from a hand.", parameters,
-                               buildDeltaKite, Family::Wings};
+const Builder deltaKiteBuilder{
+    "delta_kite", "Delta kite",   "A delta wing with a keel, on a line from a hand.",
+    parameters,   buildDeltaKite, Family::Wings};
 
 } // namespace ripstop

@@ -11,10 +11,11 @@ namespace ripstop {
 // coefficient CD0 on the area S0, m^2. Skin friction takes its share: the force upwards is
 // Cn sum(A ny^2) + Cf sum(A |wt| wt_y). The payload then sinks at v = sqrt(2 m g / (rho CD0 S0))
 // (Knacke 1991, page 5-128). The cloth is given that coefficient.
-void setDrag(Scene& scene, const Network& network, std::span<const Id> cloth,
-                 double coefficient, double area);
+void setDrag(Scene& scene, const Network& network, std::span<const Id> cloth, double coefficient,
+             double area);
 
-// Two particles above and below the skirt, `reach` m away, tied to all of it: a rigid double pyramid.
+// Two particles above and below the skirt, `reach` m away, tied to all of it: a rigid double
+// pyramid.
 std::vector<Id> addHoop(Network& network, const std::vector<Id>& skirt, double reach, double mass,
                         Id material);
 

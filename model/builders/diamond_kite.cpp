@@ -1,5 +1,6 @@
-// The diamond kite of Eddy: a spine and a bowed cross spar, a sail of four triangles, a bridle of two
-// legs and a tail.
+// The diamond kite of Eddy: a spine and a bowed cross spar, a sail of four triangles, a bridle of
+// three legs and a tail. Two legs are tied half way out on the cross spar, so that the kite does
+// not roll about its line, and one to the end of the spine.
 //
 // Two triangular lattices of n rows share the row over the cross spar. With n rows in each:
 // (n+1)(n+2) - (n+1) = (n+1)^2 sail particles and 2 n^2 panels. Only even rows have a node on the
@@ -19,9 +20,10 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"segments", "",    6,    2, 40,    true,  "Rows of cloth from the cross spar to the nose, and to the tail; an odd number is made even.", "Mesh"},
     {"height",   "m",   0.9,  0.2, 6,   false, "Length of the spine.", "Shape"},
     {"width",    "m",   0.9,  0.2, 6,   false, "Length of the cross spar; Eddy's is as wide as it is high."},
-    {"cross",    "",    0.25, 0.1, 0.6, false, "Where the cross spar crosses the spine, from 0 at the nose to 1."},
+    {"cross",    "",    0.33, 0.1, 0.6, false, "Where the cross spar crosses the spine, from 0 at the nose to 1."},
     {"dihedral", "deg", 12,   0, 40,    false, "Rise of the cross spar from the spine to its tips; the bow keeps the kite upright."},
-    {"tow",      "",    0.36, 0.1, 0.7, false, "Where the tow point lies, from 0 at the nose to 1; a little ahead of the centroid of the sail, which is at (1 + cross) / 3."},
+    {"tow",      "",    0.31, 0.1, 0.7, false, "Where the tow point lies, from 0 at the nose to 1; a little ahead of the centroid of the sail, which is at (1 + cross) / 3.", "Bridle"},
+    {"bridle",   "",    0.25, 0.05, 2,  false, "How far the tow point hangs below the sail, over the height of the kite; a long one lets the kite climb, and lean over and sweep to and fro."},
 });
 // clang-format on
 constexpr auto clothParameters = joined(ownParameters, flatKiteParameters);
@@ -73,9 +75,8 @@ FlatSail addDiamond(Network& network, const FlatMaterials& materials, const Para
     const auto across = [](int row, int column) {
         return row == 0 ? 0.0 : 2.0 * column / row - 1.0;
     };
-    const Lattice front(n, [&](int row, int column) {
-        return node(shape.cross * row / n, across(row, column));
-    });
+    const Lattice front(
+        n, [&](int row, int column) { return node(shape.cross * row / n, across(row, column)); });
     // turned by half a turn, so that both halves are wound the same way
     const Lattice rear(n, [&](int row, int column) {
         return row == n ? front.at(n, n - column)
@@ -95,7 +96,8 @@ FlatSail addDiamond(Network& network, const FlatMaterials& materials, const Para
 
     FlatSail sail{spine, {}, rear.at(0, 0), shape.height, p.at("tow")};
     const Id middle = front.at(n, n / 2);
-    sail.legs = {middle, rear.at(0, 0)};
+    const int away = std::max(int(std::lround(0.25 * n)), 1); // of the way to the tips
+    sail.legs = {front.at(n, n / 2 - away), front.at(n, n / 2 + away), rear.at(0, 0)};
     for (int column = 0; column <= n; ++column)
         if (front.at(n, column) != middle)
             sail.frame.push_back(front.at(n, column));
@@ -109,16 +111,20 @@ FlatSail addDiamond(Network& network, const FlatMaterials& materials, const Para
 
 Result<Scene> buildDiamondKite(const Parameters& p)
 {
-    return flownFlatKite(p, {"diamond_kite", "Diamond kite",
-                             [&](Network& network, const FlatMaterials& materials) {
-                                 return addDiamond(network, materials, p);
-                             }});
+    return flownFlatKite(
+        p, {"diamond_kite", "Diamond kite", [&](Network& network, const FlatMaterials& materials) {
+                return addDiamond(network, materials, p);
+            }});
 }
 
 } // namespace
 
-const Builder diamondKiteBuilder{"diamond_kite", "Diamond kite",
-                                 "Eddy's kite: a spine and a bowed cross spar, a bridle and a tail.",
-                                 parameters, buildDiamondKite, Family::Wings};
+const Builder diamondKiteBuilder{
+    "diamond_kite",
+    "Diamond kite",
+    "Eddy's kite: a spine and a bowed cross spar, a bridle and a tail.",
+    parameters,
+    buildDiamondKite,
+    Family::Wings};
 
 } // namespace ripstop

@@ -66,8 +66,7 @@ std::vector<Id> addHubs(Network& network, const FlatSail& sail, Id material)
 
 Id addBridle(Network& network, const Parameters& p, const FlatSail& sail, Id material)
 {
-    const Id tow =
-        network.particle({-sail.tow * sail.height, -p.at("bridle") * sail.height, 0.0});
+    const Id tow = network.particle({-sail.tow * sail.height, -p.at("bridle") * sail.height, 0.0});
     for (const Id leg : sail.legs)
         network.rod(leg, tow, material, Resists::Tension);
     return tow;
@@ -81,9 +80,8 @@ std::vector<Id> addTail(Network& network, const Parameters& p, Id from, Id mater
     const double length = p.at("tail_length");
     const Vec3 along = Vec3(0.9, -std::sqrt(1.0 - 0.81), 0.0);
     const Id end = network.particle(network.position(from) + length * along);
-    std::vector<Id> nodes =
-        network.line(from, end, int(p.at("tail_segments")), length * p.at("tail_density"),
-                     material, Resists::Tension);
+    std::vector<Id> nodes = network.line(from, end, int(p.at("tail_segments")),
+                                         length * p.at("tail_density"), material, Resists::Tension);
     nodes.erase(nodes.begin());
     return nodes;
 }

@@ -1,9 +1,9 @@
 // A kite that is a sail on a frame: bridle, tail, mass and flight of those that have no keel.
 //
-// The builder of a kite lays the sail; the rest is the same for all. Two rigidity particles are tied
-// to the frame, as in the papers' delta. The bridle's legs go from the sail to the tow point, which
-// lies `bridle` times the height below it. The tail is a line whose thickness is that of its ribbons,
-// so that the wind draws at it.
+// The builder of a kite lays the sail and has the parameter `bridle`; the rest is the same for all.
+// Two rigidity particles are tied to the frame, as in the papers' delta. The bridle's legs go from
+// the sail to the tow point, which lies `bridle` times the height below it. The tail is a line
+// whose thickness is that of its ribbons, so that the wind draws at it.
 //
 // With the linear law the centre of pressure is the centroid of the sail at every angle. The tow
 // point a little ahead of it turns the nose down, skin friction above it and the tail turn it up:
@@ -18,8 +18,7 @@ namespace ripstop {
 
 // clang-format off
 inline constexpr auto flatKiteParameters = std::to_array<Parameter>({
-    {"bridle",       "",      0.45,   0.05, 2,  false, "How far the tow point hangs below the sail, over the height of the kite.", "Bridle and tail"},
-    {"tail_length",  "m",     3,      0, 50,    false, "Of the tail; 0 leaves it out."},
+    {"tail_length",  "m",     3,      0, 50,    false, "Of the tail; 0 leaves it out.", "Tail"},
     {"tail_segments", "",     8,      1, 100,   true,  "Segments of the tail."},
     {"tail_width",   "m",     0.01,   0, 0.2,   false, "Mean width of the tail and its ribbons, which the wind drags."},
     {"tail_density", "kg/m",  0.002,  1e-5, 0.5, false, "Mass of the tail per length."},

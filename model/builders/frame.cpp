@@ -1,7 +1,8 @@
 // A plane frame of spars, hung by its upper corners: c by r bays, braced or not.
 //
-// (c+1)(r+1) particles, c (r+1) + r (c+1) spars, and b braces in each bay. Bays without a brace give
-// way like a hinged square; two rigidity particles, tied to every node, make any of them stiff.
+// (c+1)(r+1) particles, c (r+1) + r (c+1) spars, and b braces in each bay. Bays without a brace
+// give way like a hinged square; two rigidity particles, tied to every node, make any of them
+// stiff.
 #include "builders/designs.h"
 #include "builders/network.h"
 
@@ -45,9 +46,8 @@ Result<Scene> buildFrame(const Parameters& p)
     std::vector<Id> nodes;
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column)
-            nodes.push_back(
-                network.particle({(double(column) / columns - 0.5) * width,
-                                  (1.5 - double(row) / rows) * height, 0.0}));
+            nodes.push_back(network.particle({(double(column) / columns - 0.5) * width,
+                                              (1.5 - double(row) / rows) * height, 0.0}));
     const auto at = [&](int row, int column) {
         return nodes[std::size_t(row * (columns + 1) + column)];
     };
@@ -97,8 +97,11 @@ Result<Scene> buildFrame(const Parameters& p)
 
 } // namespace
 
-const Builder frameBuilder{"frame", "Frame of spars",
+const Builder frameBuilder{"frame",
+                           "Frame of spars",
                            "Bays of spars in a plane, braced or stiffened by rigidity particles.",
-                           parameters, buildFrame, Family::Lines};
+                           parameters,
+                           buildFrame,
+                           Family::Lines};
 
 } // namespace ripstop

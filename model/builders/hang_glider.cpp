@@ -217,8 +217,8 @@ Result<Scene> buildHangGlider(const Parameters& p)
 
 } // namespace
 
-const Builder hangGliderBuilder{"hang_glider", "Hang glider",
-                                "A flexible wing with a pilot who steers by shifting weight.",
-                                parameters, buildHangGlider, Family::Wings};
+const Builder hangGliderBuilder{
+    "hang_glider", "Hang glider",   "A flexible wing with a pilot who steers by shifting weight.",
+    parameters,    buildHangGlider, Family::Wings};
 
 } // namespace ripstop

@@ -48,8 +48,7 @@ void launch(const Scene& scene, Network& network, const Parameters& p, Id towPoi
     turn.col(1) = Vec3(std::sin(angle), std::cos(angle), 0.0);
     turn.col(2) = Vec3(0.0, 0.0, -1.0);
     const double rise = p.at("launch") * degrees;
-    const Vec3 tow =
-        handPlace(p) + p.at("line_length") * Vec3(std::cos(rise), std::sin(rise), 0.0);
+    const Vec3 tow = handPlace(p) + p.at("line_length") * Vec3(std::cos(rise), std::sin(rise), 0.0);
     network.place(turn, tow - turn * network.position(towPoint), Vec3::Zero());
 }
 

@@ -1,5 +1,5 @@
-// Obstacles: a box, a sphere or hills that stand on the ground, for designs to land on, to drape over
-// and to fly along.
+// Obstacles: a box, a sphere or hills that stand on the ground, for designs to land on, to drape
+// over and to fly along.
 #include "builders/designs.h"
 #include "builders/network.h"
 
@@ -82,11 +82,14 @@ Result<Scene> buildHills(const Parameters& p)
 
 } // namespace
 
-const Builder boxBuilder{"box", "Box", "A box on the ground that cloth lies on and lines bend round.",
-                         boxParameters, buildBox, Family::Obstacles};
-const Builder sphereBuilder{"sphere", "Sphere", "A sphere on the ground that cloth drapes over.",
-                            sphereParameters, buildSphere, Family::Obstacles};
-const Builder hillsBuilder{"hills", "Hills", "Rolling ground to soar along and to land on.",
-                           hillsParameters, buildHills, Family::Obstacles};
+const Builder boxBuilder{
+    "box",         "Box",    "A box on the ground that cloth lies on and lines bend round.",
+    boxParameters, buildBox, Family::Obstacles};
+const Builder sphereBuilder{
+    "sphere",         "Sphere",    "A sphere on the ground that cloth drapes over.",
+    sphereParameters, buildSphere, Family::Obstacles};
+const Builder hillsBuilder{
+    "hills",         "Hills",    "Rolling ground to soar along and to land on.",
+    hillsParameters, buildHills, Family::Obstacles};
 
 } // namespace ripstop

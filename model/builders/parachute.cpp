@@ -238,8 +238,8 @@ Result<Scene> buildParachute(const Parameters& p)
 
 } // namespace
 
-const Builder parachuteBuilder{"parachute", "Parachute",
-                               "A round canopy with suspension lines and a payload.", parameters,
-                               buildParachute, Family::Canopies};
+const Builder parachuteBuilder{
+    "parachute", "Parachute",    "A round canopy with suspension lines and a payload.",
+    parameters,  buildParachute, Family::Canopies};
 
 } // namespace ripstop

@@ -1,9 +1,9 @@
 // A flag on a pole: a sheet of springs, tied along its hoist to a pole that may bend.
 //
 // The pole stands on the ground, clamped: its lowest two particles are pinned. It is a row of rods
-// with the flexural rigidity EI of a spar, or rigid, with every particle pinned. The flag is tied to
-// it by short lines, at its two corners or at every row. With c by r cells and l segments of the pole
-// below the flag: (c+1)(r+1) + r + l + 1 particles, 2 c r panels.
+// with the flexural rigidity EI of a spar, or rigid, with every particle pinned. The flag is tied
+// to it by short lines, at its two corners or at every row. With c by r cells and l segments of the
+// pole below the flag: (c+1)(r+1) + r + l + 1 particles, 2 c r panels.
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
@@ -107,15 +107,16 @@ std::vector<std::vector<Id>> addFlag(Network& network, const Parameters& p,
         nodes.emplace_back();
         for (int column = 0; column <= columns; ++column) {
             const double u = double(column) / columns;
-            const Id node =
-                network.particle({gap + u * p.at("length"), lower + row * height, 0.0});
+            const Id node = network.particle({gap + u * p.at("length"), lower + row * height, 0.0});
             network.texture(node, u, double(row) / rows);
             // a flag that is exactly plane in the wind would stay so for ever
             network.row(node).velocity.z() = 0.3 * u * std::sin(2.0 * pi * u);
             nodes.back().push_back(node);
         }
     }
-    const auto at = [&](int row, int column) { return nodes[std::size_t(row)][std::size_t(column)]; };
+    const auto at = [&](int row, int column) {
+        return nodes[std::size_t(row)][std::size_t(column)];
+    };
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column < columns; ++column) {
             network.spring(at(row, column), at(row, column + 1), materials.structural);
@@ -165,8 +166,8 @@ Result<Scene> buildPoleFlag(const Parameters& p)
     const std::vector<Id> pole = addPole(network, p, materials.pole);
     for (int row = 0; row <= rows; ++row)
         if (p.at("tied") > 0.0 || row == 0 || row == rows)
-            network.rod(pole[pole.size() - 1 - std::size_t(rows - row)],
-                        flag[std::size_t(row)][0], materials.ties, Resists::Tension);
+            network.rod(pole[pole.size() - 1 - std::size_t(rows - row)], flag[std::size_t(row)][0],
+                        materials.ties, Resists::Tension);
 
     const Id top = pole.back();
     const Id fly = flag[std::size_t(rows / 2)].back();
@@ -187,8 +188,8 @@ Result<Scene> buildPoleFlag(const Parameters& p)
 
 } // namespace
 
-const Builder poleFlagBuilder{"pole_flag", "Flag on a pole",
-                              "A flag tied to a pole that stands on the ground and may bend.",
-                              parameters, buildPoleFlag, Family::Cloth};
+const Builder poleFlagBuilder{
+    "pole_flag", "Flag on a pole", "A flag tied to a pole that stands on the ground and may bend.",
+    parameters,  buildPoleFlag,    Family::Cloth};
 
 } // namespace ripstop

@@ -18,7 +18,8 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"width",   "m",   0.9,  0.2, 10,  false, "From side to side.", "Shape"},
     {"height",  "m",   1.1,  0.2, 10,  false, "From the leading to the trailing edge."},
     {"bow",     "",    0.1,  0, 0.4,   false, "Depth of the bow across over the width; it keeps the kite upright."},
-    {"tow",     "",    0.42, 0.1, 0.7, false, "Where the tow point lies, from 0 at the leading edge to 1; a little ahead of the middle, where the centroid of the sail is."},
+    {"tow",     "",    0.42, 0.1, 0.7, false, "Where the tow point lies, from 0 at the leading edge to 1; a little ahead of the middle, where the centroid of the sail is.", "Bridle"},
+    {"bridle",  "",    0.45, 0.05, 2,   false, "How far the tow point hangs below the sail, over the height of the kite; a long one lets the kite climb, and lean over and sweep to and fro."},
     {"front_legs", "", 0.15, 0, 0.45,  false, "Where the two front legs of the bridle are tied, from 0 at the leading edge to 1."},
     {"rear_legs", "",  0.85, 0.55, 1,  false, "Where the two rear legs are tied."},
 });
@@ -35,17 +36,16 @@ FlatSail addRectangle(Network& network, const FlatMaterials& materials, const Pa
         for (int column = 0; column <= columns; ++column) {
             const double u = 2.0 * column / columns - 1.0;
             const double v = double(row) / rows;
-            nodes.push_back(network.particle({-v * p.at("height"),
-                                              p.at("bow") * p.at("width") * u * u,
-                                              0.5 * u * p.at("width")}));
+            nodes.push_back(
+                network.particle({-v * p.at("height"), p.at("bow") * p.at("width") * u * u,
+                                  0.5 * u * p.at("width")}));
             network.texture(nodes.back(), 0.5 + 0.5 * u, 1.0 - v);
         }
     const auto at = [&](int row, int column) {
         return nodes[std::size_t(row * (columns + 1) + column)];
     };
     const auto isSpar = [&](int row, int column) {
-        return row == 0 || row == rows || column == 0 || column == columns
-               || column == columns / 2;
+        return row == 0 || row == rows || column == 0 || column == columns || column == columns / 2;
     };
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column < columns; ++column)
@@ -54,7 +54,7 @@ FlatSail addRectangle(Network& network, const FlatMaterials& materials, const Pa
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column <= columns; ++column)
             network.rod(at(row, column), at(row + 1, column),
-                        column == columns / 2                  ? materials.spar
+                        column == columns / 2              ? materials.spar
                         : column == 0 || column == columns ? materials.edge
                                                            : materials.seams);
     for (int row = 0; row < rows; ++row)
@@ -92,8 +92,12 @@ Result<Scene> buildRectangularKite(const Parameters& p)
 
 } // namespace
 
-const Builder rectangularKiteBuilder{"rectangular_kite", "Rectangular kite",
-                                     "A sheet over a bowed frame, a bridle of four legs and a tail.",
-                                     parameters, buildRectangularKite, Family::Wings};
+const Builder rectangularKiteBuilder{
+    "rectangular_kite",
+    "Rectangular kite",
+    "A sheet over a bowed frame, a bridle of four legs and a tail.",
+    parameters,
+    buildRectangularKite,
+    Family::Wings};
 
 } // namespace ripstop

@@ -85,7 +85,7 @@ Result<Scene> buildRope(const Parameters& p)
 
 } // namespace
 
-const Builder ropeBuilder{"rope", "Rope", "A row of rods, hung by one end or by both.", parameters,
-                          buildRope, Family::Lines};
+const Builder ropeBuilder{"rope",     "Rope",    "A row of rods, hung by one end or by both.",
+                          parameters, buildRope, Family::Lines};
 
 } // namespace ripstop

@@ -58,8 +58,8 @@ Result<Scene> buildStiffenedRod(const Parameters& p)
 
 } // namespace
 
-const Builder stiffenedRodBuilder{"stiffened_rod", "Stiffened rod",
-                                  "Four particles in a row, kept straight by two more.", parameters,
-                                  buildStiffenedRod, Family::Lines};
+const Builder stiffenedRodBuilder{
+    "stiffened_rod", "Stiffened rod",   "Four particles in a row, kept straight by two more.",
+    parameters,      buildStiffenedRod, Family::Lines};
 
 } // namespace ripstop

@@ -100,13 +100,13 @@ private slots:
         // two cells cut: 2 structural, 4 shear and 4 bend springs and 4 panels less
         row("cloth with a slit", "cloth", {{"columns", 4}, {"rows", 4}, {"slit", 0.5}}, 25, 0,
             40 - 2 + 32 - 4 + 30 - 4, 32 - 4);
-        // kites without a keel: two hubs with spokes, a tow point with legs, a tail of t nodes and t
-        // rods, a line of l + 1 particles, l rods and l - 2 between second neighbours
+        // kites without a keel: two hubs with spokes, a tow point with legs, a tail of t nodes and
+        // t rods, a line of l + 1 particles, l rods and l - 2 between second neighbours
         const int tail = 5, line = 10, lineRods = 18;
-        // sail (n+1)^2, edges of two lattices less n shared and n on the spine; spokes to n + 1 nodes
-        // of the spine, n of the cross spar and 4 (n-1) of the edge; 2 legs
+        // sail (n+1)^2, edges of two lattices less n shared and n on the spine; spokes to n + 1
+        // nodes of the spine, n of the cross spar and 4 (n-1) of the edge; 3 legs
         row("diamond kite", "diamond_kite", {{"segments", 4}, {"line", 10}, {"tail_segments", 5}},
-            25 + 2 + 1 + tail + line + 1, 60 - 4 + 4 + 2 * 21 + 2 + tail + lineRods, 0, 32);
+            25 + 2 + 1 + tail + line + 1, 60 - 4 + 4 + 2 * 21 + 3 + tail + lineRods, 0, 32);
         // (c+1)(r+1), c(r+1) + r(c+1) threads, cr diagonals; all 9 are on the frame; 4 legs
         row("rectangular kite", "rectangular_kite",
             {{"columns", 2}, {"rows", 2}, {"line", 10}, {"tail_segments", 5}},
@@ -114,11 +114,13 @@ private slots:
         // R (2^L - 1) + 1 particles, a line less each
         row("bridle of 2 rows and 4 levels", "bridle", {{"rows", 2}, {"levels", 4}}, 31, 30, 0, 0);
         // (n+1)^2 + 4 m (n+1); square 2n(n+1) + n^2 rods, an arm mn + m(n+1) + mn; lines and two
-        // spokes to each node at the ends of the arms, or to the 4n of the rim
+        // spokes to each node at the ends of the arms, or to the 4n of the rim; spokes to 4
+        // corners, and a rod from hub to hub
         row("cross parachute", "cross_parachute", {{"cells", 2}, {"line_segments", 1}},
-            9 + 4 * 2 * 3 + 1 + 2, 12 + 4 + 4 * (4 + 6 + 4) + 12 + 24, 0, 8 + 32);
+            9 + 4 * 2 * 3 + 1 + 2, 12 + 4 + 4 * (4 + 6 + 4) + 12 + 2 * (12 + 4) + 1, 0, 8 + 32);
         row("square parachute", "cross_parachute",
-            {{"cells", 2}, {"arms", 0}, {"line_segments", 1}}, 9 + 1 + 2, 12 + 4 + 8 + 16, 0, 8);
+            {{"cells", 2}, {"arms", 0}, {"line_segments", 1}}, 9 + 1 + 2, 12 + 4 + 8 + 16 + 1, 0,
+            8);
         // (c+1)(r+1), c(r+1) + r(c+1), a brace in each bay
         row("frame of spars", "frame", {{"columns", 3}, {"rows", 2}}, 12, 9 + 8 + 6, 0, 0);
         row("frame with rigidity particles", "frame",
@@ -162,9 +164,9 @@ private slots:
         }
         for (const Parameters& given : cases) {
             const QString what =
-                given.empty() ? "defaults"
-                              : QString("%1=%2").arg(given.begin()->first.c_str()).arg(
-                                  given.begin()->second);
+                given.empty()
+                    ? "defaults"
+                    : QString("%1=%2").arg(given.begin()->first.c_str()).arg(given.begin()->second);
             const Result<Scene> scene = build(builder, given);
             QVERIFY2(bool(scene), qPrintable(scene ? what : what + ": " + scene.message().c_str()));
             const std::vector<Problem> problems = problemsOf(*scene);
@@ -199,9 +201,9 @@ private slots:
         QVERIFY(findBuilder("no_such_thing") == nullptr);
         // a table: a cell out of range, a row too short, a line that does not reach
         const Builder& bridle = *findBuilder("bridle");
-        for (const auto& [table, place] :
-             {std::pair{"1,-2", "row 1, column 2"}, {"1,1;1", "row 2, column 2"},
-              {"1,0.5,0.1", "row 1, column 3"}}) {
+        for (const auto& [table, place] : {std::pair{"1,-2", "row 1, column 2"},
+                                           {"1,1;1", "row 2, column 2"},
+                                           {"1,0.5,0.1", "row 1, column 3"}}) {
             Parameters given;
             setTable(given, *bridle.table, *tableFromText(*bridle.table, table));
             const Result<Scene> scene = build(bridle, given);

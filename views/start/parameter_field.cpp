@@ -28,8 +28,8 @@ bool isSwitch(const Parameter& parameter)
            && parameter.choices.empty();
 }
 
-// Where a value stands on its slider, from 0 to 1, and back. Wide ranges are logarithmic; those from
-// zero rise with the cube, so that small values have room, too.
+// Where a value stands on its slider, from 0 to 1, and back. Wide ranges are logarithmic; those
+// from zero rise with the cube, so that small values have room, too.
 double shareOf(const Parameter& parameter, double value)
 {
     const double low = parameter.low;
@@ -217,8 +217,8 @@ double ParameterField::sliderValue() const
     return std::clamp(rounded(m_parameter, value), m_parameter.low, m_parameter.high);
 }
 
-// The arrow keys count up and down: by one, or by a tenth of the number's own size. The wheel scrolls
-// the form, and turns no slider on its way.
+// The arrow keys count up and down: by one, or by a tenth of the number's own size. The wheel
+// scrolls the form, and turns no slider on its way.
 bool ParameterField::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_slider && event->type() == QEvent::Wheel) {

@@ -1,0 +1,261 @@
+// What a designer does with the Insert menu: insert with a preview, change parameters, detach.
+#include "author/rebuild.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/builder_dialog.h"
+#include "editor/main_window.h"
+#include "viewport/viewport.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+Scene built(const char* name) { return *build(*findBuilder(name), {}); }
+
+struct Shop
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
+
+    explicit Shop(Scene scene)
+    {
+        document.replace(std::move(scene));
+        window.show();
+        window.showScene();
+    }
+
+    // Triggers an action whose dialog runs a loop of its own, and does this in it.
+    template <typename Dialog>
+    void during(const char* id, const std::function<void(Dialog&)>& act)
+    {
+        bool found = false;
+        QTimer::singleShot(0, &window, [&] {
+            auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+            found = dialog;
+            if (dialog)
+                act(*dialog);
+            if (dialog && dialog->isVisible())
+                dialog->reject();
+        });
+        window.actions()[id]->trigger();
+        QVERIFY2(found, id);
+    }
+
+    std::size_t count() const
+    {
+        std::size_t particles = 0;
+        forEachPart(document.scene(),
+                    [&](Id, const Part& part) { particles += part.particles.size(); });
+        return particles;
+    }
+    Id part(std::size_t index) const
+    {
+        std::vector<Id> ids;
+        forEachPart(document.scene(), [&](Id id, const Part&) { ids.push_back(id); });
+        return ids.at(index);
+    }
+};
+
+QAbstractButton* okOf(QDialog& dialog)
+{
+    return dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+}
+
+QLineEdit* numberOf(QDialog& dialog, const char* key)
+{
+    return dialog.findChild<QWidget*>(key)->findChild<QLineEdit*>();
+}
+
+void type(QLineEdit* field, const char* words)
+{
+    field->selectAll();
+    QTest::keyClicks(field, words);
+}
+
+} // namespace
+
+class TestInsert : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theBuilderDialogBuildsWhatItSays()
+    {
+        BuilderDialog dialog("delta_kite");
+        dialog.show();
+        QTRY_VERIFY(okOf(dialog)->isEnabled());
+        std::size_t particles = 0;
+        forEachPart(dialog.scene(),
+                    [&](Id, const Part& part) { particles += part.particles.size(); });
+        QCOMPARE(particles, std::size_t(152)); // validation 1.5
+        QVERIFY(dialog.findChild<QLabel*>("counts")->text().contains("152 particles"));
+    }
+
+    // Each builder opens, and its defaults can be built.
+    void everyBuilderHasAForm()
+    {
+        BuilderDialog dialog("delta_kite");
+        dialog.show();
+        auto* builders = dialog.findChild<QComboBox*>("builder");
+        QCOMPARE(builders->count(), int(allBuilders().size()));
+        for (int i = 0; i < builders->count(); ++i) {
+            builders->setCurrentIndex(i);
+            QTRY_VERIFY2(okOf(dialog)->isEnabled(), qPrintable(builders->currentText()));
+        }
+    }
+
+    // The preview is in the design while the dialog is open; cancelled, nothing was; accepted, it
+    // is one step.
+    void insertsWithAPreview()
+    {
+        Shop shop(built("rope"));
+        const Scene before = shop.document.scene();
+        const std::size_t rope = shop.count();
+        const int steps = shop.document.history().count();
+        shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
+            QTRY_COMPARE(shop.count(), rope + 12);
+            type(numberOf(dialog, "columns"), "5");
+            QTRY_COMPARE(shop.count(), rope + 18);
+            dialog.findChild<QCheckBox*>("show")->click();
+            QTRY_COMPARE(shop.count(), rope);
+        });
+        QCOMPARE(shop.document.history().count(), steps);
+        Scene now = shop.document.scene();
+        now.nextId = before.nextId;
+        QVERIFY(now == before);
+
+        shop.during<BuilderDialog>("insert frame", [&](BuilderDialog& dialog) {
+            type(numberOf(dialog, "width"), "240 cm");
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            okOf(dialog)->click();
+        });
+        QCOMPARE(shop.count(), rope + 12);
+        QCOMPARE(findItem<Part>(shop.document.scene(), shop.part(1))->parameters.at("width"), 2.4);
+        QCOMPARE(shop.selection.ids(), std::vector{shop.part(1)});
+        QCOMPARE(shop.document.history().count(), steps + 1);
+        shop.document.history().undo();
+        QCOMPARE(shop.count(), rope);
+    }
+
+    void refusesWithASentence()
+    {
+        Shop shop(built("rope"));
+        shop.during<BuilderDialog>("insert bridle", [&](BuilderDialog& dialog) {
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            type(numberOf(dialog, "rows"), "900");
+            QTRY_VERIFY(!okOf(dialog)->isEnabled());
+            QTRY_VERIFY(dialog.findChild<QLabel*>("counts")->text().contains("Rows"));
+            type(numberOf(dialog, "rows"), "2");
+            auto* table = dialog.findChild<QPlainTextEdit*>("lengths");
+            table->setPlainText("1,5\t0,9\n1,5\tlong\n"); // as a spreadsheet copies it
+            QTRY_VERIFY(dialog.findChild<QLabel*>("counts")->text().contains("\"long\""));
+            QVERIFY(!okOf(dialog)->isEnabled());
+            table->setPlainText("1,5\t1,2\n1,5\t1,2\n");
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            okOf(dialog)->click();
+        });
+        QCOMPARE(findItem<Part>(shop.document.scene(), shop.part(1))->links.size(), std::size_t(6));
+    }
+
+    void slidersAndNumbersAreOne()
+    {
+        BuilderDialog dialog("rectangular_kite");
+        dialog.show();
+        auto* field = dialog.findChild<QWidget*>("width");
+        auto* slider = field->findChild<QSlider*>();
+        type(numberOf(dialog, "width"), "10");
+        QCOMPARE(slider->value(), slider->maximum());
+        slider->setValue(slider->minimum());
+        QCOMPARE(numberOf(dialog, "width")->text(), QString("0.2"));
+    }
+
+    // Change, undo, change again; what was tuned stays.
+    void parametersAreChanged()
+    {
+        Shop shop(built("frame"));
+        const Scene before = shop.document.scene();
+        shop.selection.set({shop.part(0)});
+        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
+            QVERIFY(!dialog.findChild<QComboBox*>("builder")->isEnabled());
+            QCOMPARE(numberOf(dialog, "columns")->text(), QString("3"));
+            type(numberOf(dialog, "columns"), "7");
+            QTRY_COMPARE(shop.count(), std::size_t(24));
+            type(numberOf(dialog, "columns"), "4");
+            QTRY_COMPARE(shop.count(), std::size_t(15));
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            okOf(dialog)->click();
+        });
+        QCOMPARE(shop.count(), std::size_t(15));
+        QCOMPARE(shop.selection.ids(), std::vector{shop.part(0)});
+        shop.document.history().undo();
+        Scene now = shop.document.scene();
+        now.nextId = before.nextId;
+        QVERIFY(now == before);
+        shop.document.history().redo();
+        QCOMPARE(shop.count(), std::size_t(15));
+    }
+
+    void workByHandIsTold()
+    {
+        Scene scene = built("frame");
+        for (Entry& entry : scene.items)
+            if (Part* part = std::get_if<Part>(&entry.item))
+                part->particles[5].position.x() += 0.3;
+        Shop shop(std::move(scene));
+        shop.selection.set({shop.part(0)});
+        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
+            auto* said = dialog.findChild<QLabel*>("counts");
+            QTRY_VERIFY(said->text().contains("1 particle moved"));
+            QVERIFY(said->text().contains("detach"));
+        });
+    }
+
+    void detachingSaysWhatIsLost()
+    {
+        Shop shop(built("frame"));
+        shop.selection.set({shop.part(0)});
+        shop.during<QMessageBox>("detach", [&](QMessageBox& box) {
+            QVERIFY(box.text().contains("columns"));
+            box.button(QMessageBox::Ok)->click();
+        });
+        QVERIFY(!builderOf(*findItem<Part>(shop.document.scene(), shop.part(0))));
+        shop.document.history().undo();
+        QVERIFY(builderOf(*findItem<Part>(shop.document.scene(), shop.part(0))));
+    }
+
+    // Pictures to look at, where a folder for them is named.
+    void pictures()
+    {
+        const QString folder = qEnvironmentVariable("RIPSTOP_PICTURES");
+        for (const char* id :
+             {"insert diamond_kite", "insert bridle", "insert hills", "parameters"}) {
+            Shop shop(built("frame"));
+            shop.selection.set({shop.part(0)});
+            shop.during<BuilderDialog>(id, [&](BuilderDialog& dialog) {
+                QTRY_VERIFY(okOf(dialog)->isEnabled());
+                QVERIFY(dialog.height() <= 720); // fits a small screen
+                if (!folder.isEmpty())
+                    dialog.grab().save(folder + "/" + id + ".png");
+            });
+        }
+    }
+};
+
+QTEST_MAIN(TestInsert)
+#include "test_insert.moc"
