@@ -59,6 +59,11 @@ public:
     Actions(const Workbench& bench, KeyMap::Memory keys);
 
     QAction* operator[](const QString& id) const { return m_byId.at(id); }
+    QAction* find(const QString& id) const // null when there is none
+    {
+        const auto found = m_byId.find(id);
+        return found == m_byId.end() ? nullptr : found->second;
+    }
     const std::vector<QAction*>& all() const { return m_all; }
     KeyMap& keys() const { return *m_keys; }
 

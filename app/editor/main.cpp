@@ -10,6 +10,7 @@
 #include "viewport/scene_frame.h"
 #include "viewport/viewport.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QSurfaceFormat>
 
@@ -126,5 +127,11 @@ int main(int argc, char** argv)
     if (!options->mesh.isEmpty()) // once the window is there to ask over
         QMetaObject::invokeMethod(
             &window, [&] { window.importMesh(options->mesh); }, Qt::QueuedConnection);
+    if (!options->action.isEmpty()) {
+        QAction* action = window.actions().find(options->action);
+        if (!action)
+            return refuse(QString("no action is called \"%1\"").arg(options->action), 1);
+        QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
+    }
     return QApplication::exec();
 }

@@ -60,8 +60,10 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     const QCommandLineOption dock(
         "dock", tr("Bring a panel to the front: tuning, table, problems, ...; more than once."),
         "NAME");
-    parser.addOptions(
-        {play, screenshot, after, frames, viewOnly, size, theme, colorBy, select, fit, dock});
+    const QCommandLineOption action(
+        "action", tr("Do this as from a menu, once the window is there: \"insert bridle\"."), "ID");
+    parser.addOptions({action, play, screenshot, after, frames, viewOnly, size, theme, colorBy,
+                       select, fit, dock});
     parser.process(arguments);
 
     Options options;
@@ -78,6 +80,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     options.select = parser.value(select);
     options.fit = parser.value(fit);
     options.docks = parser.values(dock);
+    options.action = parser.value(action);
 
     bool isNumber = false;
     options.after = parser.value(after).toDouble(&isNumber);

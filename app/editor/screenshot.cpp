@@ -8,6 +8,8 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QPainter>
+#include <QPixmap>
 
 #include <algorithm>
 #include <cstdio>
@@ -17,6 +19,7 @@ namespace {
 
 constexpr int slicesPerPicture = 120; // one sample of the plots each
 constexpr int settlingTurns = 6;      // of the event loop, until docks and view have their sizes
+constexpr int dialogTurns = 200;      // of the same, until a dialog shows what it comes to
 
 } // namespace
 
@@ -43,6 +46,8 @@ void Screenshot::goOn()
         return;
     if (!m_options.mesh.isEmpty())
         return saveImport();
+    if (!m_options.action.isEmpty())
+        return saveWithDialog();
     if (++m_settling < settlingTurns)
         return;
     const int perPicture = std::max(1, slicesPerPicture / m_options.frames);
@@ -89,6 +94,21 @@ void Screenshot::saveImport()
     if (m_options.size)
         dialog->resize(*m_options.size);
     finish(dialog->grab().save(m_options.screenshot) ? 0 : 1);
+}
+
+// The window with the dialog of the action over it, once that has had time to show its preview.
+void Screenshot::saveWithDialog()
+{
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (!dialog || ++m_settling < dialogTurns)
+        return;
+    m_window.repaint();
+    QPixmap picture = m_window.grab();
+    QPainter painter(&picture);
+    painter.drawPixmap(dialog->mapToGlobal(QPoint()) - m_window.mapToGlobal(QPoint()),
+                       dialog->grab());
+    painter.end();
+    finish(picture.save(m_options.screenshot) ? 0 : 1);
 }
 
 void Screenshot::finish(int exitCode)

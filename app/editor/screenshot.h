@@ -27,6 +27,7 @@ private:
     void goOn();
     void save();
     void saveImport();
+    void saveWithDialog();
     void finish(int exitCode);
 
     Options m_options;

@@ -95,7 +95,7 @@ QString help(const Parameter& parameter)
 
 QString ParameterField::label(const Parameter& parameter) { return choiceLabel(parameter.key); }
 
-ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
+ParameterField::ParameterField(const Parameter& parameter, Slider slider, QWidget* parent)
     : QWidget(parent)
     , m_parameter(parameter)
 {
@@ -112,7 +112,7 @@ ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
             m_choice->addItem(choiceLabel(choice));
         connect(m_choice, &QComboBox::currentIndexChanged, this, &ParameterField::changed);
     } else {
-        field = numberRow();
+        field = numberRow(slider);
     }
     layout->addWidget(field, 1);
     QWidget* focused = m_number ? m_number : field;
@@ -121,37 +121,44 @@ ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
     setValue(parameter.initial);
 }
 
-QWidget* ParameterField::numberRow()
+QWidget* ParameterField::numberRow(Slider slider)
 {
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_slider = new QSlider(Qt::Horizontal);
-    m_slider->setRange(0, sliderSteps);
-    m_slider->setFocusPolicy(Qt::NoFocus); // the arrow keys of the number do the same
-    m_slider->setMinimumWidth(60);
-    m_slider->installEventFilter(this);
     m_number = new QLineEdit;
     m_number->setAlignment(Qt::AlignRight);
-    m_number->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.0000 m")));
+    if (slider == Slider::With)
+        m_number->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.0000 m")));
     m_number->installEventFilter(this);
     auto* unit = new QLabel(text(m_parameter.unit));
     unit->setForegroundRole(QPalette::PlaceholderText);
     unit->setMinimumWidth(unit->fontMetrics().horizontalAdvance(QStringLiteral("kg/m\u00b2")));
-    layout->addWidget(m_slider, 1);
-    layout->addWidget(m_number);
+    if (slider == Slider::With)
+        layout->addWidget(newSlider(), 1);
+    layout->addWidget(m_number, slider == Slider::With ? 0 : 1);
     layout->addWidget(unit);
     connect(m_number, &QLineEdit::textEdited, this, [this] {
         mark();
         showOnSlider();
         emit changed();
     });
+    return row;
+}
+
+QSlider* ParameterField::newSlider()
+{
+    m_slider = new QSlider(Qt::Horizontal);
+    m_slider->setRange(0, sliderSteps);
+    m_slider->setFocusPolicy(Qt::NoFocus); // the arrow keys of the number do the same
+    m_slider->setMinimumWidth(60);
+    m_slider->installEventFilter(this);
     connect(m_slider, &QSlider::valueChanged, this, [this] {
         m_number->setText(compactNumber(sliderValue()));
         mark();
         emit changed();
     });
-    return row;
+    return m_slider;
 }
 
 // "2.4", "240 cm", "2 * 1.2"
@@ -205,7 +212,7 @@ void ParameterField::mark()
 
 void ParameterField::showOnSlider()
 {
-    if (!isInRange())
+    if (!m_slider || !isInRange())
         return;
     const QSignalBlocker quiet(m_slider);
     m_slider->setValue(int(std::lround(sliderSteps * shareOf(m_parameter, value()))));
@@ -221,7 +228,7 @@ double ParameterField::sliderValue() const
 // scrolls the form, and turns no slider on its way.
 bool ParameterField::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_slider && event->type() == QEvent::Wheel) {
+    if (m_slider && watched == m_slider && event->type() == QEvent::Wheel) {
         event->ignore();
         return true;
     }

@@ -12,14 +12,17 @@ class QSlider;
 namespace ripstop {
 
 // One parameter of a builder or an operation, as a person sets it: a switch, a choice, or a number
-// with its unit and a slider over its range. Another unit of the same measure may be typed behind
-// the number ("12 cm"). What cannot be read is kept and marked, and has the value NaN.
+// with its unit and, in forms, a slider over its range. Another unit of the same measure may be
+// typed behind the number ("12 cm"). What cannot be read is kept and marked, and has the value NaN.
 class ParameterField final : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit ParameterField(const Parameter& parameter, QWidget* parent = nullptr);
+    enum class Slider { Without, With };
+
+    explicit ParameterField(const Parameter& parameter, Slider slider = Slider::Without,
+                            QWidget* parent = nullptr);
 
     const Parameter& parameter() const { return m_parameter; }
     double value() const; // in the unit of the parameter
@@ -36,7 +39,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QWidget* numberRow();
+    QWidget* numberRow(Slider slider);
+    QSlider* newSlider();
     void mark();
     void showOnSlider();
     double sliderValue() const; // rounded to what a step of the slider can tell

@@ -35,7 +35,7 @@ ParameterForm::ParameterForm(std::span<const Parameter> parameters, QWidget* par
     for (const Parameter& parameter : parameters) {
         if (!parameter.group.empty())
             form->addRow(headingOf(parameter.group));
-        auto* field = new ParameterField(parameter);
+        auto* field = new ParameterField(parameter, ParameterField::Slider::With);
         field->setObjectName(text(parameter.key));
         auto* label = new QLabel(ParameterField::label(parameter));
         label->setToolTip(field->toolTip());
