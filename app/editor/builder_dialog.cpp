@@ -26,7 +26,7 @@ namespace {
 constexpr int patience = 120;            // ms after the last change
 constexpr std::size_t mostShown = 20000; // particles that are shown while one types
 constexpr int formWidth = 440;           // pixels
-constexpr int margin = 24;               // pixels, from the edge of the window
+constexpr int margin = 24;               // pixels, below the tool bar
 
 QString text(std::string_view words)
 {
@@ -99,7 +99,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     if (part)
         showValuesOf(*part);
     if (m_open && parent) // beside the design, not on it
-        move(parent->geometry().right() - width() - margin, parent->geometry().top() + 3 * margin);
+        move(parent->geometry().right() - width(), parent->geometry().top() + 3 * margin);
 }
 
 BuilderDialog::~BuilderDialog()
@@ -313,7 +313,7 @@ void BuilderDialog::preview()
         m_gesture = m_open->document.beginGesture();
         m_open->document.drag(m_outcome->edit, m_gesture);
         if (m_isNew)
-            emit shown();
+            emit shown(m_outcome->bodies);
         m_isNew = false;
     }
 }

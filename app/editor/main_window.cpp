@@ -401,7 +401,8 @@ void MainWindow::insert(const QString& builder)
         return m_files->startFrom(builder);
     m_viewport->transformTool().goToDesign();
     BuilderDialog dialog(builder, {m_document, m_selection, m_viewport->camera().focus}, this);
-    connect(&dialog, &BuilderDialog::shown, m_viewport, qOverload<>(&Viewport::fit));
+    connect(&dialog, &BuilderDialog::shown, m_viewport,
+            [this](const std::vector<Id>& bodies) { m_viewport->fit(bodies); });
     dialog.exec();
 }
 

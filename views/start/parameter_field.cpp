@@ -91,6 +91,12 @@ QString help(const Parameter& parameter)
              ParameterField::tr("On the command line: %1").arg(text(parameter.key)));
 }
 
+// "kg/m²"
+QString unitText(const Parameter& parameter)
+{
+    return text(parameter.unit).replace(QStringLiteral("^2"), QStringLiteral("\u00b2"));
+}
+
 } // namespace
 
 QString ParameterField::label(const Parameter& parameter) { return choiceLabel(parameter.key); }
@@ -131,7 +137,7 @@ QWidget* ParameterField::numberRow(Slider slider)
     if (slider == Slider::With)
         m_number->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.0000 m")));
     m_number->installEventFilter(this);
-    auto* unit = new QLabel(text(m_parameter.unit));
+    auto* unit = new QLabel(unitText(m_parameter));
     unit->setForegroundRole(QPalette::PlaceholderText);
     unit->setMinimumWidth(unit->fontMetrics().horizontalAdvance(QStringLiteral("kg/m\u00b2")));
     if (slider == Slider::With)
