@@ -158,7 +158,8 @@ private slots:
             // particles 2 and 4 lie on x = 0: 1 comes, with 2 links and 1 panel
             QCOMPARE(shop.part().particles.size(), std::size_t(4));
             QVERIFY(dialog.findChild<QLabel*>("outcome")->text().contains("1 particle, 2 links"));
-            dialog.findChild<QComboBox*>("plane")->setCurrentIndex(2); // all lie in z = 0
+            dialog.findChild<QWidget*>("plane")->findChild<QComboBox*>()->setCurrentIndex(
+                2); // all lie in z = 0
             QTRY_COMPARE(shop.part().particles.size(), std::size_t(3));
             QVERIFY(dialog.findChild<QLabel*>("outcome")->text().contains("another plane"));
             dialog.reject();
@@ -181,7 +182,7 @@ private slots:
         shop.selection.set({Id{2}, Id{3}, Id{4}});
         OperationDialog dialog(operation("weld"), shop.document, shop.selection, &shop.window);
         QVERIFY(!dialog.findChild<QLabel*>("outcome")->text().isEmpty());
-        dialog.findChild<QComboBox*>("which")->setCurrentIndex(1);
+        dialog.findChild<QWidget*>("which")->findChild<QComboBox*>()->setCurrentIndex(1);
         QTRY_COMPARE(shop.part().particles.size(), std::size_t(1));
         dialog.reject();
         QCOMPARE(shop.selection.ids().size(), std::size_t(3));
