@@ -1,6 +1,5 @@
 // ripstop-cli run: flies a scene and says what came of it.
 #include "cli/commands.h"
-#include "cli/final_scene.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/compile.h"
@@ -9,9 +8,12 @@
 #include "io/scene_file.h"
 #include "io/tear_table.h"
 #include "measure/diagnostics.h"
+#include "run/pose.h"
+#include "run/settle.h"
 #include "run/tear_report.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -24,7 +26,10 @@ namespace {
 struct Options
 {
     SceneInput scene;
-    double seconds = 0.0;
+    std::optional<double> seconds; // s; without, a settling run has SettleGoal::within
+    bool settles = false;
+    std::string settleSpeed; // m/s, as typed; empty for the usual
+    bool damped = false;
     int threads = 1;
     std::string csv;
     std::string tears;
@@ -37,20 +42,24 @@ struct Options
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
 // s.
 double fly(Simulation& simulation, const Options& options, ControlPlayer& controls,
-           CsvWriter* table)
+           CsvWriter* table, Settler* settler)
 {
+    const double end = options.seconds.value_or(SettleGoal().within);
     ProgressLine progress(options.scene.file);
     const double timeStep = simulation.system().timeStep;
     const auto start = std::chrono::steady_clock::now();
     if (table)
         table->add(*simulation.frame());
-    while (!hasReached(simulation.state().time, options.seconds, timeStep) && !interrupted()) {
+    while (!hasReached(simulation.state().time, end, timeStep) && !interrupted()
+           && !(settler && settler->isOver())) {
         controls.giveTo(simulation);
         if (!simulation.step())
             break;
         if (table)
             table->add(*simulation.frame());
-        progress.show(simulation.state().time / options.seconds);
+        if (settler)
+            settler->look(simulation);
+        progress.show(simulation.state().time / end);
     }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -122,6 +131,14 @@ Json report(const Simulation& simulation, double wallSeconds)
     return result;
 }
 
+Json settlingOf(const Settling& end)
+{
+    return {{"still", end.outcome == Settling::Outcome::Still},
+            {"speed", end.speed},
+            {"goal", end.goal},
+            {"seconds", end.since}};
+}
+
 // Seconds by stage; what is left of the wall time is the watchdog and what is written.
 Json profileOf(const StepTimes& times, double wallSeconds)
 {
@@ -167,6 +184,12 @@ void printTable(const Json& result, const Layout& layout)
             shortNumber(end["distance"]) + " m from there at " + shortNumber(end["time"]) + " s");
         row("energy they released", shortNumber(tears["energy"]) + " J");
     }
+    if (result.contains("settled")) {
+        const Json& end = result["settled"];
+        row(end["still"].get<bool>() ? "settled after" : "not settled after",
+            shortNumber(end["seconds"]) + " s; the fastest particle has "
+                + shortNumber(end["speed"]) + " m/s");
+    }
     row("largest strain", shortNumber(result["max_strain"]));
     row("energy", shortNumber(result["energy"]) + " J");
     row("hash", result["hash"].get<std::string>());
@@ -177,8 +200,8 @@ void printTable(const Json& result, const Layout& layout)
 }
 
 // Flies a compiled scene, writes what was asked for and reports.
-int flyAndReport(const Scene& scene, Simulation& simulation, const Options& options,
-                 std::vector<ControlCommand> track)
+int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
+                 const std::optional<SettleGoal>& goal, ControlTrack track)
 {
     std::optional<CsvWriter> table;
     if (!options.csv.empty()) {
@@ -191,19 +214,26 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
     ControlPlayer controls(std::move(track));
     StepTimes times;
     simulation.keepTimes(options.profile ? &times : nullptr);
-    const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr);
+    std::optional<Settler> settler;
+    if (goal)
+        settler.emplace(*goal, simulation);
+    const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr,
+                                   settler ? &*settler : nullptr);
     simulation.keepTimes(nullptr);
 
     // What was flown is reported even when a file cannot be written.
     std::vector<std::optional<Failure>> written;
     if (table)
         written.push_back(table->close());
-    if (!options.finalScene.empty())
-        written.push_back(saveScene(finalScene(scene, simulation), options.finalScene));
     if (!options.tears.empty())
         written.push_back(writeTears(scene, simulation.frame()->tears, options.tears));
+    if (!options.finalScene.empty())
+        written.push_back(
+            saveScene(posed(std::move(scene), *simulation.frame()).scene, options.finalScene));
 
     Json result = report(simulation, wallSeconds);
+    if (settler)
+        result["settled"] = settlingOf(settler->progress());
     if (options.profile)
         result["profile"] = profileOf(times, wallSeconds);
     if (options.json)
@@ -222,15 +252,36 @@ int flyAndReport(const Scene& scene, Simulation& simulation, const Options& opti
     return Done;
 }
 
+// Wrong usage is told in words.
+Result<std::optional<SettleGoal>> settleGoal(const Options& options)
+{
+    if (!options.settles && !options.seconds)
+        return Failure{"--seconds is required, or --settle."};
+    if (!options.settles)
+        return std::optional<SettleGoal>();
+    SettleGoal goal{.damped = options.damped};
+    goal.within = options.seconds.value_or(goal.within);
+    if (!options.settleSpeed.empty()) {
+        const char* const end = options.settleSpeed.data() + options.settleSpeed.size();
+        const auto [rest, error] = std::from_chars(options.settleSpeed.data(), end, goal.speed);
+        if (error != std::errc() || rest != end || !(goal.speed > 0.0 && goal.speed < 1e9))
+            return Failure{"--settle: \"" + options.settleSpeed
+                           + "\" is no speed; give m/s above 0, like 0.01."};
+    }
+    return std::optional<SettleGoal>(goal);
+}
+
 int run(const Options& options)
 {
+    const auto goal = settleGoal(options);
+    if (!goal)
+        return fail(WrongUsage, goal.message());
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
-    std::vector<ControlCommand> track;
+    ControlTrack track;
     if (!options.controls.empty()) {
-        Result<std::vector<ControlCommand>> read =
-            readControlTrack(options.controls, *loaded.scene);
+        Result<ControlTrack> read = readControlTrack(options.controls, *loaded.scene);
         if (!read)
             return fail(BadInput, read.message());
         track = std::move(*read);
@@ -241,7 +292,7 @@ int run(const Options& options)
     if (options.finalScene.empty() && options.tears.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
-    return flyAndReport(*loaded.scene, simulation, options, std::move(track));
+    return flyAndReport(std::move(*loaded.scene), simulation, options, *goal, std::move(track));
 }
 
 } // namespace
@@ -252,10 +303,22 @@ void addRun(CLI::App& app, Command& chosen)
         app.add_subcommand("run", "Fly a scene and report strain, energy, tears and probes.");
     const auto options = std::make_shared<Options>();
     addSceneOption(*command, options->scene);
-    command->add_option("--seconds", options->seconds, "Simulated time, s")
-        ->required()
+    command
+        ->add_option("--seconds", options->seconds,
+                     "Simulated time, s; with --settle the longest, 60 unless given")
         ->check(numberBetween(0.0, 1e9))
         ->type_name("T");
+    CLI::Option* settle =
+        command
+            ->add_option("--settle", options->settleSpeed,
+                         "End when nothing has moved faster than SPEED m/s (0.01 unless given) for "
+                         "half a second")
+            ->expected(0, 1)
+            ->type_name("[SPEED]");
+    command
+        ->add_flag("--kinetic-damping", options->damped,
+                   "With --settle: stop all motion whenever its energy has passed a peak")
+        ->needs(settle);
     addSetOption(*command, options->scene.assignments);
     command->add_option("--threads", options->threads, "Threads; the result is the same for all")
         ->check(CLI::Range(1, 1024))
@@ -272,7 +335,7 @@ void addRun(CLI::App& app, Command& chosen)
         ->type_name("SCENE");
     command
         ->add_option("--controls", options->controls,
-                     "What the pilot does: a CSV file of time (s), control, value (m)")
+                     "What the pilot and hands do: a CSV file of time (s), control, value (m)")
         ->type_name("FILE");
     command->add_flag("--profile", options->profile, "Say where the time went, stage by stage");
     command->add_flag("--json", options->json, "Print one JSON object");
@@ -280,13 +343,17 @@ void addRun(CLI::App& app, Command& chosen)
         "Examples:\n"
         "  ripstop-cli run scenes/delta_kite.ripstop.json --seconds 20 --csv kite.csv\n"
         "  ripstop-cli run kite.ripstop.json --seconds 20 --set \"wind.velocity=8, 0, 0\" --json\n"
-        "  ripstop-cli run cloth.ripstop.json --seconds 5 --final settled.ripstop.json\n"
+        "  ripstop-cli run cloth.ripstop.json --settle --kinetic-damping --final "
+        "hung.ripstop.json\n"
         "  ripstop-cli run scenes/torn_sheet.ripstop.json --seconds 3 --tears tears.csv\n"
         "\n"
         "The hash is that of the final state: equal for equal bits only.\n"
         "Ctrl-C ends the run and reports what there is. When the simulation diverges, the last\n"
         "good state is reported and the exit code is 3.");
-    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+    command->callback([options, settle, &chosen] {
+        options->settles = settle->count() > 0;
+        chosen = [options] { return run(*options); };
+    });
 }
 
 } // namespace ripstop

@@ -73,12 +73,14 @@ QString inWords(Content content, const Frame* now)
     case Content::Tears:
         return tearsInWords(now);
     case Content::Controls:
-        return now && !now->commands.empty()
+        return now && !(now->commands.empty() && now->hands.empty())
                    ? ExportDialog::tr(
-                         "What the pilot did in this run: %1 commands. ripstop-cli run "
-                         "--controls flies them again, in this or another design.")
+                         "What the pilot and your hands did in this run: %1 commands, %2 moves of "
+                         "the hand. ripstop-cli run --controls does them again, in this or "
+                         "another design.")
                          .arg(now->commands.size())
-                   : ExportDialog::tr("No control has been moved in this run.");
+                         .arg(now->hands.size())
+                   : ExportDialog::tr("No control and no hand has moved anything in this run.");
     case Content::Series:
         break;
     }
@@ -102,7 +104,7 @@ std::optional<Failure> writeNow(Content content, const Scene& scene, const Frame
     if (content == Content::Tears)
         return writeTears(scene, now.tears, file);
     if (content == Content::Controls)
-        return writeControlTrack(scene, now.commands, file);
+        return writeControlTrack(scene, trackOf(now), file);
     return writeMoment(scene, now, file);
 }
 

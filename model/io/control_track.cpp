@@ -1,6 +1,7 @@
 #include "io/control_track.h"
 
 #include "io/csv.h"
+#include "io/hand_rows.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
 #include "scene/property.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace ripstop {
@@ -60,8 +62,8 @@ std::string nameOf(const Scene& scene, std::uint32_t id)
         if (const Control* control = std::get_if<Control>(&entry.item);
             control && std::uint32_t(entry.id) == id)
             name = control->name;
-    const bool isPlain =
-        !name.empty() && name == trimmed(name) && name.find_first_of("\"#\n\r") == name.npos;
+    const bool isPlain = !name.empty() && name == trimmed(name)
+                         && name.find_first_of("\"#\n\r") == name.npos && !isHandRow(name);
     const Result<std::uint32_t> found = controlOf(scene, name);
     return isPlain && found && *found == id ? name : numberText(id);
 }
@@ -83,16 +85,59 @@ Result<ControlCommand> commandOf(const Scene& scene, std::string_view line)
     return ControlCommand{*time, *control, *value};
 }
 
+std::optional<Failure> addRow(const Scene& scene, std::string_view line, ControlTrack& track)
+{
+    const std::string_view rest = line.substr(std::min(line.size(), line.find(',')));
+    if (rest.empty() || !isHandRow(trimmed(rest.substr(1)))) {
+        const Result<ControlCommand> command = commandOf(scene, line);
+        if (!command)
+            return command.failure();
+        track.commands.push_back(*command);
+        return std::nullopt;
+    }
+    const std::optional<double> time = numberOf(trimmed(line.substr(0, line.find(','))));
+    if (!time)
+        return Failure{"time (s) must be a finite number."};
+    Result<HandNote::What> what = handOf(rest.substr(1));
+    if (!what)
+        return what.failure();
+    track.hands.push_back({*time, std::move(*what)});
+    return std::nullopt;
+}
+
+template <typename Note>
+std::vector<Note> inOrder(const std::vector<Note>& notes)
+{
+    std::vector<std::size_t> order(notes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return notes[a].time < notes[b].time; });
+    std::vector<Note> sorted;
+    sorted.reserve(notes.size());
+    for (const std::size_t i : order)
+        sorted.push_back(notes[i]);
+    return sorted;
+}
+
+void appendCommand(std::string& text, const Scene& scene, const ControlCommand& command)
+{
+    appendNumber(text, command.time);
+    text += ',';
+    text += csvCell(nameOf(scene, command.control));
+    text += ',';
+    appendNumber(text, command.value);
+    text += '\n';
+}
+
 } // namespace
 
-Result<std::vector<ControlCommand>> readControlTrack(const std::filesystem::path& file,
-                                                     const Scene& scene)
+Result<ControlTrack> readControlTrack(const std::filesystem::path& file, const Scene& scene)
 {
     const Result<std::string> text =
         readWholeFile(file, [](std::string_view) { return std::nullopt; });
     if (!text)
         return text.failure();
-    std::vector<ControlCommand> track;
+    ControlTrack track;
     std::string_view rest = *text;
     for (int number = 1; !rest.empty(); ++number) {
         const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -101,41 +146,48 @@ Result<std::vector<ControlCommand>> readControlTrack(const std::filesystem::path
             number == 1 && !numberOf(trimmed(line.substr(0, line.find(',')))).has_value();
         if (heading || trimmed(line).empty())
             continue;
-        const Result<ControlCommand> command = commandOf(scene, line);
-        if (!command)
+        if (const auto failure = addRow(scene, line, track))
             return Failure{file.string() + ", line " + std::to_string(number) + ": "
-                           + command.message()};
-        track.push_back(*command);
+                           + failure->message};
     }
-    std::stable_sort(
-        track.begin(), track.end(),
-        [](const ControlCommand& a, const ControlCommand& b) { return a.time < b.time; });
-    return track;
+    return {ControlTrack{inOrder(track.commands), inOrder(track.hands)}};
 }
 
-std::optional<Failure> writeControlTrack(const Scene& scene, std::span<const ControlCommand> track,
+std::optional<Failure> writeControlTrack(const Scene& scene, const ControlTrack& track,
                                          const std::filesystem::path& file)
 {
     std::string text = "time (s),control,value (m)\n";
-    for (const ControlCommand& command : track) {
-        appendNumber(text, command.time);
+    auto next = track.commands.begin();
+    for (const HandNote& note : track.hands) {
+        for (; next != track.commands.end() && next->time <= note.time; ++next)
+            appendCommand(text, scene, *next);
+        appendNumber(text, note.time);
         text += ',';
-        text += csvCell(nameOf(scene, command.control));
-        text += ',';
-        appendNumber(text, command.value);
+        appendHandRow(text, note.what);
         text += '\n';
     }
+    for (; next != track.commands.end(); ++next)
+        appendCommand(text, scene, *next);
     return replaceFile(file, text);
 }
+
+ControlTrack trackOf(const Frame& frame) { return {frame.commands, frame.hands.notes()}; }
 
 void ControlPlayer::giveTo(Simulation& simulation)
 {
     const double now = simulation.state().time + 0.5 * simulation.system().timeStep;
     Commands commands;
-    for (; m_next < m_track.size() && m_track[m_next].time < now; ++m_next)
-        commands[m_track[m_next].control] = m_track[m_next].value;
+    for (; m_nextCommand < m_track.commands.size() && m_track.commands[m_nextCommand].time < now;
+         ++m_nextCommand)
+        commands[m_track.commands[m_nextCommand].control] = m_track.commands[m_nextCommand].value;
     if (!commands.empty())
         simulation.command(commands);
+    // one by one: a cut before a pin is not a cut after it
+    for (; m_nextHand < m_track.hands.size() && m_track.hands[m_nextHand].time < now;
+         ++m_nextHand) {
+        add(m_track.hands[m_nextHand].what, m_hands);
+        simulation.handle(m_hands);
+    }
 }
 
 } // namespace ripstop

@@ -1,5 +1,7 @@
-// A recording of what a pilot did: a CSV file of "time (s),control,value (m)". It names controls,
-// so that it flies other designs that have them as well.
+// A recording of what a pilot and hands did: a CSV file of "time (s),control,value (m)". It names
+// controls, so that it flies other designs that have them as well. Rows whose control begins with
+// "@" are those of hands (hand_rows.h); files without them are what earlier versions wrote and
+// read.
 #pragma once
 
 #include "base/result.h"
@@ -7,25 +9,31 @@
 #include "scene/scene.h"
 
 #include <filesystem>
-#include <span>
 #include <vector>
 
 namespace ripstop {
 
-// In order of time. Controls are named by name or as #id. A first line whose time is no number is
+struct ControlTrack // both in order of time
+{
+    std::vector<ControlCommand> commands;
+    std::vector<HandNote> hands;
+};
+
+// Controls are named by name or as #id. A first line whose time is no number is
 // taken for a heading.
-Result<std::vector<ControlCommand>> readControlTrack(const std::filesystem::path& file,
-                                                     const Scene& scene);
+Result<ControlTrack> readControlTrack(const std::filesystem::path& file, const Scene& scene);
 
 // What is read again is the same to the bit.
-std::optional<Failure> writeControlTrack(const Scene& scene, std::span<const ControlCommand> track,
+std::optional<Failure> writeControlTrack(const Scene& scene, const ControlTrack& track,
                                          const std::filesystem::path& file);
 
-// Gives a simulation its commands as their times come.
+ControlTrack trackOf(const Frame& frame); // of the run up to then
+
+// Does to a simulation what is in a track, as the times come.
 class ControlPlayer
 {
 public:
-    explicit ControlPlayer(std::vector<ControlCommand> track)
+    explicit ControlPlayer(ControlTrack track)
         : m_track(std::move(track))
     {}
 
@@ -33,8 +41,10 @@ public:
     void giveTo(Simulation& simulation);
 
 private:
-    std::vector<ControlCommand> m_track;
-    std::size_t m_next = 0;
+    ControlTrack m_track;
+    std::size_t m_nextCommand = 0;
+    std::size_t m_nextHand = 0;
+    HandCommands m_hands; // told so far
 };
 
 } // namespace ripstop

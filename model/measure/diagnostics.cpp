@@ -53,13 +53,22 @@ private:
 
 } // namespace
 
+double kineticEnergy(const System& system, const State& state)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < state.velocity.size(); ++i)
+        if (system.inverseMass[i] > 0.0)
+            sum += 0.5 * system.mass[i] * state.velocity[i].squaredNorm();
+    return sum;
+}
+
 Energies energies(const System& system, const State& state)
 {
     Energies sum;
+    sum.kinetic = kineticEnergy(system, state);
     for (std::size_t i = 0; i < state.position.size(); ++i) {
         if (system.inverseMass[i] == 0.0)
             continue;
-        sum.kinetic += 0.5 * system.mass[i] * state.velocity[i].squaredNorm();
         sum.potential -= system.mass[i] * system.gravity.dot(state.position[i]);
     }
     std::vector<double> restLength(system.rods.size());
@@ -184,6 +193,7 @@ std::uint64_t stateHash(const State& state)
     hash.add(state.position);
     hash.add(state.velocity);
     hash.add(state.inputValue);
+    hash.add(state.carried);
     hash.add(state.gusts);
     hash.add(state.springTorn);
     hash.add(state.rodTorn);

@@ -17,6 +17,7 @@ struct Energies
 };
 
 Energies energies(const System& system, const State& state);
+double kineticEnergy(const System& system, const State& state); // J, of free particles
 
 Vec3 centerOfMass(const System& system, std::span<const PaddedVec3> position); // m, pins included
 Vec3 momentum(const System& system, const State& state); // kg m/s, free particles

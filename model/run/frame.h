@@ -3,14 +3,18 @@
 
 #include "base/laws.h"
 #include "base/vec3.h"
+#include "run/hand_track.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace ripstop {
+
+struct TornSystem; // run/torn_system.h
 
 // What the arrays of a frame are about, by the ids of the scene. Shared by all frames of one
 // compiled system, until a tear splits its mesh.
@@ -36,15 +40,23 @@ struct Layout
         friend bool operator==(const Probe&, const Probe&) = default;
     };
 
-    // Particles and links that a tear has doubled have the id of those that they came from.
-    std::vector<std::uint32_t> particleId; // [particles]
-    std::vector<std::uint8_t> pinned;      // [particles]
-    std::vector<Link> links;               // in the author's order
-    std::vector<std::uint32_t> panelId;    // [panels]
+    // Particles and links that a tear has doubled have the id of those that they came from, and
+    // keys of their own.
+    std::vector<std::uint32_t> particleId;  // [particles]
+    std::vector<std::uint32_t> particleKey; // [particles], or empty when all are those ids
+    std::vector<std::uint8_t> pinned;       // [particles]
+    std::vector<Link> links;                // in the author's order
+    std::vector<std::uint32_t> panelId;     // [panels]
     std::vector<std::array<int, 3>> panelCorners;
     std::vector<std::uint32_t> inputId;    // [inputs] ids of the controls
     std::vector<std::uint32_t> colliderId; // [colliders]
     std::vector<Probe> probes;
+    std::shared_ptr<const TornSystem> torn; // null when no tear has parted anything
+
+    std::uint32_t keyOf(std::size_t particle) const
+    {
+        return particleKey.empty() ? particleId[particle] : particleKey[particle];
+    }
 
     friend bool operator==(const Layout&, const Layout&) = default;
 };
@@ -65,6 +77,28 @@ struct ControlCommand
     double time;           // s
     std::uint32_t control; // id
     double value;          // m, where the control is told to go
+};
+
+// What the hand pulls at.
+struct HeldPoint
+{
+    Vec3 point;       // m
+    Vec3 to;          // m
+    double force;     // N
+    double stiffness; // N/m, that the time step allows
+};
+
+// How far a run has come that ends when all is still (settle.h).
+struct Settling
+{
+    enum class Outcome { Under, Still, GaveUp };
+    Outcome outcome = Outcome::Under;
+    double speed = 0.0;   // m/s, of the fastest particle
+    double goal = 0.0;    // m/s
+    double kinetic = 0.0; // J
+    double since = 0.0;   // s, simulated, that it has taken
+    double within = 0.0;  // s
+    int number = 0;       // of the goal
 };
 
 struct Frame
@@ -94,8 +128,14 @@ struct Frame
     std::vector<double> probe;            // [probes] in the unit of the probe
     std::vector<Tear> tears;              // all since the start, in order of time
     std::vector<ControlCommand> commands; // all since the start, in order of time
-    std::string stopped;                  // why the simulation cannot go on; empty when it can
-    std::uint32_t culprit = 0;            // id of the element that stopped it
+    HandTrack hands;                      // the same
+    std::optional<HeldPoint> held;
+    std::vector<Carry> carries;          // how far hands have taken colliders, m
+    std::vector<std::uint32_t> handPins; // keys of particles
+    std::optional<Settling> settling;    // while it does, and at its end
+    bool underWay = false;               // the run has left the design
+    std::string stopped;                 // why the simulation cannot go on; empty when it can
+    std::uint32_t culprit = 0;           // id of the element that stopped it
 };
 
 } // namespace ripstop

@@ -121,6 +121,18 @@ void Runner::command(Commands commands)
     wake();
 }
 
+void Runner::handle(HandCommands commands)
+{
+    m_hands.put(std::make_shared<const HandCommands>(std::move(commands)));
+    wake();
+}
+
+void Runner::settle(std::optional<SettleGoal> goal)
+{
+    m_settle.put(std::make_shared<const std::optional<SettleGoal>>(goal));
+    wake();
+}
+
 void Runner::wake()
 {
     {
@@ -137,9 +149,12 @@ void Runner::run(const std::stop_token& stop)
     auto framed = Clock::time_point();
     bool fresh = false; // there is something that no frame has shown
     Pace pace;
+    std::optional<Settler> settler;
 
     const auto show = [&] {
         auto frame = simulation->frame();
+        if (settler)
+            frame->settling = settler->progress();
         frame->realTimeRatio = pace.update(frame->time);
         m_frames.put(std::move(frame));
         framed = Clock::now();
@@ -158,11 +173,23 @@ void Runner::run(const std::stop_token& stop)
                     simulation->load(std::exchange(update, {}));
                 else
                     simulation.emplace(std::move(update.system));
+            if (settler && settler->run() != simulation->system().run)
+                settler.emplace(settler->goal(), *simulation);
             timetable.restart();
             show();
         }
         if (const auto commands = simulation ? m_commands.take() : nullptr)
             simulation->command(*commands);
+        if (const auto hands = simulation ? m_hands.take() : nullptr) {
+            simulation->handle(*hands);
+            fresh = true; // what is held or cut is seen in a pause, too
+        }
+        if (const auto goal = simulation ? m_settle.take() : nullptr) {
+            settler.reset();
+            if (*goal)
+                settler.emplace(**goal, *simulation);
+            fresh = true;
+        }
         timetable.setPlaying(wasPlaying && m_playing);
         if (simulation && simulation->trouble())
             m_stepsLeft = 0; // steps that cannot be made are not made up for
@@ -174,8 +201,11 @@ void Runner::run(const std::stop_token& stop)
         int stepsLeft = std::min(stepsBefore, m_stepsLeft.load());
         const bool asked = simulation && stepsLeft > 0;
         const bool onTime = timetable.isDue();
-        if (simulation && !simulation->trouble() && (catchingUp || asked || onTime)) {
+        const bool settling = settler && !settler->isOver();
+        if (simulation && !simulation->trouble() && (catchingUp || settling || asked || onTime)) {
             fresh = simulation->step();
+            if (settling && fresh)
+                settler->look(*simulation);
             // unless another time has been asked for meanwhile
             if (catchingUp && hasReached(simulation->state().time, until, timeStep))
                 m_until.compare_exchange_strong(until, -std::numeric_limits<double>::infinity());
@@ -185,7 +215,8 @@ void Runner::run(const std::stop_token& stop)
             if (onTime)
                 timetable.stepped(timeStep, m_speed);
             // Views take a frame every 16 ms; making more would only cost time.
-            if (asked || simulation->trouble() || Clock::now() - framed > 15ms)
+            const bool settled = settling && settler->isOver();
+            if (asked || settled || simulation->trouble() || Clock::now() - framed > 15ms)
                 show();
             continue;
         }

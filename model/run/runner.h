@@ -1,6 +1,7 @@
 #pragma once
 
 #include "run/latest_value.h"
+#include "run/settle.h"
 #include "run/simulation.h"
 
 #include <atomic>
@@ -35,6 +36,12 @@ public:
     void playUntil(double time);     // s; plays unpaced and stops exactly there
     void command(Commands commands); // all commands so far; the newest value of each control
 
+    void handle(HandCommands commands); // all so far
+
+    // Runs on, as fast as it can, until all is still or the goal's time is over; nothing ends that
+    // sooner. Where it stands is told by Frame::settling.
+    void settle(std::optional<SettleGoal> goal);
+
     // The newest frame, or null when there is none since the last call.
     [[nodiscard]] std::shared_ptr<const Frame> takeFrame() { return m_frames.take(); }
 
@@ -46,6 +53,8 @@ private:
 
     std::vector<Update> m_updates; // guarded by m_mutex
     LatestValue<Commands> m_commands;
+    LatestValue<HandCommands> m_hands;
+    LatestValue<std::optional<SettleGoal>> m_settle;
     LatestValue<Frame> m_frames;
     std::atomic<bool> m_playing = false;
     std::atomic<double> m_speed = 1.0;

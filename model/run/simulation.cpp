@@ -2,7 +2,10 @@
 
 #include "measure/diagnostics.h"
 #include "measure/probe.h"
+#include "run/torn_system.h"
 #include "sim/carry_over.h"
+#include "sim/cutting.h"
+#include "sim/hand_pull.h"
 #include "sim/obstacle_motion.h"
 #include "sim/split_system.h"
 #include "sim/tear_opening.h"
@@ -15,10 +18,24 @@
 namespace ripstop {
 namespace {
 
-std::shared_ptr<const Layout> layoutOf(const System& system, std::span<const Split> splits)
+std::shared_ptr<const System> derived(const std::shared_ptr<const System>& compiled,
+                                      const State& state)
+{
+    if (state.splits.empty() && state.hands.pins.empty())
+        return nullptr;
+    return splitSystem(*compiled, state.splits, state.hands.pins);
+}
+
+std::shared_ptr<const Layout> layoutOf(const System& system,
+                                       const std::shared_ptr<const System>& derived,
+                                       const std::vector<Split>& splits)
 {
     auto layout = std::make_shared<Layout>();
     const TwinOrigins origins(splits);
+    if (!splits.empty()) {
+        layout->particleKey = system.key;
+        layout->torn = std::make_shared<TornSystem>(TornSystem{derived, splits});
+    }
     layout->particleId.reserve(system.key.size());
     for (const Key key : system.key)
         layout->particleId.push_back(origins.particle(key));
@@ -54,15 +71,15 @@ bool hasReached(double time, double until, double timeStep)
 
 Simulation::Simulation(std::shared_ptr<const System> system, int threads)
     : m_system(std::move(system))
-    , m_layout(layoutOf(*m_system, {}))
+    , m_layout(layoutOf(*m_system, nullptr, {}))
     , m_state(m_system->start)
     , m_stepper(threads)
 {}
 
 Simulation::Simulation(std::shared_ptr<const System> system, State checkpoint, int threads)
     : m_system(std::move(system))
-    , m_split(checkpoint.splits.empty() ? nullptr : splitSystem(*m_system, checkpoint.splits))
-    , m_layout(layoutOf(this->system(), checkpoint.splits))
+    , m_split(derived(m_system, checkpoint))
+    , m_layout(layoutOf(this->system(), m_split, checkpoint.splits))
     , m_state(std::move(checkpoint))
     , m_atStart(false)
     , m_stepper(threads)
@@ -76,7 +93,7 @@ void Simulation::load(std::shared_ptr<const System> system)
     m_system = std::move(system);
     if (m_atStart) {
         m_state = m_system->start;
-        m_commands.clear();
+        forget();
     } else {
         carryOn(*before);
     }
@@ -84,11 +101,19 @@ void Simulation::load(std::shared_ptr<const System> system)
     m_trouble.reset(); // the edit may have cured it
 }
 
-// The motion of the system before, in the one that the tears make of the new one.
+// What was done in the run before.
+void Simulation::forget()
+{
+    m_commands.clear();
+    m_hands.clear();
+    m_cuts = 0;
+    m_halts = 0;
+}
+
+// The motion of the system before, in the one that tears and pins make of the new one.
 void Simulation::carryOn(const System& before)
 {
-    if (!m_state.splits.empty())
-        m_split = splitSystem(*m_system, m_state.splits);
+    m_split = derived(m_system, m_state);
     m_lastGood = carryOver(before, m_state, system(), std::move(m_lastGood));
     std::swap(m_state, m_lastGood);
     m_layoutIsStale = true;
@@ -143,14 +168,14 @@ void Simulation::applySplit(bool again)
     if (!again)
         return carryOn(*before);
     m_state = m_system->start;
-    m_commands.clear();
+    forget();
 }
 
 // A new run begins with the patch. While a design at rest is edited there is little to put back.
 void Simulation::reset(const Patch& patch)
 {
     const State& start = m_system->start;
-    m_commands.clear();
+    forget();
     if (!std::exchange(m_atStart, true)) {
         m_state = start;
         return;
@@ -176,7 +201,7 @@ void Simulation::refreshLayout() const
 {
     if (!std::exchange(m_layoutIsStale, false))
         return;
-    if (auto layout = layoutOf(system(), m_state.splits); *layout != *m_layout)
+    if (auto layout = layoutOf(system(), m_split, m_state.splits); *layout != *m_layout)
         m_layout = std::move(layout);
 }
 
@@ -193,6 +218,100 @@ void Simulation::command(const Commands& commands)
             m_state.inputCommand[i] = value;
             m_commands.push_back({m_state.time, input.key, value});
         }
+}
+
+void Simulation::note(HandNote::What what)
+{
+    m_atStart = false;
+    m_hands.append({m_state.time, std::move(what)});
+}
+
+void Simulation::handle(const HandCommands& told)
+{
+    handle(told.hands);
+    for (; m_cuts < told.cuts.size(); ++m_cuts)
+        cut(told.cuts[m_cuts]);
+    for (; m_halts < told.halts; ++m_halts)
+        stopMotion();
+}
+
+void Simulation::handle(const Hands& told)
+{
+    Hands& now = m_state.hands;
+    if (told == now)
+        return;
+    if (told.pull != now.pull) {
+        now.pull = told.pull;
+        note(told.pull ? HandNote::What(*told.pull) : HandNote::LetGo{});
+    }
+    if (told.fan != now.fan) {
+        now.fan = told.fan;
+        note(told.fan ? HandNote::What(*told.fan) : HandNote::FanOff{});
+    }
+    carry(told.carries);
+    pin(told.pins);
+}
+
+// What is no longer named stays where it has been put.
+void Simulation::carry(const std::vector<Carry>& told)
+{
+    auto& carries = m_state.hands.carries;
+    for (const Carry& carry : told) {
+        auto held = std::find_if(carries.begin(), carries.end(), [&](const Carry& other) {
+            return other.collider == carry.collider;
+        });
+        if (held == carries.end()) {
+            held = carries.insert(carries.end(), {carry.collider, Vec3::Zero()});
+            m_state.carried.emplace_back(Vec3::Zero());
+        }
+        if (held->way == carry.way)
+            continue;
+        held->way = carry.way;
+        note(carry);
+    }
+}
+
+void Simulation::pin(const std::vector<Key>& told)
+{
+    std::vector<Key>& pins = m_state.hands.pins;
+    if (told == pins)
+        return;
+    const auto has = [](const std::vector<Key>& keys, Key key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    for (const Key key : pins)
+        if (!has(told, key))
+            note(HandNote::Pin{key, false});
+    for (const Key key : told)
+        if (!has(pins, key))
+            note(HandNote::Pin{key, true});
+    pins = told;
+    const std::shared_ptr<const System> before = m_split ? m_split : m_system;
+    carryOn(*before);
+}
+
+void Simulation::cut(const std::shared_ptr<const Cut>& cut)
+{
+    note(cut);
+    if (cutAlong(system(), m_state, *cut)) {
+        const std::shared_ptr<const System> whole = m_split ? m_split : m_system;
+        carryOn(*whole);
+    }
+}
+
+void Simulation::halt()
+{
+    ++m_halts;
+    stopMotion();
+}
+
+void Simulation::stopMotion()
+{
+    note(HandNote::Halt{});
+    for (PaddedVec3& velocity : m_state.velocity)
+        velocity.setZero();
+    for (PaddedVec3& drift : m_state.drift)
+        drift.setZero();
 }
 
 bool Simulation::step()
@@ -254,11 +373,28 @@ std::shared_ptr<Frame> Simulation::frame() const
         frame->tears.push_back(
             {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place, tear.energy});
     frame->commands = m_commands;
+    fillHands(*frame);
     if (m_trouble) {
         frame->stopped = m_trouble->message;
         frame->culprit = m_trouble->particle;
     }
     return frame;
+}
+
+void Simulation::fillHands(Frame& frame) const
+{
+    const Hands& hands = m_state.hands;
+    frame.hands = m_hands;
+    frame.carries = hands.carries;
+    frame.handPins = hands.pins;
+    frame.underWay = m_state.step > 0 || m_cuts > 0 || m_halts > 0 || !hands.pins.empty();
+    if (!hands.pull)
+        return;
+    const HeldGrip held = findGrip(system(), hands.pull->grip);
+    const double h = system().timeStep / m_stepper.substepsOf(system(), m_state);
+    const HandForce force = handForce(system(), m_state, *hands.pull, held, h);
+    if (held.holds())
+        frame.held = HeldPoint{force.point, hands.pull->to, force.force.norm(), force.stiffness};
 }
 
 } // namespace ripstop

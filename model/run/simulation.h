@@ -38,6 +38,11 @@ public:
 
     void command(const Commands& commands);
 
+    // Takes effect at once; cuts and halts are those since the start of the run, and are made once.
+    void handle(const HandCommands& told);
+
+    void halt(); // stops all motion; it starts again from rest
+
     // One time step. False, and the last good state stays, when the next one would be broken;
     // trouble() then says why.
     bool step();
@@ -61,17 +66,29 @@ private:
     void reset(const Patch& patch);
     System& ownSystem();
     void carryOn(const System& before);
+    void forget();
+    void handle(const Hands& told);
+    void carry(const std::vector<Carry>& told);
+    void pin(const std::vector<Key>& told);
+    void cut(const std::shared_ptr<const Cut>& cut);
+    void stopMotion();
+    void note(HandNote::What what);
+    void fillHands(Frame& frame) const;
     void followTears(std::size_t before);
     void refreshLayout() const;
 
     std::shared_ptr<const System> m_system; // as compiled
-    std::shared_ptr<const System> m_split;  // m_system as the tears have split it; null when whole
+    // m_system as tears have split it and hands have pinned it; null when neither did
+    std::shared_ptr<const System> m_split;
     mutable std::shared_ptr<const Layout> m_layout; // of the system unless stale
     mutable bool m_layoutIsStale = false;
     State m_state;
     State m_lastGood;
     bool m_atStart = true;                  // the state is the system's start
     std::vector<ControlCommand> m_commands; // since the start
+    HandTrack m_hands;                      // the same
+    std::size_t m_cuts = 0;                 // made since the start
+    int m_halts = 0;
     Stepper m_stepper;
     std::optional<Trouble> m_trouble;
 };

@@ -137,6 +137,8 @@ State carryOver(const System& from, const State& state, const System& to, State 
     carried.tears = state.tears;
     carried.driftSubstep = state.driftSubstep;
     carried.splits = state.splits;
+    carried.hands = state.hands;
+    carried.carried = state.carried;
 
     const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);

@@ -1,5 +1,7 @@
 #include "sim/inputs.h"
 
+#include "base/portable_math.h"
+
 #include <algorithm>
 
 namespace ripstop {
@@ -21,6 +23,24 @@ bool moveInputs(const System& system, State& state, double h)
                 state.position[std::size_t(target)] += change * input.axis;
     }
     return changed;
+}
+
+void moveCarried(State& state, double h)
+{
+    constexpr double lag = 0.05;          // s
+    constexpr double highestSpeed = 10.0; // m/s
+    constexpr double arrived = 1e-9;      // m
+    if (state.carried.empty())
+        return;
+    const double share = 1.0 - portableExp(-h / lag);
+    for (std::size_t i = 0; i < state.carried.size(); ++i) {
+        const Vec3 left = state.hands.carries[i].way - state.carried[i];
+        const double distance = left.norm();
+        if (distance <= arrived)
+            state.carried[i] = state.hands.carries[i].way;
+        else
+            state.carried[i] += std::min(share, highestSpeed * h / distance) * left;
+    }
 }
 
 void fillRestLengths(const System& system, const State& state, std::span<double> restLength)

@@ -13,6 +13,10 @@ namespace ripstop {
 // Returns whether a value changed.
 bool moveInputs(const System& system, State& state, double h);
 
+// Moves what hands carry on by h seconds: after the hand in about 50 ms, at 10 m/s at most, so that
+// it pushes what is in its way and does not throw it.
+void moveCarried(State& state, double h);
+
 // Rest length of every rod with the weight shifts of `state`.
 //   restLength  [rods]  m
 void fillRestLengths(const System& system, const State& state, std::span<double> restLength);

@@ -20,6 +20,7 @@ Vec3 lineDrag(double width, const Vec3& a, const Vec3& b, const Vec3& apparentWi
 void fillLineDrags(const System& system, const State& state, Crew& crew, std::span<PaddedVec3> drag)
 {
     const Vec3 common = commonWind(system, state);
+    const bool isLocal = hasLocalWind(system, state);
     crew.each(system.dragLines.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const DragLine& line = system.dragLines[i];
@@ -30,8 +31,8 @@ void fillLineDrags(const System& system, const State& state, Crew& crew, std::sp
             const auto a = std::size_t(line.a);
             const auto b = std::size_t(line.b);
             Vec3 wind = common - 0.5 * (state.velocity[a] + state.velocity[b]);
-            if (!system.airflows.empty())
-                wind += localWind(system, 0.5 * (state.position[a] + state.position[b]));
+            if (isLocal)
+                wind += localWind(system, state, 0.5 * (state.position[a] + state.position[b]));
             drag[i] =
                 lineDrag(line.width, state.position[a], state.position[b], wind, system.airDensity);
         }

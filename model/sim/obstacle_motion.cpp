@@ -80,6 +80,9 @@ Vec3 obstaclePosition(const System& system, const State& state, std::size_t inde
                    != input.obstacles.end())
             position += state.inputValue[i] * input.axis;
     }
+    for (std::size_t i = 0; i < state.carried.size(); ++i)
+        if (state.hands.carries[i].collider == obstacle.key)
+            position += state.carried[i];
     return position;
 }
 

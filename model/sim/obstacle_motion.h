@@ -1,4 +1,4 @@
-// Where obstacles are: their own place or their path, and what inputs add.
+// Where obstacles are: their own place or their path, and what inputs and hands add.
 #pragma once
 
 #include "sim/system.h"

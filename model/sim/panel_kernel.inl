@@ -137,7 +137,8 @@ RIPSTOP_RARE void localWinds(const PanelWork& work, const std::size_t (&panel)[4
         const auto [a, b, c] = work.panels[panel[lane]].corner;
         const PaddedVec3* x = work.position;
         const Four middle = (four(x[a]) + four(x[b]) + four(x[c])) * all(1.0 / 3.0);
-        const Vec3 local = localWind(*work.local, {middle[0], middle[1], middle[2]});
+        const Vec3 local =
+            localWind(*work.system, *work.state, {middle[0], middle[1], middle[2]});
         wind.x[lane] = local.x();
         wind.y[lane] = local.y();
         wind.z[lane] = local.z();
@@ -186,7 +187,7 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
                         fused(sum.y, third, all(work.wind.y())),
                         fused(sum.z, third, all(work.wind.z()))};
     const std::size_t panel[4] = {i0, i1, i2, i3};
-    if (work.local) {
+    if (work.system) {
         Coordinates local;
         localWinds(work, panel, local);
         wind = {wind.x + local.x, wind.y + local.y, wind.z + local.z};

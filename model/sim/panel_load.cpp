@@ -17,9 +17,10 @@ struct PanelWork
     const PaddedVec3* position; // [particles] m
     const PaddedVec3* velocity; // [particles] m/s
     Vec3 wind;                  // m/s, what is the same everywhere
-    const System* local;        // whose other winds depend on the place, or null
-    double airDensity;          // kg/m^3
-    PaddedVec3* load;           // [panels] N
+    const System* system;       // whose other winds depend on the place, or null
+    const State* state;
+    double airDensity; // kg/m^3
+    PaddedVec3* load;  // [panels] N
 };
 
 } // namespace
@@ -38,8 +39,8 @@ Vec3 panelLoad(const MaterialAir& air, const Vec3& a, const Vec3& b, const Vec3&
     const PaddedVec3 position[3] = {a, b, c};
     const PaddedVec3 velocity[3];
     PaddedVec3 load;
-    const PanelWork work = {&alone,       &air,    &gone,      position, velocity,
-                            apparentWind, nullptr, airDensity, &load};
+    const PanelWork work = {&alone,       &air,    &gone,   position,   velocity,
+                            apparentWind, nullptr, nullptr, airDensity, &load};
     (wideMachine ? wide::fillPanels : anywhere::fillPanels)(work, 0, 1);
     return load;
 }
@@ -59,7 +60,8 @@ void fillPanelLoads(const System& system, const State& state, Crew& crew,
                             state.position.data(),
                             state.velocity.data(),
                             commonWind(system, state),
-                            system.airflows.empty() ? nullptr : &system,
+                            hasLocalWind(system, state) ? &system : nullptr,
+                            &state,
                             system.airDensity,
                             load.data()};
     crew.each(system.panels.size(), [&](std::size_t first, std::size_t last) {

@@ -46,6 +46,12 @@ public:
         moveWeight(from, twin);
     }
 
+    void pin(Key key)
+    {
+        if (const int particle = m_particleOf(key); particle >= 0)
+            m_system.inverseMass[std::size_t(particle)] = 0.0;
+    }
+
     // A probe of many has the twins of those that it has.
     void addToProbes()
     {
@@ -219,13 +225,16 @@ private:
 
 } // namespace
 
-std::shared_ptr<System> splitSystem(const System& compiled, std::span<const Split> splits)
+std::shared_ptr<System> splitSystem(const System& compiled, std::span<const Split> splits,
+                                    std::span<const Key> pins)
 {
     auto system = std::make_shared<System>(compiled);
     Divider divider(*system);
     for (const Split& split : splits)
         divider.part(split);
     divider.addToProbes();
+    for (const Key pin : pins)
+        divider.pin(pin);
     State& start = system->start;
     start.springTorn.assign(system->springs.size(), 0);
     start.rodTorn.assign(system->rods.size(), 0);

@@ -71,6 +71,8 @@ void Stepper::prepare(const System& system, State& state)
     m_rodLength.resize(system.rods.size());
     m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size());
     m_canopies.prepare(system);
+    if (const auto& pull = state.hands.pull; pull && !m_grip.isOf(system, pull->grip))
+        m_grip = findGrip(system, pull->grip);
     m_tears = state.tears.size();
     if (m_serial != system.serial || m_valuesSerial != system.valuesSerial)
         fillRestLengths(system, state, m_restLength);
@@ -139,6 +141,7 @@ void Stepper::substep(RodTask& task, State& state)
     const System& system = task.system;
     const double h = task.h;
     beginMoves(system, state, state.time - h, m_placed);
+    moveCarried(state, h);
     if (moveInputs(system, state, h)) {
         shiftRestLengths(system, state, m_restLength);
         task.shifted = true;
@@ -147,7 +150,7 @@ void Stepper::substep(RodTask& task, State& state)
     m_clock.lap(StepStage::Controls);
     m_canopies.advance(system, state, h);
     m_clock.lap(StepStage::Air);
-    fillAccelerations(system, state);
+    fillAccelerations(system, state, h);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
     noteRodLengths(system, state);
@@ -157,7 +160,7 @@ void Stepper::substep(RodTask& task, State& state)
     if (system.integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
         m_clock.lap(StepStage::Motion);
-        fillAccelerations(system, state);
+        fillAccelerations(system, state, h);
     }
     move(ParticlePass::FollowRods, system, state, h);
     m_clock.lap(StepStage::Motion);
@@ -173,10 +176,10 @@ void Stepper::substep(RodTask& task, State& state)
     state.driftSubstep = drifts ? h : 0.0;
 }
 
-void Stepper::fillAccelerations(const System& system, const State& state)
+void Stepper::fillAccelerations(const System& system, const State& state, double h)
 {
     if (system.springs.empty() && system.panels.empty() && system.dragLines.empty()
-        && system.bends.empty() && m_onlyGravity)
+        && system.bends.empty() && !state.hands.pull && m_onlyGravity)
         return;
     m_onlyGravity = true;
     fillSpringForces(system, state, m_crew, m_springForce);
@@ -193,6 +196,8 @@ void Stepper::fillAccelerations(const System& system, const State& state)
                              m_lineDrag.data(), m_bend.data()},
                             m_acceleration.data(), first, last);
     });
+    if (state.hands.pull)
+        addHandPull(system, state, m_grip, h, m_acceleration);
     m_clock.lap(StepStage::Sum);
 }
 

@@ -3,6 +3,7 @@
 #include "sim/canopy_air.h"
 #include "sim/crew.h"
 #include "sim/fabric_contact.h"
+#include "sim/hand_pull.h"
 #include "sim/obstacle_motion.h"
 #include "sim/particle_motion.h"
 #include "sim/rod_solver.h"
@@ -46,7 +47,7 @@ private:
     void noteSpringEnds(const System& system);
     RodTask rodTask(const System& system, State& state, double h) const;
     void adapt(const System& system, State& state, int substeps);
-    void fillAccelerations(const System& system, const State& state);
+    void fillAccelerations(const System& system, const State& state, double h);
     void move(ParticlePass pass, const System& system, State& state, double h);
     void noteRodLengths(const System& system, const State& state);
     void project(const RodTask& task, State& state);
@@ -57,6 +58,7 @@ private:
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
     FabricContact m_fabric;
+    HeldGrip m_grip; // of the hand that pulls
     WingLoads m_wings;
     CanopyFiller m_canopies;
     std::vector<PaddedVec3> m_springForce;   // [springs] N, on end `a`

@@ -167,11 +167,11 @@ requires std::is_same_v<std::remove_const_t<S>, State>
 auto fieldsOf(S& state)
 {
     auto& [time, step, substep, substeps, driftSubstep, position, velocity, drift, inputCommand,
-           inputValue, gusts, canopies, springTorn, rodTorn, panelGone, rodTension, tears, splits,
-           tearHolds] = state;
+           inputValue, hands, carried, gusts, canopies, springTorn, rodTorn, panelGone, rodTension,
+           tears, splits, tearHolds] = state;
     return std::tie(time, step, substep, substeps, driftSubstep, position, velocity, drift,
-                    inputCommand, inputValue, gusts, canopies, springTorn, rodTorn, panelGone,
-                    rodTension, tears, splits, tearHolds);
+                    inputCommand, inputValue, hands, carried, gusts, canopies, springTorn, rodTorn,
+                    panelGone, rodTension, tears, splits, tearHolds);
 }
 
 // Arrays are emptied and keep their memory; anything else starts as `fresh` does.

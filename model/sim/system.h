@@ -8,6 +8,7 @@
 
 #include "base/airflow.h"
 #include "base/bend.h"
+#include "base/hands.h"
 #include "base/laws.h"
 #include "base/path_key.h"
 #include "base/vec3.h"
@@ -336,6 +337,9 @@ struct State
 
     std::vector<double> inputCommand; // [inputs] m, where the input is told to go
     std::vector<double> inputValue;   // [inputs] m, where it is
+
+    Hands hands;               // as they were told
+    std::vector<Vec3> carried; // [hands.carries] m, how far each has come
 
     std::vector<GustState> gusts;    // [gusts]
     std::vector<CanopyAir> canopies; // [canopies]

@@ -11,14 +11,7 @@
 // that tears run on; then one on the hem; then the link's first. Where nothing would stay behind at
 // either end (a crumb), the link breaks for good and the panels beside it go.
 //
-// What ends at the particle:
-//   - edges of panels on one side alone go with these; an edge between the two sides becomes two,
-//   - other links go with the panel that they leave through, or else by their direction; those that
-//     held two panels together across the tear and no longer have neighbours there break,
-//   - pins and hands stay with the particle.
-// The mass is shared by the areas of the panels at the start; a side without panels counts as a
-// mean one. Place and velocity are those of the particle, so that mass, its centre, momentum and
-// energy do not change.
+// mesh_parting.h says what becomes of what ends at the particle.
 #pragma once
 
 #include "sim/system.h"

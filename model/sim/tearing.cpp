@@ -209,4 +209,38 @@ void tearLinks(const System& system, State& state, const TearLoads& loads,
         tear(system, state, loads, overload.link);
 }
 
+void noteBreak(const System& system, State& state, int number)
+{
+    const LinkPlace& link = system.links[std::size_t(number)];
+    const auto index = std::size_t(link.index);
+    const Vec3& a = state.position[std::size_t(link.a)];
+    const Vec3& b = state.position[std::size_t(link.b)];
+    Load load{(b - a).norm(), 0.0, 0.0};
+    if (link.kind == LinkKind::Rod) {
+        load.restLength = system.rods[index].restLength;
+        load.force = state.rodTension[index];
+    } else {
+        load.restLength = system.springs[index].restLength;
+        load.force = springTension(system.springs[index], b - a,
+                                   state.velocity[std::size_t(link.b)]
+                                       - state.velocity[std::size_t(link.a)]);
+    }
+    const Key key = state.splits.empty() ? link.key : TwinOrigins(state.splits).link(link.key);
+    state.tears.push_back({state.time, key, load.length, load.strain(), load.force, 0.5 * (a + b),
+                           releasedEnergy(system, link, load)});
+}
+
+void breakLink(const System& system, State& state, int number)
+{
+    noteBreak(system, state, number);
+    const LinkPlace& link = system.links[std::size_t(number)];
+    const auto index = std::size_t(link.index);
+    if (link.kind == LinkKind::Rod) {
+        state.rodTorn[index] = 1;
+        state.rodTension[index] = 0.0;
+    } else {
+        state.springTorn[index] = 1;
+    }
+}
+
 } // namespace ripstop

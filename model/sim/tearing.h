@@ -41,4 +41,11 @@ struct Overload
 void tearLinks(const System& system, State& state, const TearLoads& loads,
                std::vector<Overload>& scratch);
 
+// Breaks a link between two steps, whatever its limit: by a cut, or as it has lost its panels.
+void breakLink(const System& system, State& state, int link);
+
+// The same for one that is only noted: an edge along which a cut parts the mesh stays whole, on
+// either side.
+void noteBreak(const System& system, State& state, int link);
+
 } // namespace ripstop

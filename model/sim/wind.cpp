@@ -20,9 +20,20 @@ Vec3 localWind(const System& system, const Vec3& place)
     return wind;
 }
 
+bool hasLocalWind(const System& system, const State& state)
+{
+    return !system.airflows.empty() || state.hands.fan;
+}
+
+Vec3 localWind(const System& system, const State& state, const Vec3& place)
+{
+    const Vec3 wind = localWind(system, place);
+    return state.hands.fan ? Vec3(wind + velocityAt(*state.hands.fan, place)) : wind;
+}
+
 Vec3 windAt(const System& system, const State& state, const Vec3& place)
 {
-    return commonWind(system, state) + localWind(system, place);
+    return commonWind(system, state) + localWind(system, state, place);
 }
 
 } // namespace ripstop

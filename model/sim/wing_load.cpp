@@ -50,6 +50,7 @@ void listWings(System& system)
 
 void WingLoads::add(const System& system, const State& state, std::span<PaddedVec3> load)
 {
+    const bool isLocal = hasLocalWind(system, state);
     for (const WingStrips& wing : system.wings) {
         const Vec3 common = commonWind(system, state);
         m_panels.resize(std::max(m_panels.size(), wing.panels.size()));
@@ -61,8 +62,8 @@ void WingLoads::add(const System& system, const State& state, std::span<PaddedVe
             const Panel panel = panelIn(fabric, state);
             panels[i].normal = panel.normal;
             panels[i].wind = common - panel.motion;
-            if (!system.airflows.empty())
-                panels[i].wind += localWind(system, panel.middle);
+            if (isLocal)
+                panels[i].wind += localWind(system, state, panel.middle);
             panels[i].plate = air.normalCoefficient;
             panels[i].saturation = air.saturation;
             panels[i].stall = air.stall;

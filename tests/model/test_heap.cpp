@@ -282,13 +282,16 @@ private slots:
         QTest::addColumn<Integrator>("integrator");
         QTest::addColumn<Solver>("solver");
         QTest::addColumn<bool>("beside");
+        QTest::addColumn<bool>("byHand");
         for (std::size_t i = 0; i < choiceNames<Integrator>.size(); ++i)
             for (std::size_t s = 0; s < choiceNames<Solver>.size(); ++s)
                 QTest::addRow("%s, %s", choiceNames<Integrator>[i].data(),
                               choiceNames<Solver>[s].data())
-                    << Integrator(i) << Solver(s) << false;
+                    << Integrator(i) << Solver(s) << false << false;
         QTest::newRow("gauss_seidel beside a direct block")
-            << Integrator::SemiImplicitEuler << Solver::GaussSeidel << true;
+            << Integrator::SemiImplicitEuler << Solver::GaussSeidel << true << false;
+        QTest::newRow("pulled, blown and pushed by hand")
+            << Integrator::SemiImplicitEuler << Solver::GaussSeidel << false << true;
     }
 
     void solvers()
@@ -296,6 +299,7 @@ private slots:
         QFETCH(Integrator, integrator);
         QFETCH(Solver, solver);
         QFETCH(bool, beside);
+        QFETCH(bool, byHand);
         System system = strip(integrator, solver);
         if (beside) {
             system.direct.assign(system.rods.size(), 0);
@@ -305,6 +309,12 @@ private slots:
         for (const int threads : {1, 2}) {
             Stepper stepper(threads);
             State state = system.start;
+            if (byHand) {
+                state.hands.pull = HandPull{{{50, 51, 54}, {0.3, 0.3, 0.4}}, {0.0, 1.0, 0.0}};
+                state.hands.fan = Airflow{WindKind::Jet, {0.0, 0.0, 5.0}};
+                state.hands.carries = {{system.obstacles[1].key, {0.1, 0.0, 0.0}}};
+                state.carried = {Vec3::Zero()};
+            }
             for (int i = 0; i < warmUp; ++i)
                 stepper.step(system, state);
             const Count count = allocationsOf([&] {

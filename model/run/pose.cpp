@@ -1,22 +1,40 @@
-#include "cli/final_scene.h"
+#include "run/pose.h"
 
-#include "scene/edit.h"
+#include "run/torn_system.h"
 #include "sim/split_system.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 namespace ripstop {
 namespace {
+
+// A scene and all that is done to it.
+struct Draft
+{
+    Posed posed;
+
+    void make(Edit edit)
+    {
+        auto& changes = posed.edit.changes;
+        (void)apply(posed.scene, edit);
+        changes.insert(changes.end(), std::make_move_iterator(edit.changes.begin()),
+                       std::make_move_iterator(edit.changes.end()));
+    }
+};
 
 // Makes rows of what tears have doubled, and lets rows end where they end now.
 class SplitWriter
 {
 public:
-    SplitWriter(Scene& scene, const Simulation& simulation)
-        : m_scene(scene)
-        , m_system(simulation.system())
-        , m_origins(simulation.state().splits)
+    SplitWriter(Draft& draft, const TornSystem& torn)
+        : m_draft(draft)
+        , m_scene(draft.posed.scene)
+        , m_system(*torn.system)
+        , m_origins(torn.splits)
     {}
 
     void write()
@@ -38,7 +56,7 @@ public:
         }
         for (std::size_t i = 0; i < m_system.panels.size(); ++i)
             writePanel(i, edit);
-        (void)apply(m_scene, edit);
+        m_draft.make(std::move(edit));
     }
 
     // Ids of the rows that there are now.
@@ -89,7 +107,7 @@ private:
         for (std::size_t i = 0; i < m_system.key.size(); ++i)
             if (m_parted.contains(m_system.key[i]))
                 set(edit, Kind::Particle, "mass", Id{m_system.key[i]}, m_system.mass[i]);
-        (void)apply(m_scene, edit);
+        m_draft.make(std::move(edit));
     }
 
     void writeLink(std::size_t number)
@@ -137,6 +155,7 @@ private:
                 set(edit, Kind::Panel, names[k], Id{m_system.panelKey[panel]}, particleId(corner));
     }
 
+    Draft& m_draft;
     Scene& m_scene;
     const System& m_system;
     TwinOrigins m_origins;
@@ -148,45 +167,121 @@ private:
     std::unordered_map<Key, LinkRow> m_links;
 };
 
-} // namespace
-
-Scene finalScene(Scene scene, const Simulation& simulation)
+// Ids of the rows of what a frame has, once twins have rows of their own.
+struct RowIds
 {
-    const std::shared_ptr<const Frame> frame = simulation.frame();
-    const System& system = simulation.system();
-    SplitWriter split(scene, simulation);
-    if (!simulation.state().splits.empty())
-        split.write();
+    std::vector<Id> particles; // [particles]
+    std::vector<Id> links;     // [links]
+};
 
+RowIds rowIds(Draft& draft, const Layout& layout)
+{
+    RowIds ids;
+    if (layout.torn) {
+        SplitWriter split(draft, *layout.torn);
+        split.write();
+        for (std::size_t i = 0; i < layout.particleId.size(); ++i)
+            ids.particles.push_back(split.particleId(int(i)));
+        for (std::size_t i = 0; i < layout.links.size(); ++i)
+            ids.links.push_back(split.linkId(i));
+        return ids;
+    }
+    for (const std::uint32_t id : layout.particleId)
+        ids.particles.push_back(Id{id});
+    for (const Layout::Link& link : layout.links)
+        ids.links.push_back(Id{link.id});
+    return ids;
+}
+
+void place(Draft& draft, const Frame& frame, const RowIds& ids, const PoseOptions& options)
+{
     std::unordered_map<Id, std::size_t> index;
-    for (std::size_t i = 0; i < system.key.size(); ++i)
-        index.emplace(split.particleId(int(i)), i);
+    for (std::size_t i = 0; i < ids.particles.size(); ++i)
+        index.emplace(ids.particles[i], i);
     SetValues positions{findProperty(Kind::Particle, "position"), {}, {}};
     SetValues velocities{findProperty(Kind::Particle, "velocity"), {}, {}};
-    forEachPart(scene, [&](Id, const Part& part) {
+    SetValues pins{findProperty(Kind::Particle, "pinned"), {}, {}};
+    const auto& handPins = frame.handPins;
+    forEachPart(draft.posed.scene, [&](Id, const Part& part) {
         for (const Particle& particle : part.particles) {
             const auto found = index.find(particle.id);
             if (found == index.end())
                 continue;
+            const std::size_t i = found->second;
             positions.targets.push_back(particle.id);
-            positions.values.emplace_back(frame->position[found->second]);
+            positions.values.emplace_back(frame.position[i]);
             velocities.targets.push_back(particle.id);
-            velocities.values.emplace_back(frame->velocity[found->second]);
+            velocities.values.emplace_back(options.keepsMotion ? frame.velocity[i]
+                                                               : Vec3(Vec3::Zero()));
+            if (std::find(handPins.begin(), handPins.end(), frame.layout->keyOf(i))
+                != handPins.end())
+                pins.targets.push_back(particle.id);
         }
     });
+    if (positions.targets.empty())
+        return;
+    pins.values.emplace_back(true);
+    Edit edit{{}, {std::move(positions), std::move(velocities)}};
+    if (!pins.targets.empty())
+        edit.changes.emplace_back(std::move(pins));
+    draft.make(std::move(edit));
+}
 
+void placeColliders(Draft& draft, const Frame& frame)
+{
+    SetValues places{findProperty(Kind::Collider, "position"), {}, {}};
+    for (const Carry& carry : frame.carries)
+        if (const auto* collider = findItem<Collider>(draft.posed.scene, Id{carry.collider})) {
+            places.targets.push_back(Id{carry.collider});
+            places.values.emplace_back(Vec3(collider->position + carry.way));
+        }
+    if (!places.targets.empty())
+        draft.make({{}, {std::move(places)}});
+}
+
+void removeTorn(Draft& draft, const Frame& frame, const RowIds& ids)
+{
     std::vector<Id> gone;
-    for (std::size_t i = 0; i < system.links.size(); ++i)
-        if (frame->torn[i])
-            gone.push_back(split.linkId(i));
-    for (std::size_t i = 0; i < system.panelKey.size(); ++i)
-        if (frame->gone[i])
-            gone.push_back(Id{system.panelKey[i]});
+    for (std::size_t i = 0; i < frame.torn.size(); ++i)
+        if (frame.torn[i])
+            gone.push_back(ids.links[i]);
+    for (std::size_t i = 0; i < frame.gone.size(); ++i)
+        if (frame.gone[i])
+            gone.push_back(Id{frame.layout->panelId[i]});
+    if (!gone.empty())
+        draft.make(removal(draft.posed.scene, gone));
+}
 
-    if (!positions.targets.empty())
-        (void)apply(scene, {"Adopt pose", {std::move(positions), std::move(velocities)}});
-    (void)apply(scene, removal(scene, gone));
-    return scene;
+void rebind(Draft& draft)
+{
+    std::unordered_map<Id, Vec3> place;
+    forEachPart(draft.posed.scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles)
+            place.emplace(particle.id, particle.position);
+    });
+    SetValues lengths{findProperty(Kind::Link, "restLength"), {}, {}};
+    forEachPart(draft.posed.scene, [&](Id, const Part& part) {
+        for (const Link& link : part.links) {
+            lengths.targets.push_back(link.id);
+            lengths.values.emplace_back((place[link.to] - place[link.from]).norm());
+        }
+    });
+    if (!lengths.targets.empty())
+        draft.make({{}, {std::move(lengths)}});
+}
+
+} // namespace
+
+Posed posed(Scene scene, const Frame& frame, const PoseOptions& options)
+{
+    Draft draft{{std::move(scene), {"Adopt pose", {}}}};
+    const RowIds ids = rowIds(draft, *frame.layout);
+    place(draft, frame, ids, options);
+    placeColliders(draft, frame);
+    removeTorn(draft, frame, ids);
+    if (options.rebindsLengths)
+        rebind(draft);
+    return std::move(draft.posed);
 }
 
 } // namespace ripstop

@@ -1,0 +1,56 @@
+#include "run/settle.h"
+
+#include "measure/diagnostics.h"
+#include "run/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+double highestSpeed(const System& system, const State& state)
+{
+    double square = 0.0;
+    for (std::size_t i = 0; i < state.velocity.size(); ++i)
+        if (system.inverseMass[i] > 0.0)
+            square = std::max(square, state.velocity[i].squaredNorm());
+    return std::sqrt(square);
+}
+
+} // namespace
+
+Settler::Settler(const SettleGoal& goal, const Simulation& simulation)
+    : m_goal(goal)
+    , m_start(simulation.state().time)
+    , m_still(m_start)
+    , m_run(simulation.system().run)
+{
+    m_progress.goal = goal.speed;
+    m_progress.within = goal.within;
+    m_progress.number = goal.number;
+}
+
+void Settler::look(Simulation& simulation)
+{
+    const State& state = simulation.state();
+    const double kinetic = kineticEnergy(simulation.system(), state);
+    m_progress.speed = highestSpeed(simulation.system(), state);
+    m_progress.kinetic = kinetic;
+    m_progress.since = state.time - m_start;
+    if (m_progress.speed > m_goal.speed)
+        m_still = state.time;
+    const double roundOff = 1e-9; // s
+    if (state.time - m_still >= m_goal.during - roundOff)
+        m_progress.outcome = Settling::Outcome::Still;
+    else if (m_progress.since >= m_goal.within - roundOff)
+        m_progress.outcome = Settling::Outcome::GaveUp;
+
+    const bool falls = kinetic < m_kinetic;
+    if (m_goal.damped && falls && m_rises && m_progress.outcome == Settling::Outcome::Under)
+        simulation.halt();
+    m_rises = !falls;
+    m_kinetic = falls && m_goal.damped ? 0.0 : kinetic;
+}
+
+} // namespace ripstop

@@ -1,0 +1,52 @@
+// Runs a system until it hangs still.
+//
+// Still is what has moved slower than a threshold for half a second: all of a swing may stand for
+// an instant at its turning point. Kinetic damping (Cundall 1976; Barnes 1999, "Form finding and
+// analysis of tension structures by dynamic relaxation") shortens the way there: whenever the
+// kinetic energy has passed a peak, everything is stopped and starts again from rest. It does not
+// change where things hang, but the way there is no motion of the real thing.
+#pragma once
+
+#include "run/frame.h"
+
+#include <cstdint>
+
+namespace ripstop {
+
+class Simulation;
+
+struct SettleGoal
+{
+    double speed = 0.01;  // m/s, no free particle is faster
+    double during = 0.5;  // s
+    double within = 60.0; // s of simulated time; then it gives up
+    bool damped = false;  // by kinetic damping
+    int number = 0;       // of the goal, copied into its frames
+
+    friend bool operator==(const SettleGoal&, const SettleGoal&) = default;
+};
+
+class Settler
+{
+public:
+    Settler(const SettleGoal& goal, const Simulation& simulation);
+
+    // Call after each step. It may stop all motion.
+    void look(Simulation& simulation);
+
+    const Settling& progress() const { return m_progress; }
+    bool isOver() const { return m_progress.outcome != Settling::Outcome::Under; }
+    const SettleGoal& goal() const { return m_goal; }
+    std::uint64_t run() const { return m_run; }
+
+private:
+    SettleGoal m_goal;
+    Settling m_progress;
+    double m_start = 0.0;   // s
+    double m_still = 0.0;   // s, since when
+    double m_kinetic = 0.0; // J, of the step before
+    bool m_rises = false;   // the kinetic energy did
+    std::uint64_t m_run = 0;
+};
+
+} // namespace ripstop
