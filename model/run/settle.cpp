@@ -46,11 +46,18 @@ void Settler::look(Simulation& simulation)
     else if (m_progress.since >= m_goal.within - roundOff)
         m_progress.outcome = Settling::Outcome::GaveUp;
 
-    const bool falls = kinetic < m_kinetic;
-    if (m_goal.damped && falls && m_rises && m_progress.outcome == Settling::Outcome::Under)
-        simulation.halt();
-    m_rises = !falls;
-    m_kinetic = falls && m_goal.damped ? 0.0 : kinetic;
+    // Stiff links tremble on top of the motion that matters, and take up slack right after a halt:
+    // neither is a peak.
+    constexpr double passed = 0.9; // of the energy of the peak
+    constexpr int fewest = 8;      // steps between two halts
+    ++m_steps;
+    m_peak = std::max(m_peak, kinetic);
+    if (!m_goal.damped || m_progress.outcome != Settling::Outcome::Under || m_steps < fewest
+        || kinetic >= passed * m_peak)
+        return;
+    simulation.halt();
+    m_peak = 0.0;
+    m_steps = 0;
 }
 
 } // namespace ripstop

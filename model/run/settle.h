@@ -42,10 +42,10 @@ public:
 private:
     SettleGoal m_goal;
     Settling m_progress;
-    double m_start = 0.0;   // s
-    double m_still = 0.0;   // s, since when
-    double m_kinetic = 0.0; // J, of the step before
-    bool m_rises = false;   // the kinetic energy did
+    double m_start = 0.0; // s
+    double m_still = 0.0; // s, since when
+    double m_peak = 0.0;  // J, of the kinetic energy since the last halt
+    int m_steps = 0;      // since then
     std::uint64_t m_run = 0;
 };
 

@@ -50,17 +50,23 @@ public:
     Knife(const System& system, State& state)
         : m_system(system)
         , m_state(state)
+        , m_isBeyond(system.key.size(), 0)
         , m_lean(system.key.size(), 0)
         , m_crossedPanel(system.panels.size(), 0)
+        , m_panelLean(system.panels.size(), 0)
         , m_crossedLink(system.links.size(), 0)
         , m_across(system.key.size(), Vec3::Zero())
     {}
 
     void slash(const Blade& blade)
     {
-        const auto crosses = [&](int a, int b) {
-            return blade.crosses(m_state.position[std::size_t(a)],
-                                 m_state.position[std::size_t(b)]);
+        // most of a large mesh is on one side of its plane
+        for (std::size_t i = 0; i < m_isBeyond.size(); ++i)
+            m_isBeyond[i] = blade.side(m_state.position[i]) < 0.0;
+        const auto crosses = [&](int first, int second) {
+            const auto a = std::size_t(first), b = std::size_t(second);
+            return m_isBeyond[a] != m_isBeyond[b]
+                   && blade.crosses(m_state.position[a], m_state.position[b]);
         };
         for (std::size_t i = 0; i < m_system.links.size(); ++i) {
             const LinkPlace& link = m_system.links[i];
@@ -74,6 +80,7 @@ public:
                 if (!crosses(a, b))
                     continue;
                 m_crossedPanel[i] = 1;
+                m_panelLean[i] += signOf(blade.side(middleOf(i)));
                 lean(a, blade);
                 lean(b, blade);
             }
@@ -101,7 +108,7 @@ private:
     void lean(int particle, const Blade& blade)
     {
         const auto p = std::size_t(particle);
-        m_lean[p] += blade.side(m_state.position[p]) < 0.0 ? -1 : 1;
+        m_lean[p] += signOf(blade.side(m_state.position[p]));
         m_across[p] += blade.normal().normalized();
     }
 
@@ -114,16 +121,14 @@ private:
         return false;
     }
 
-    static int signOf(int lean) { return lean < 0 ? -1 : 1; }
+    static int signOf(double side) { return side < 0.0 ? -1 : 1; }
 
-    // Of a panel that is crossed; as it was before anything parted.
-    int sideOf(int panel) const
+    Vec3 middleOf(std::size_t panel) const
     {
-        int sum = 0;
-        for (const int corner : m_system.panels[std::size_t(panel)].corner)
-            if (m_lean[std::size_t(corner)] != 0)
-                sum += signOf(m_lean[std::size_t(corner)]);
-        return signOf(sum);
+        const auto [a, b, c] = m_system.panels[panel].corner;
+        return (m_state.position[std::size_t(a)] + m_state.position[std::size_t(b)]
+                + m_state.position[std::size_t(c)])
+               / 3.0;
     }
 
     bool part()
@@ -143,7 +148,8 @@ private:
         const std::vector<int> panels = parting.mesh().panelsAt(particle);
         std::vector<std::uint8_t> isNear;
         for (const int panel : panels)
-            isNear.push_back(m_crossedPanel[std::size_t(panel)] && sideOf(panel) != here);
+            isNear.push_back(m_crossedPanel[std::size_t(panel)]
+                             && signOf(m_panelLean[std::size_t(panel)]) != here);
         const auto near = std::count(isNear.begin(), isNear.end(), 1);
         if (near == 0)
             return;
@@ -155,8 +161,10 @@ private:
 
     const System& m_system;
     State& m_state;
+    std::vector<std::uint8_t> m_isBeyond;     // [particles] the plane of the blade
     std::vector<int> m_lean;                  // [particles] to which side, by how many crossings
     std::vector<std::uint8_t> m_crossedPanel; // [panels]
+    std::vector<int> m_panelLean;             // [panels] the same, of their middles
     std::vector<std::uint8_t> m_crossedLink;  // [links]
     std::vector<Vec3> m_across;               // [particles] to the side of +1
 };

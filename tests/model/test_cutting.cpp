@@ -114,7 +114,7 @@ private slots:
         auto again = std::make_shared<System>(*system);
         ++again->run;
         simulation.load(std::move(again));
-        simulation.handle({});
+        simulation.handle(HandCommands());
         QVERIFY(simulation.frame()->tears.empty());
         QCOMPARE(tornIn(simulation.system(), simulation.state()), 0);
     }
