@@ -10,6 +10,7 @@
 #include "editor/files.h"
 #include "editor/group_menus.h"
 #include "editor/insert_rows.h"
+#include "editor/run_rows.h"
 #include "editor/select_rows.h"
 #include "editor/templates.h"
 #include "editor/tuning_action_rows.h"
@@ -130,14 +131,14 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&Help", "about",      tr("&About Ripstop"),      "about",   {},                   tr("Version and licence."), [&window] { about(&window); }},
     };
     // clang-format on
-    const auto view = std::ranges::find_if(
-        rows, [](const MenuRow& row) { return std::string_view(row.menu) == "&View"; });
-    const std::vector<MenuRow> select = selectRows(bench, actions);
-    rows.insert(view, select.begin(), select.end());
-    const auto tools = std::ranges::find_if(
-        rows, [](const MenuRow& row) { return std::string_view(row.menu) == "&Tools"; });
-    const std::vector<MenuRow> tuning = tuningActionRows(bench);
-    rows.insert(tools, tuning.begin(), tuning.end());
+    const auto insertBefore = [&rows](std::string_view menu, const std::vector<MenuRow>& more) {
+        const auto place = std::ranges::find_if(
+            rows, [menu](const MenuRow& row) { return std::string_view(row.menu) == menu; });
+        rows.insert(place, more.begin(), more.end());
+    };
+    insertBefore("&View", selectRows(bench, actions));
+    insertBefore("&Tools", handRows(bench, actions));
+    insertBefore("&Tools", tuningActionRows(bench));
     return rows;
 }
 

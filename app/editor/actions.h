@@ -49,6 +49,7 @@ struct Workbench
     std::function<void()> showTour;
     std::function<void(const QString&)> showDock; // by its id
     std::function<void(const QString& builder)> insert;
+    std::function<void()> handsChanged; // how hard they pull and blow
 };
 
 class Actions final : public QObject

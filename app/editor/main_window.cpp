@@ -9,6 +9,7 @@
 #include "editor/builder_dialog.h"
 #include "editor/dialogs.h"
 #include "editor/draw_bar.h"
+#include "editor/hand_bar.h"
 #include "editor/rescue_dialog.h"
 #include "editor/tour.h"
 #include "editor/transform_bar.h"
@@ -156,8 +157,10 @@ void MainWindow::buildActions()
                      m_dialogs, *m_tuning, *m_inspector, m_drawSettings,
                      [this] { showStartPage(); }, [this] { importMesh({}); },
                      [this] { showTour(); }, [this](const QString& dock) { showDock(dock); },
-                     [this](const QString& builder) { insert(builder); }},
+                     [this](const QString& builder) { insert(builder); },
+                     [this] { m_handBar->refresh(); }},
                     keys);
+    m_handBar = new HandBar(m_document, m_player, *m_viewport, *m_actions); // the view owns it
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
 }
@@ -181,6 +184,7 @@ void MainWindow::buildToolBar()
     for (const QStringList& group :
          {QStringList{"toolPointer", "toolBox", "toolLasso"},
           QStringList{"drawParticles", "drawLinks", "drawPanels"},
+          QStringList{"toolGrab", "toolCut", "toolFan"},
           QStringList{"takeParticles", "takeLinks", "takePanels"}, QStringList{"through"}}) {
         QList<QAction*> actions;
         for (const QString& id : group)

@@ -19,6 +19,7 @@ namespace ripstop {
 class Autosave;
 class ControlKeys;
 class Document;
+class HandBar;
 class Inspector;
 class Outline;
 class PlotPanel;
@@ -99,6 +100,7 @@ private:
     QToolBar* m_toolBar = nullptr;
     Actions* m_actions = nullptr;
     Autosave* m_autosave = nullptr;
+    HandBar* m_handBar = nullptr;
     std::map<QString, QDockWidget*> m_docks;
     std::set<QString> m_hidden; // docks that the user has closed
     QLabel* m_counts;

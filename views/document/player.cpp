@@ -67,6 +67,26 @@ void Player::playUntil(double time)
     emit stateChanged();
 }
 
+void Player::settle(SettleGoal goal)
+{
+    halt();
+    if (refuse())
+        return;
+    m_playing = m_settling = true;
+    goal.number = ++m_goals;
+    order({.settle = goal});
+    emit stateChanged();
+}
+
+void Player::handle(const HandNote::What& what)
+{
+    using Stroke = std::shared_ptr<const Cut>;
+    if (std::holds_alternative<Stroke>(what) || std::holds_alternative<HandNote::Pin>(what))
+        m_started = true; // what runs is no longer the design, though it stands at its start
+    add(what, m_hands);
+    m_runner.handle(m_hands);
+}
+
 void Player::reset() { startOver(); }
 
 void Player::setSpeed(double ratio)
@@ -129,7 +149,9 @@ void Player::startOver()
     m_started = false;
     m_stuck = false;
     m_commands.clear();
+    m_hands = {};
     m_runner.command(m_commands);
+    m_runner.handle(m_hands);
     compileSoon();
     emit stateChanged();
 }
@@ -172,6 +194,7 @@ void Player::giveOrders()
         m_runner.stepOnce();
     m_until = orders.until;
     m_runner.playUntil(m_until.value_or(never));
+    m_runner.settle(orders.settle);
     m_runner.setPlaying(orders.play);
     if (hasArrived()) { // there is nothing to run, so no frame will say so
         halt();
@@ -192,7 +215,15 @@ void Player::halt()
     m_orders.reset();
     m_until.reset();
     m_runner.playUntil(never);
+    if (std::exchange(m_settling, false))
+        m_runner.settle(std::nullopt);
     m_runner.setPlaying(false);
+}
+
+bool Player::isCurrent() const
+{
+    return !m_dirty && m_compiled == m_generation && m_problem.isEmpty() && m_frame
+           && m_frame->run == m_run && m_frame->generation == m_generation;
 }
 
 bool Player::refuse()
@@ -219,6 +250,8 @@ void Player::takeCompiled(const Compiled& outcome)
     m_compiled = outcome.generation;
     if (runs && !m_started)
         m_runner.command(m_commands); // a new run starts with its controls at zero
+    if (runs)
+        m_runner.handle(m_hands); // and with empty hands
 
     const QString problem = QString::fromStdString(outcome.problem);
     const bool disappoints = !problem.isEmpty() && (m_playing || m_orders);
@@ -243,10 +276,15 @@ void Player::takeFrame()
     m_frame = std::move(frame);
 
     const bool gotStuck = m_stuck && !wasStuck;
-    const bool halts = gotStuck || hasArrived();
+    const auto& settling = m_frame->settling;
+    const bool hasSettled = m_settling && settling && settling->number == m_goals
+                            && settling->outcome != Settling::Outcome::Under;
+    const bool halts = gotStuck || hasSettled || hasArrived();
     if (halts)
         halt();
     emit frameReady(m_frame);
+    if (hasSettled)
+        emit settled(*m_frame->settling);
     if (halts)
         emit stateChanged();
     if (gotStuck)

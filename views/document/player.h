@@ -32,6 +32,8 @@ public:
     // Why there is nothing to play ("particle 3 is free and has no mass ..."), or empty.
     const QString& problem() const { return m_problem; }
 
+    bool isCurrent() const; // the newest frame is one of the design as it is now
+
     // What these ask for happens in the scene as it is now: they wait for a compile under way.
     void play();
     void pause();
@@ -48,10 +50,19 @@ public:
     void steer(Id control, double command);
     void nudge(Id control, int steps);
 
+    // What hands have been told since the run began, and what to tell them next.
+    const HandCommands& hands() const { return m_hands; }
+    void handle(const HandNote::What& what);
+
+    // Runs on, as fast as it can, until all is still or the goal's time is over; then pauses.
+    void settle(SettleGoal goal);
+    bool isSettling() const { return m_settling; }
+
 signals:
     void frameReady(const std::shared_ptr<const ripstop::Frame>& frame);
     void stateChanged();                               // playing, speed or problem
     void stopped(const QString& why, quint32 culprit); // the simulation cannot go on
+    void settled(const ripstop::Settling& end);        // by itself, not by a pause
 
 private:
     // What the runner is told as soon as it has the system of `generation`.
@@ -61,6 +72,7 @@ private:
         bool play = false;
         int steps = 0;
         std::optional<double> until = std::nullopt; // s
+        std::optional<SettleGoal> settle = std::nullopt;
     };
 
     void changed(const Edit& applied);
@@ -80,6 +92,7 @@ private:
     Follower m_follower;
     std::shared_ptr<const Frame> m_frame;
     Commands m_commands;
+    HandCommands m_hands;
     std::optional<Orders> m_orders; // not yet given
     std::optional<double> m_until;  // s, where playUntil() will pause
     QTimer m_poll;
@@ -93,6 +106,8 @@ private:
     bool m_started = false; // the run has left the design, or is about to
     bool m_stuck = false;   // the newest frame says that the simulation cannot go on
     bool m_playing = false;
+    bool m_settling = false; // or is about to
+    int m_goals = 0;         // so far, to tell frames of one from those of the next
 };
 
 } // namespace ripstop

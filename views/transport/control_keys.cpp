@@ -97,7 +97,7 @@ bool ControlKeys::maySteer(QObject* watched) const
 
 bool ControlKeys::isRunning() const
 {
-    return m_player.isPlaying() || (m_player.frame() && m_player.frame()->step > 0);
+    return m_player.isPlaying() || (m_player.frame() && m_player.frame()->underWay);
 }
 
 bool ControlKeys::steer(const QKeyEvent& key, bool press)

@@ -137,7 +137,7 @@ void Transport::refreshRun()
 {
     const auto& frame = m_player.frame();
     m_time->setText(tr("%1 s").arg(QLocale().toString(frame ? frame->time : 0.0, 'f', 3)));
-    m_reset->setEnabled(m_player.isPlaying() || (frame && frame->step > 0));
+    m_reset->setEnabled(m_player.isPlaying() || (frame && frame->underWay));
     refreshRatio();
     refreshSubsteps();
     refreshBadge();
@@ -176,7 +176,7 @@ void Transport::refreshBadge()
 {
     const auto& frame = m_player.frame();
     const bool stuck = frame && !frame->stopped.empty();
-    const bool runs = m_player.isPlaying() || (frame && frame->step > 0);
+    const bool runs = m_player.isPlaying() || (frame && frame->underWay);
     m_badge->setText(stuck ? tr("Stopped") : runs ? tr("Run") : tr("Edit"));
     m_badge->setToolTip(stuck  ? QString::fromStdString(frame->stopped)
                         : runs ? tr("Run: what you see is the simulation. Reset returns to the "

@@ -99,7 +99,7 @@ std::vector<OnScreen> projected(const Sight& sight)
     return points;
 }
 
-Id Picker::at(double x, double y) const
+Picked Picker::under(double x, double y) const
 {
     const std::vector<OnScreen> points = projected(sight);
     const Eigen::Vector2d reach(particleReach, particleReach);
@@ -111,22 +111,28 @@ Id Picker::at(double x, double y) const
     for (const Near& near : particlesNear(*this, points, x, y)) {
         const int own[]{int(near.element)};
         if (!cover.hides({places[near.element], own}))
-            return Id(layout.particleId[near.element]);
+            return {Picked::Sort::Particle, Id(layout.particleId[near.element]), near.element,
+                    places[near.element]};
     }
     for (const Near& near : linksNear(*this, points, x, y)) {
         const auto& link = layout.links[near.element];
         const int own[]{link.a, link.b};
         const Vec3& from = places[std::size_t(link.a)];
         const Vec3 way = places[std::size_t(link.b)] - from;
-        if (!cover.hides({from + near.share * way, own, Cover::foldOf(way.norm())}))
-            return Id(link.id);
+        const Vec3 place = from + near.share * way;
+        if (!cover.hides({place, own, Cover::foldOf(way.norm())}))
+            return {Picked::Sort::Link, Id(link.id), near.element, place};
     }
     const Cover::Met panel = cover.firstPanel(x, y);
-    const Hit collider = colliderUnder(sight, Projection(sight).rayAt(x, y));
+    const Projection::Ray ray = Projection(sight).rayAt(x, y);
+    const Hit collider = colliderUnder(sight, ray);
     if (collider.distance < panel.distance)
-        return collider.id;
-    return panel.panel >= 0 && pickable.panels() ? Id(layout.panelId[std::size_t(panel.panel)])
-                                                 : noId;
+        return {Picked::Sort::Collider, collider.id, 0,
+                ray.origin + collider.distance * ray.direction};
+    if (panel.panel < 0 || !pickable.panels())
+        return {};
+    return {Picked::Sort::Panel, Id(layout.panelId[std::size_t(panel.panel)]),
+            std::size_t(panel.panel), ray.origin + panel.distance * ray.direction};
 }
 
 } // namespace ripstop

@@ -29,6 +29,16 @@ struct Pickable
     }
 };
 
+// What was found: an element of the frame, or a collider.
+struct Picked
+{
+    enum class Sort { Nothing, Particle, Link, Panel, Collider };
+    Sort sort = Sort::Nothing;
+    Id id = noId;
+    std::size_t element = 0;   // its place in the frame; not of a collider
+    Vec3 place = Vec3::Zero(); // m, on it
+};
+
 struct Picker
 {
     Sight sight;
@@ -37,7 +47,8 @@ struct Picker
     // The id of the particle within a few pixels of (x, y), else of the link, else of the panel,
     // else of the collider that the cursor is on. What lies behind a panel or a collider is hidden
     // by it, exactly. Pixels count from the top left; noId when there is nothing.
-    Id at(double x, double y) const;
+    Id at(double x, double y) const { return under(x, y).id; }
+    Picked under(double x, double y) const;
 };
 
 // [particles] where they are in the picture.

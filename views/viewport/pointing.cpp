@@ -2,8 +2,10 @@
 
 #include "viewport/projection.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -28,11 +30,23 @@ Pointing::~Pointing() = default;
 
 void Pointing::setTool(std::unique_ptr<Tool> tool)
 {
-    if (m_tool)
-        m_tool->cancel();
+    if (Tool* busy = active())
+        busy->cancel();
+    m_busy = nullptr;
     m_tool = std::move(tool);
     setHovered(noId);
+    showCursor();
     update();
+}
+
+// The view has the cursor that the mouse shows, as this lets all events through.
+void Pointing::showCursor()
+{
+    const Tool* tool = active();
+    if (tool && tool->cursor() != Qt::ArrowCursor)
+        parentWidget()->setCursor(tool->cursor());
+    else
+        parentWidget()->unsetCursor();
 }
 
 void Pointing::setTheme(const Theme& theme)
@@ -44,8 +58,11 @@ void Pointing::setTheme(const Theme& theme)
 // A hidden overlay must not cost a picture of the window.
 void Pointing::moved()
 {
-    if (m_tool || m_hovered != noId)
+    if (active() || m_hovered != noId)
         update();
+    if (m_busy)
+        if (const auto sight = m_sight())
+            m_busy->moved(*sight);
     if (m_mouse && !m_soon.isActive())
         m_soon.start();
 }
@@ -59,19 +76,31 @@ Id Pointing::pick(QPointF place) const
 bool Pointing::press(const QMouseEvent& event)
 {
     hover({});
-    const auto sight = m_tool ? m_sight() : std::nullopt;
-    const bool taken = sight && m_tool->press(event, *sight);
-    if (m_tool)
-        update();
+    const bool byCtrl = event.button() == Qt::LeftButton && event.modifiers() == Qt::ControlModifier
+                        && m_ctrlTool && !m_busy;
+    const auto sight = active() || byCtrl ? m_sight() : std::nullopt;
+    if (!sight)
+        return false;
+    bool taken = active() && active()->press(event, *sight);
+    if (taken && !m_busy) {
+        m_busy = m_tool.get();
+    } else if (!taken && byCtrl) {
+        taken = m_ctrlTool->press(event, *sight);
+        m_busy = taken ? m_ctrlTool.get() : nullptr;
+    }
+    showCursor();
+    update();
     return taken;
 }
 
 bool Pointing::move(const QMouseEvent& event)
 {
-    const auto sight = m_tool ? m_sight() : std::nullopt;
-    const bool taken = sight && m_tool->move(event, *sight);
-    if (m_tool)
+    const auto sight = active() ? m_sight() : std::nullopt;
+    const bool taken = sight && active()->move(event, *sight);
+    if (active()) {
+        showCursor();
         update();
+    }
     const bool picks = event.buttons() == Qt::NoButton && !taken && (!m_tool || m_tool->picks());
     hover(picks ? std::optional(event.position()) : std::nullopt);
     return taken;
@@ -79,19 +108,42 @@ bool Pointing::move(const QMouseEvent& event)
 
 bool Pointing::release(const QMouseEvent& event)
 {
-    const auto sight = m_tool ? m_sight() : std::nullopt;
-    const bool taken = sight && m_tool->release(event, *sight);
-    if (m_tool)
+    const auto sight = active() ? m_sight() : std::nullopt;
+    const bool taken = sight && active()->release(event, *sight);
+    if (event.buttons() == Qt::NoButton)
+        m_busy = nullptr;
+    showCursor();
+    update();
+    return taken;
+}
+
+bool Pointing::wheel(const QWheelEvent& event)
+{
+    const auto sight = active() ? m_sight() : std::nullopt;
+    const bool taken = sight && active()->wheel(event, *sight);
+    if (taken)
         update();
     return taken;
 }
 
+bool Pointing::takesKey(const QKeyEvent& event) const { return m_busy && m_busy->takesKey(event); }
+
+bool Pointing::key(const QKeyEvent& event)
+{
+    if (!takesKey(event))
+        return false;
+    if (const auto sight = m_sight())
+        m_busy->key(event, *sight);
+    update();
+    return true;
+}
+
 bool Pointing::escape()
 {
-    if (!m_tool)
+    if (!active())
         return false;
     update();
-    if (!m_tool->cancel()) {
+    if (!active()->cancel() && m_tool) {
         setTool(nullptr);
         emit toolLeft();
     }
@@ -122,15 +174,15 @@ void Pointing::setHovered(Id id)
 
 void Pointing::paintEvent(QPaintEvent*)
 {
-    const auto sight = m_tool || m_hovered != noId ? m_sight() : std::nullopt;
+    const auto sight = active() || m_hovered != noId ? m_sight() : std::nullopt;
     if (!sight)
         return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_hovered != noId)
         paintHovered(painter, *sight);
-    if (m_tool)
-        m_tool->paint(painter, m_theme, *sight);
+    if (Tool* tool = active())
+        tool->paint(painter, m_theme, *sight);
 }
 
 // A ring, a line or a triangle where the element is now; a collider has its name only.

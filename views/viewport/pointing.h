@@ -25,6 +25,8 @@ public:
     ~Pointing() override;
 
     void setTool(std::unique_ptr<Tool> tool); // null: the pointer
+    // Takes what is dragged with Ctrl and the tool in use leaves.
+    void setCtrlTool(std::unique_ptr<Tool> tool) { m_ctrlTool = std::move(tool); }
     bool hasTool() const { return m_tool != nullptr; }
     void setTheme(const Theme& theme);
     void moved(); // what is seen has
@@ -37,6 +39,10 @@ public:
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
+    bool wheel(const QWheelEvent& event);
+    bool takesKey(const QKeyEvent& event) const; // rather than a shortcut
+    bool key(const QKeyEvent& event);
+    bool holds() const { return m_busy && m_busy->holds(); }
     bool escape(); // true when there was something to give up: a gesture, or the tool
 
     // The place under the mouse, soon; nothing while the view turns or the mouse is elsewhere.
@@ -52,11 +58,15 @@ protected:
 
 private:
     void lookUnderMouse();
+    Tool* active() const { return m_busy ? m_busy : m_tool.get(); }
+    void showCursor();
     void setHovered(Id id);
     void paintHovered(QPainter& painter, const Sight& sight) const;
 
     std::function<std::optional<Sight>()> m_sight;
     std::unique_ptr<Tool> m_tool;
+    std::unique_ptr<Tool> m_ctrlTool;
+    Tool* m_busy = nullptr; // with a gesture, from press to release
     Theme m_theme = Theme::light();
     std::optional<QPointF> m_mouse;
     Id m_hovered = noId;

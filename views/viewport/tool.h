@@ -10,8 +10,12 @@
 #include "viewport/theme.h"
 #include "viewport/turntable.h"
 
+#include <Qt>
+
+class QKeyEvent;
 class QMouseEvent;
 class QPainter;
+class QWheelEvent;
 
 namespace ripstop {
 
@@ -36,6 +40,18 @@ public:
     virtual bool move(const QMouseEvent&, const Sight&) { return false; }
     virtual bool release(const QMouseEvent&, const Sight&) { return false; }
 
+    virtual bool wheel(const QWheelEvent&, const Sight&) { return false; }
+
+    // A key while a gesture is under way; what the tool takes is nobody's shortcut then.
+    virtual bool takesKey(const QKeyEvent&) const { return false; }
+    virtual void key(const QKeyEvent&, const Sight&) {}
+
+    // What is seen has moved, by itself or as the camera has.
+    virtual void moved(const Sight&) {}
+
+    // True while a gesture is under way that a camera on the move would upset.
+    virtual bool holds() const { return false; }
+
     // Escape: gives up the gesture under way. False when there is none; the view then goes back to
     // the pointer.
     virtual bool cancel() { return false; }
@@ -45,6 +61,8 @@ public:
 
     // True where a click takes what is under the cursor, so that the view shows it beforehand.
     virtual bool picks() const { return true; }
+
+    virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
 };
 
 } // namespace ripstop

@@ -116,7 +116,7 @@ void TransformTool::setAxes(Axes axes)
 bool TransformTool::isAtDesign() const
 {
     const auto& frame = m_player.frame();
-    return !m_player.isPlaying() && (!frame || frame->step == 0 || !m_player.problem().isEmpty());
+    return !m_player.isPlaying() && (!frame || !frame->underWay || !m_player.problem().isEmpty());
 }
 
 bool TransformTool::acts() const { return gizmo().has_value(); }

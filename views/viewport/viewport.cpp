@@ -8,7 +8,7 @@
 #include "viewport/compass.h"
 #include "viewport/element_places.h"
 #include "viewport/gizmo_overlay.h"
-#include "viewport/hand.h"
+#include "viewport/grab_tool.h"
 #include "viewport/legend.h"
 #include "viewport/pointing.h"
 #include "viewport/scene_frame.h"
@@ -47,6 +47,8 @@ public:
         , gizmo(transform, &widget)
     {
         camera.look(PresetView::Iso);
+        pointing.setCtrlTool(std::make_unique<GrabTool>(document, player, hands,
+                                                        [this] { return pointing.pickable; }));
     }
 
     double aspect() const
@@ -61,13 +63,12 @@ public:
     std::optional<Sight> sight(); // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
-    void grip(Id id);
-    void drag(const QPointF& way);
 
     Document& document;
     Selection& selection;
     Player& player;
     Turntable camera;
+    HandSettings hands;
     VtkWidget screen;
     Stage stage;
     Pointing pointing;
@@ -83,8 +84,6 @@ public:
     QPointF pressed;
     QPointF last;
     bool dragging = false;
-    std::optional<Hand> hand; // that moves controls while it drags
-    std::vector<double> held; // m, where it found them
 };
 
 // --- frames and scene ------------------------------------------------------------------------
@@ -161,32 +160,6 @@ void Viewport::Private::fitNow()
     screen.renderSoon();
 }
 
-// Takes hold of what controls move, if that is what is under the cursor.
-void Viewport::Private::grip(Id id)
-{
-    const auto& frame = stage.frame();
-    if (id == noId || !frame)
-        return;
-    std::vector<Vec3> places = placesOf(*frame, document.scene(), {id});
-    if (const auto* collider = findItem<Collider>(document.scene(), id))
-        places = {placeOf(*frame, id, *collider)};
-    if (places.empty())
-        return;
-    hand.emplace(document.scene(), id, places.front());
-    if (hand->isEmpty())
-        return hand.reset();
-    held.clear();
-    for (const Id control : hand->controls())
-        held.push_back(player.commandOf(control));
-}
-
-void Viewport::Private::drag(const QPointF& way)
-{
-    const std::vector<double> pull = hand->pull(camera, screen.height(), way.x(), way.y());
-    for (std::size_t i = 0; i < pull.size(); ++i)
-        player.steer(hand->controls()[i], held[i] + pull[i]);
-}
-
 // --- the widget ------------------------------------------------------------------------------
 
 Viewport::Viewport(Document& document, Selection& selection, Player& player, QWidget* parent)
@@ -233,7 +206,10 @@ Viewport::~Viewport() = default;
 
 void Viewport::show(std::shared_ptr<const Frame> frame)
 {
-    d->chase.move(d->camera, *frame, d->stage.frame().get());
+    if (d->pointing.holds()) // the camera would follow the hand, and the hand the camera
+        d->chase.settle(frame.get());
+    else
+        d->chase.move(d->camera, *frame, d->stage.frame().get());
     d->stage.show(std::move(frame));
     d->pointing.moved();
     d->screen.renderSoon();
@@ -380,6 +356,8 @@ void Viewport::setOrthographic(bool orthographic)
 
 TransformTool& Viewport::transformTool() { return d->transform; }
 
+HandSettings& Viewport::hands() { return d->hands; }
+
 Id Viewport::pick(QPointF place) { return d->pointing.pick(place); }
 
 Pointing& Viewport::pointing() { return d->pointing; }
@@ -388,10 +366,7 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 {
     d->pressed = d->last = event->position();
     d->dragging = false;
-    if (d->pointing.press(*event))
-        return;
-    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::ControlModifier)
-        d->grip(pick(event->position()));
+    d->pointing.press(*event);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -403,10 +378,6 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
         d->dragging = true;
     if (!d->dragging)
         return;
-    if (d->hand) {
-        setCursor(Qt::ClosedHandCursor);
-        return d->drag(event->position() - d->pressed);
-    }
     const QPointF step = event->position() - d->last;
     d->last = event->position();
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
@@ -423,8 +394,6 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
-    d->hand.reset();
-    unsetCursor();
     if (d->pointing.release(*event) || d->dragging || event->button() != Qt::LeftButton)
         return;
     d->click(pick(event->position()), event->modifiers());
@@ -432,23 +401,29 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
 
 void Viewport::leaveEvent(QEvent*) { d->pointing.hover({}); }
 
-// Escape belongs to the gesture under way before it is anyone's shortcut.
+// Keys belong to the gesture under way before they are anyone's shortcut.
 bool Viewport::event(QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride
-        && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && d->pointing.hasTool())
-        event->accept();
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool gives = d->pointing.hasTool() || d->pointing.holds();
+        if ((key.key() == Qt::Key_Escape && gives) || d->pointing.takesKey(key))
+            event->accept();
+    }
     return QWidget::event(event);
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() != Qt::Key_Escape || !d->pointing.escape())
+    const bool escapes = event->key() == Qt::Key_Escape && d->pointing.escape();
+    if (!escapes && !d->pointing.key(*event))
         QWidget::keyPressEvent(event);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
+    if (d->pointing.wheel(*event))
+        return;
     const double notches = event->angleDelta().y() / 120.0;
     const double x = 2.0 * event->position().x() / width() - 1.0;
     const double y = 1.0 - 2.0 * event->position().y() / height();

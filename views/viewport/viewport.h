@@ -1,7 +1,8 @@
 // The 3D view.
 //
 // Left drag turns it, middle or Shift + left drag moves it, the wheel moves in towards the cursor.
-// Ctrl + left drag moves what controls move: corners, pilots, colliders.
+// Ctrl + left drag takes hold of things (grab_tool.h): it steers what controls move, carries
+// colliders and pulls at all else.
 // A click selects the particle, link, panel or collider under the cursor; with Shift it adds to the
 // selection, with Ctrl it takes away. A tool (tool.h) takes the left button for itself; the view
 // then turns by right drag.
@@ -22,6 +23,7 @@
 namespace ripstop {
 
 class Document;
+struct HandSettings;
 class Legend;
 class Player;
 class Pointing;
@@ -72,6 +74,7 @@ public:
     QImage image(Overlays overlays = Overlays::With);
 
     TransformTool& transformTool();
+    HandSettings& hands(); // how hard they pull and blow
 
     Id pick(QPointF place); // noId when nothing is there
     Pointing& pointing();   // the tool in use, and what the mouse is on

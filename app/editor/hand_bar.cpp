@@ -1,0 +1,220 @@
+#include "editor/hand_bar.h"
+
+#include "document/document.h"
+#include "document/player.h"
+#include "document/words.h"
+#include "editor/actions.h"
+#include "scene/typed_number.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ripstop {
+namespace {
+
+constexpr int gap = 10; // pixels, from the lower edge of the view
+constexpr double degree = std::numbers::pi / 180.0;
+
+QString shortText(double value) { return compactNumber(QString::number(value, 'g', 4).toDouble()); }
+
+} // namespace
+
+HandBar::HandBar(Document& document, Player& player, Viewport& viewport, const Actions& actions)
+    : QFrame(&viewport)
+    , m_document(document)
+    , m_player(player)
+    , m_viewport(viewport)
+    , m_settings(viewport.hands())
+    , m_hints{{actions["toolGrab"], tr("Grab"),
+               tr("Drag fabric, lines, controls, colliders. Wheel: nearer or farther. P: pin.")},
+              {actions["toolCut"], tr("Cut"),
+               tr("Draw across links and fabric. A right drag turns the view.")},
+              {actions["toolFan"], tr("Fan"),
+               tr("Hold the button and aim. Wheel: strength, with Ctrl: spread.")}}
+    , m_title(new QLabel)
+    , m_hint(new QLabel)
+    , m_unpin(new QPushButton)
+{
+    addFields();
+    layOut(actions["through"]);
+    hide();
+    viewport.installEventFilter(this);
+    for (const Hint& hint : m_hints)
+        connect(hint.tool, &QAction::toggled, this, &HandBar::refresh);
+    connect(m_unpin, &QPushButton::clicked, actions["unpinHands"], &QAction::trigger);
+    connect(&document, &Document::replaced, this, &HandBar::refresh);
+    connect(&document, &Document::changed, this, &HandBar::refresh);
+    connect(&player, &Player::stateChanged, this, &HandBar::refresh);
+    connect(&player, &Player::frameReady, this, [this] {
+        if (isVisible())
+            m_unpin->setVisible(!m_player.hands().hands.pins.empty());
+    });
+}
+
+void HandBar::addFields()
+{
+    QAction* const grab = m_hints[0].tool;
+    QAction* const fan = m_hints[2].tool;
+    addField(tr("Strength"),
+             {grab, nullptr, nullptr, QStringLiteral("N/m"), 1e-6, 1e9,
+              [this] { return m_settings.stiffnessIn(m_document.scene()); },
+              [this] { return m_settings.stiffness.has_value(); },
+              [this](std::optional<double> value) { m_settings.stiffness = value; }},
+             tr("How stiff the spring is between the cursor and what it holds. Empty, it follows "
+                "from the weight and the size of the design. A time step that is too long for it "
+                "makes it softer; the view says so."));
+    addField(tr("at most"),
+             {grab, nullptr, nullptr, QStringLiteral("N"), 1e-9, 1e9,
+              [this] { return m_settings.mostIn(m_document.scene()); },
+              [this] { return m_settings.most.has_value(); },
+              [this](std::optional<double> value) { m_settings.most = value; }},
+             tr("The most that the hand pulls with, however far it goes. Empty, it is five times "
+                "the weight of all that is free, and 5 N or more."));
+    addField(tr("Speed"),
+             {fan, nullptr, nullptr, QStringLiteral("m/s"), HandSettings::slowestFan,
+              HandSettings::fastestFan, [this] { return m_settings.fanSpeed; }, [] { return true; },
+              [this](std::optional<double> value) {
+                  m_settings.fanSpeed = value.value_or(HandSettings().fanSpeed);
+              }},
+             tr("Of the air in the nozzle; it slows down as the jet widens."));
+    addField(tr("Spread"),
+             {fan, nullptr, nullptr, QStringLiteral("\u00b0"),
+              std::atan(HandSettings::narrowestFan) / degree,
+              std::atan(HandSettings::widestFan) / degree,
+              [this] { return std::atan(m_settings.fanWidening) / degree; }, [] { return true; },
+              [this](std::optional<double> value) {
+                  m_settings.fanWidening =
+                      value ? std::tan(*value * degree) : HandSettings().fanWidening;
+              }},
+             tr("Half the angle of the jet. A narrow one reaches farther."));
+}
+
+void HandBar::addField(const QString& name, Field field, const QString& help)
+{
+    field.edit = new QLineEdit;
+    field.edit->setObjectName(name);
+    field.edit->setAccessibleName(name);
+    field.edit->setToolTip(tr("%1 From %2 to %3 %4.")
+                               .arg(help, shortText(field.low), shortText(field.high), field.unit));
+    field.edit->setAlignment(Qt::AlignRight);
+    field.edit->setFixedWidth(
+        field.edit->fontMetrics().horizontalAdvance(QStringLiteral("automatic 0000")));
+    field.row = new QWidget;
+    auto* label = new QLabel(name);
+    label->setBuddy(field.edit);
+    auto* row = new QHBoxLayout(field.row);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(label);
+    row->addWidget(field.edit);
+    row->addWidget(new QLabel(field.unit));
+    m_fields.push_back(field);
+    connect(field.edit, &QLineEdit::returnPressed, &m_viewport, qOverload<>(&QWidget::setFocus));
+    connect(field.edit, &QLineEdit::editingFinished, this,
+            [this, place = m_fields.size() - 1] { take(m_fields[place]); });
+}
+
+void HandBar::layOut(QAction* through)
+{
+    setObjectName(QStringLiteral("handBar"));
+    setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    setCursor(Qt::ArrowCursor);
+    QFont bold = font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    m_hint->setForegroundRole(QPalette::PlaceholderText);
+    auto* button = new QToolButton;
+    button->setDefaultAction(through);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setText(tr("All the way through"));
+    button->setToolTip(tr("Off, the knife goes through the first fabric under it; on, through all "
+                          "that lies behind as well."));
+    button->setFocusPolicy(Qt::NoFocus);
+    m_through = button;
+    m_unpin->setText(tr("Pull out pins"));
+    m_unpin->setFocusPolicy(Qt::NoFocus);
+    m_unpin->setToolTip(tr("Let go of all that was pinned by hand in this run."));
+    auto* above = new QHBoxLayout;
+    above->addWidget(m_title);
+    for (const Field& field : m_fields)
+        above->addWidget(field.row);
+    above->addWidget(m_through);
+    above->addWidget(m_unpin);
+    above->addStretch();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 5, 8, 5);
+    layout->setSpacing(4);
+    layout->addLayout(above);
+    layout->addWidget(m_hint);
+}
+
+const HandBar::Hint* HandBar::shown() const
+{
+    const auto found =
+        std::ranges::find_if(m_hints, [](const Hint& hint) { return hint.tool->isChecked(); });
+    return found == m_hints.end() ? nullptr : &*found;
+}
+
+void HandBar::refresh()
+{
+    const Hint* const hint = shown();
+    setVisible(hint != nullptr);
+    if (!hint)
+        return;
+    m_title->setText(hint->title);
+    m_hint->setText(m_player.isPlaying()
+                        ? hint->words
+                        : tr("Paused: nothing moves until it runs (Space). ") + hint->words);
+    for (const Field& field : m_fields) {
+        field.row->setVisible(field.tool == hint->tool);
+        const QString text = shortText(field.value());
+        field.edit->setPlaceholderText(tr("automatic %1").arg(text));
+        if (!field.edit->hasFocus())
+            field.edit->setText(field.isOwn() ? text : QString());
+    }
+    m_through->setVisible(hint == &m_hints[1]);
+    m_unpin->setVisible(!m_player.hands().hands.pins.empty());
+    settle();
+}
+
+void HandBar::take(const Field& field)
+{
+    if (!field.edit->isModified()) // what is shown is rounded
+        return;
+    const QString text = field.edit->text().trimmed();
+    const auto typed = typedNumber(text.toStdString(), field.unit.toStdString()).number;
+    const double number = typed ? typed->appliedTo(field.value()) : 0.0;
+    if (text.isEmpty())
+        field.set(std::nullopt);
+    else if (typed && number >= field.low && number <= field.high)
+        field.set(number);
+    field.edit->setText(field.isOwn() ? shortText(field.value()) : QString());
+    refresh();
+}
+
+void HandBar::settle()
+{
+    layout()->activate();
+    adjustSize();
+    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
+    raise();
+}
+
+bool HandBar::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == &m_viewport && event->type() == QEvent::Resize && isVisible())
+        settle();
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace ripstop

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "document/worker.h"
+#include "run/pose.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+
+namespace ripstop {
+
+class Document;
+class Player;
+
+// Makes the design of what the run has come to: one step of the history. The frame is that of the
+// moment when the dialog opens.
+class PoseDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    PoseDialog(Document& document, Player& player, QWidget* parent);
+
+    void accept() override;
+    void reject() override;
+
+private:
+    struct Job
+    {
+        Scene scene;
+        std::shared_ptr<const Frame> frame;
+        PoseOptions options;
+    };
+
+    void layOut();
+    QString outcome() const; // what will change
+    void explain();
+    void take(); // the edit that the worker has made
+
+    Document& m_document;
+    Player& m_player;
+    const std::shared_ptr<const Frame> m_frame;
+    QComboBox* m_lengths;
+    QComboBox* m_motion;
+    QLabel* m_choice;
+    QDialogButtonBox* m_buttons;
+    bool m_works = false;
+    Worker<Job, Edit> m_worker; // last: it stops before the rest goes
+};
+
+} // namespace ripstop
