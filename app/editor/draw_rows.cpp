@@ -1,8 +1,10 @@
 #include "editor/draw_rows.h"
 
 #include "document/document.h"
+#include "document/selection.h"
 #include "editor/actions.h"
 #include "editor/dialogs.h"
+#include "editor/operation_dialog.h"
 #include "viewport/draw_tool.h"
 #include "viewport/pointing.h"
 #include "viewport/transform_tool.h"
@@ -29,12 +31,24 @@ std::function<void()> drawing(const Workbench& bench, DrawTool::Shape shape)
     };
 }
 
+std::function<void()> operating(const Workbench& bench, const char* name)
+{
+    return [&bench, name] {
+        bench.viewport.transformTool().goToDesign();
+        OperationDialog(*findOperation(name), bench.document, bench.selection, &bench.window)
+            .exec();
+    };
+}
+
 } // namespace
 
 std::vector<MenuRow> drawRows(const Workbench& bench)
 {
     const auto tr = [](const char* text) { return Actions::tr(text); };
     const auto draw = [&](DrawTool::Shape shape) { return drawing(bench, shape); };
+    const auto operation = [&](const char* name) { return operating(bench, name); };
+    const auto no = Toggle::No;
+    const auto some = Needs::Selection;
     using Shape = DrawTool::Shape;
     const MenuRow line{"D&raw", nullptr, {}, nullptr, {}, {}, {}};
     // clang-format off
@@ -42,6 +56,12 @@ std::vector<MenuRow> drawRows(const Workbench& bench)
         {"D&raw", "drawParticles", tr("&Particles"), "draw-particle", QKeySequence("Shift+A"), tr("Click where particles are to be: in a plane, on fabric."), draw(Shape::Particles), Toggle::Off, "tool"},
         {"D&raw", "drawLinks",     tr("&Links"),     "draw-link",     QKeySequence("D"),       tr("Click from particle to particle, or where one is to be: rods, lines, springs, ropes of many segments."), draw(Shape::Links), Toggle::Off, "tool"},
         {"D&raw", "drawPanels",    tr("P&anels"),    "draw-panel",    QKeySequence("Ctrl+D"),   tr("Click the three corners of a panel."), draw(Shape::Panels), Toggle::Off, "tool"},
+        line,
+        {"D&raw", "link",     tr("L&ink selected…"),   "link",  QKeySequence("J"),       tr("Tie the selected particles to each other, in a line, a ring, or each with each."), operation("link"), no, nullptr, some},
+        {"D&raw", "rope",     tr("&Rope…"),            nullptr, {},                      tr("A rope or line of many links between two selected particles."), operation("rope"), no, nullptr, some},
+        {"D&raw", "spar",     tr("&Spar…"),            nullptr, {},                      tr("A stiff spar along the selected particles."), operation("spar"), no, nullptr, some},
+        {"D&raw", "fill",     tr("&Fill with panels…"), "panel", QKeySequence("Shift+J"), tr("Close the hole that the selected particles surround."), operation("fill"), no, nullptr, some},
+        {"D&raw", "rigidity", tr("Ri&gidity particles…"), nullptr, {},                   tr("Particles on both sides of the selected ones, tied to each, so that they keep their shape."), operation("rigidity"), no, nullptr, some},
         line,
         {"D&raw", "floppy",   tr("What gives &way…"),  nullptr, QKeySequence("Ctrl+Shift+R"), tr("In which ways the selection, or the design, gives way without a link growing longer, and the rods that would stop it."), [&dialogs = bench.dialogs] { dialogs.showRigidity(); }},
     };

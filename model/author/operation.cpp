@@ -1,6 +1,7 @@
 #include "author/operation.h"
 
 #include "author/copy.h"
+#include "author/draw_operations.h"
 #include "author/split.h"
 #include "author/spread_mass.h"
 #include "author/weld.h"
@@ -152,21 +153,27 @@ Result<Shaped> splitLinks(const Scene& scene, const std::vector<Id>& ids, const 
     return Shaped{std::move(split.edit), std::move(split.made)};
 }
 
+// clang-format off
+const std::array shapingOperations{
+    Operation{"mirror", "Mirror", "Adds the other half of what is selected. What lies on the plane belongs to both halves, panels are turned round, and copies join the groups of their originals.", mirrorParameters, mirror},
+    Operation{"row",    "Array in a row", "Copies what is selected again and again, each copy a step further.", rowParameters, row},
+    Operation{"ring",   "Array in a ring", "Copies what is selected around an axis: gores of a canopy, spokes.", ringParameters, ring},
+    Operation{"weld",   "Weld", "Makes one particle of several, with the mass of all. Links and panels that fall together become one.", weldParameters, weld},
+    Operation{"mass",   "Set mass", "Gives mass to the selected particles.", massParameters, mass},
+    Operation{"split",  "Split links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
+};
+// clang-format on
+
 } // namespace
 
 std::span<const Operation> allOperations()
 {
-    // clang-format off
-    static const std::array table{
-        Operation{"mirror", "Mirror", "Adds the other half of what is selected. What lies on the plane belongs to both halves, panels are turned round, and copies join the groups of their originals.", mirrorParameters, mirror},
-        Operation{"row",    "Array in a row", "Copies what is selected again and again, each copy a step further.", rowParameters, row},
-        Operation{"ring",   "Array in a ring", "Copies what is selected around an axis: gores of a canopy, spokes.", ringParameters, ring},
-        Operation{"weld",   "Weld", "Makes one particle of several, with the mass of all. Links and panels that fall together become one.", weldParameters, weld},
-        Operation{"mass",   "Set mass", "Gives mass to the selected particles.", massParameters, mass},
-        Operation{"split",  "Split links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
-    };
-    // clang-format on
-    return table;
+    static const std::vector<Operation> all = [] {
+        std::vector<Operation> both(shapingOperations.begin(), shapingOperations.end());
+        both.insert(both.end(), drawOperations().begin(), drawOperations().end());
+        return both;
+    }();
+    return all;
 }
 
 const Operation* findOperation(std::string_view name)

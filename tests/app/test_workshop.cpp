@@ -1,0 +1,404 @@
+// A designer's day in one go, by real events: a kite from nothing, flown, torn and tuned, all of it
+// taken back and done again.
+#include "author/elements.h"
+#include "builders/builder.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "editor/builder_dialog.h"
+#include "editor/main_window.h"
+#include "editor/operation_dialog.h"
+#include "import/import_dialog.h"
+#include "io/scene_file.h"
+#include "model/meshes.h"
+#include "run/torn_system.h"
+#include "viewport/pointing.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr int patience = 20000; // ms
+
+struct Shop
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
+    Viewport& viewport = window.viewport();
+
+    Shop()
+    {
+        window.resize(1280, 800);
+        window.show();
+        QApplication::setActiveWindow(&window); // Xvfb has no window manager to do it
+    }
+
+    const Scene& scene() const { return document.scene(); }
+    const Frame& frame() const { return *player.frame(); }
+    void run(const char* id) { window.actions()[id]->trigger(); }
+    void press(Qt::Key key) { QTest::keyClick(&viewport, key); }
+
+    // Triggers an action and works in its dialog; what is left open is dismissed.
+    template <typename Dialog>
+    void during(const std::function<void()>& begin, const std::function<void(Dialog&)>& act)
+    {
+        bool found = false;
+        QTimer::singleShot(0, &window, [&] {
+            auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+            found = dialog;
+            if (dialog)
+                act(*dialog);
+            if (dialog && dialog->isVisible())
+                dialog->reject();
+        });
+        begin();
+        QVERIFY(found);
+    }
+
+    // An operation on what is selected, with its numbers typed.
+    void operate(const char* id, const std::map<QString, QString>& numbers = {})
+    {
+        during<OperationDialog>([&] { run(id); },
+                                [&](OperationDialog& dialog) {
+                                    for (const auto& [key, words] : numbers)
+                                        type(dialog, key, words);
+                                    auto* ok = okOf(dialog);
+                                    QTRY_VERIFY(ok->isEnabled());
+                                    ok->click();
+                                });
+    }
+
+    static QPushButton* okOf(QDialog& dialog)
+    {
+        return dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    }
+
+    static void type(QWidget& dialog, const QString& key, const QString& words)
+    {
+        auto* field = dialog.findChild<QWidget*>(key)->findChild<QLineEdit*>();
+        field->selectAll();
+        QTest::keyClicks(field, words);
+    }
+
+    Id partCalled(const char* name) const
+    {
+        Id found = noId;
+        forEachPart(scene(), [&](Id id, const Part& part) {
+            if (part.name == name)
+                found = id;
+        });
+        return found;
+    }
+    const Part& part(Id id) const { return *findItem<Part>(scene(), id); }
+    Id itemCalled(const char* name) const
+    {
+        for (const Entry& entry : scene().items)
+            if (nameOf(entry.item) == name)
+                return entry.id;
+        return noId;
+    }
+
+    // In the picture, pixels.
+    QPointF at(const Vec3& place) const
+    {
+        const double width = viewport.width(), height = viewport.height();
+        const Eigen::Vector4d p =
+            viewport.camera().projection(width / height) * place.homogeneous();
+        return {0.5 * width * (1.0 + p.x() / p.w()), 0.5 * height * (1.0 - p.y() / p.w())};
+    }
+    Vec3 now(Id particle) const
+    {
+        const auto& ids = frame().layout->particleId;
+        const auto found = std::ranges::find(ids, std::uint32_t(particle));
+        return frame().position[std::size_t(found - ids.begin())];
+    }
+
+    void mouse(QEvent::Type type, QPointF place, Qt::MouseButton button, Qt::MouseButtons buttons)
+    {
+        QMouseEvent event(type, place, viewport.mapToGlobal(place), button, buttons,
+                          Qt::NoModifier);
+        QApplication::sendEvent(&viewport, &event);
+    }
+    void drag(const std::vector<QPointF>& path)
+    {
+        mouse(QEvent::MouseButtonPress, path.front(), Qt::LeftButton, Qt::LeftButton);
+        for (std::size_t i = 1; i < path.size(); ++i)
+            for (int step = 1; step <= 10; ++step)
+                mouse(QEvent::MouseMove, path[i - 1] + 0.1 * step * (path[i] - path[i - 1]),
+                      Qt::NoButton, Qt::LeftButton);
+        mouse(QEvent::MouseButtonRelease, path.back(), Qt::LeftButton, Qt::NoButton);
+    }
+    void click(QPointF place) { drag({place, place}); }
+};
+
+} // namespace
+
+class TestWorkshop : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<Shop> m_shop;
+    std::string m_begin;
+
+    // Each step of the day is one step of the history.
+    void expectSteps(int steps) { QCOMPARE(m_shop->document.history().count(), steps); }
+
+private slots:
+    void initTestCase() { m_shop = std::make_unique<Shop>(); }
+    void cleanupTestCase() { m_shop.reset(); }
+
+    void beginsWithNothing()
+    {
+        m_shop->run("new");
+        QVERIFY(m_shop->scene().items.empty());
+        m_begin = sceneText(m_shop->scene());
+    }
+
+    void insertsAKiteOfAnotherSpan()
+    {
+        Shop& shop = *m_shop;
+        shop.during<BuilderDialog>([&] { shop.run("insert delta_kite"); },
+                                   [&](BuilderDialog& dialog) {
+                                       shop.type(dialog, "span", "220 cm");
+                                       QTRY_VERIFY(shop.okOf(dialog)->isEnabled());
+                                       shop.okOf(dialog)->click();
+                                   });
+        const Id kite = shop.partCalled("kite");
+        QVERIFY(kite != noId);
+        QCOMPARE(shop.part(kite).parameters.at("span"), 2.2);
+        expectSteps(1);
+    }
+
+    void importsASail()
+    {
+        Shop& shop = *m_shop;
+        const QString file = writeFile(m_folder.filePath("sail.obj"),
+                                       QByteArray::fromStdString(sheet(4, 1.0, true)));
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, this, [&] {
+            auto* dialog = qobject_cast<ImportDialog*>(QApplication::activeModalWidget());
+            if (!dialog || !dialog->isSettled())
+                return;
+            watch.stop();
+            QTest::mouseClick(shop.okOf(*dialog), Qt::LeftButton);
+        });
+        watch.start(10);
+        shop.window.importMesh(file);
+        const Id sail = shop.partCalled("sail");
+        QVERIFY(sail != noId);
+        QCOMPARE(shop.part(sail).particles.size(), 25U);
+        expectSteps(2);
+    }
+
+    void weldsPinsAndWeighs()
+    {
+        Shop& shop = *m_shop;
+        const Id sail = shop.partCalled("sail");
+        const auto& rows = shop.part(sail).particles;
+        shop.selection.set({rows[0].id, rows[1].id});
+        shop.during<OperationDialog>([&] { shop.run("weld"); },
+                                     [&](OperationDialog& dialog) {
+                                         auto* which = dialog.findChild<QWidget*>("which");
+                                         auto* choice = qobject_cast<QComboBox*>(which);
+                                         if (!choice)
+                                             choice = which->findChild<QComboBox*>();
+                                         choice->setCurrentIndex(1); // all into one
+                                         QTRY_VERIFY(shop.okOf(dialog)->isEnabled());
+                                         shop.okOf(dialog)->click();
+                                     });
+        QCOMPARE(shop.part(sail).particles.size(), 24U);
+        expectSteps(3);
+
+        shop.selection.set({shop.part(sail).particles.back().id});
+        shop.press(Qt::Key_P);
+        QVERIFY(shop.part(sail).particles.back().pinned);
+        expectSteps(4);
+
+        shop.selection.set({sail});
+        shop.operate("mass", {{"amount", "240 g"}}); // in all
+        double mass = 0.0;
+        for (const Particle& particle : shop.part(sail).particles)
+            mass += particle.mass;
+        QVERIFY(std::abs(mass - 0.24) < 1e-12);
+        expectSteps(5);
+    }
+
+    void givesTheSailAnotherFabric()
+    {
+        Shop& shop = *m_shop;
+        std::vector<Id> panels;
+        for (const Panel& panel : shop.part(shop.partCalled("sail")).panels)
+            panels.push_back(panel.id);
+        shop.selection.set(panels);
+        auto* material = shop.window.inspector().findChild<QComboBox*>("material");
+        QVERIFY(material);
+        const Id fabric = shop.itemCalled("sail cloth") != noId ? shop.itemCalled("sail cloth")
+                                                                : shop.itemCalled("keel cloth");
+        const QString name = QString::fromStdString(nameOf(*findItem(shop.scene(), fabric)));
+        material->setCurrentIndex(material->findText(name));
+        emit material->activated(material->currentIndex());
+        for (const Panel& panel : shop.part(shop.partCalled("sail")).panels)
+            QCOMPARE(panel.material, fabric);
+        expectSteps(6);
+    }
+
+    void takesTheLeadingEdgeByLasso()
+    {
+        Shop& shop = *m_shop;
+        QTRY_VERIFY_WITH_TIMEOUT(shop.player.frame(), patience);
+        shop.viewport.setOrthographic(true);
+        shop.viewport.setFollow(false);
+        shop.viewport.view(PresetView::Top);
+        shop.viewport.fit({shop.partCalled("kite")});
+        shop.run("takeLinks"); // particles only
+        shop.run("takePanels");
+        shop.run("through");
+        shop.run("toolLasso");
+        // around the group that the builder has made of the leading edge
+        const auto& edge = findItem<Group>(shop.scene(), shop.itemCalled("leading edge"))->members;
+        QVERIFY(edge.size() > 10);
+        QPointF least(1e9, 1e9), most(-1e9, -1e9);
+        for (const Id id : edge) {
+            const QPointF place = shop.at(shop.now(id));
+            least = {std::min(least.x(), place.x()), std::min(least.y(), place.y())};
+            most = {std::max(most.x(), place.x()), std::max(most.y(), place.y())};
+        }
+        least -= QPointF(12, 12);
+        most += QPointF(12, 12);
+        shop.drag({least, {most.x(), least.y()}, most, {least.x(), most.y()}, least});
+        const auto& taken = shop.selection.ids();
+        QVERIFY(std::ranges::includes(taken, edge));
+        shop.run("takeLinks");
+        shop.run("takePanels");
+        shop.run("toolPointer");
+        expectSteps(6); // a selection is no edit
+    }
+
+    void makesRigidityParticles()
+    {
+        Shop& shop = *m_shop;
+        shop.selection.set(findItem<Group>(shop.scene(), shop.itemCalled("leading edge"))->members);
+        const std::size_t before = shop.part(shop.partCalled("kite")).particles.size();
+        shop.operate("rigidity", {{"distance", "25 cm"}});
+        QCOMPARE(shop.part(shop.partCalled("kite")).particles.size(), before + 2);
+        expectSteps(7);
+    }
+
+    void linksALineByClicks()
+    {
+        Shop& shop = *m_shop;
+        const Part& sail = shop.part(shop.partCalled("sail"));
+        shop.viewport.view(PresetView::Front);
+        shop.viewport.fit({shop.partCalled("sail")});
+        const Id corner = sail.particles.front().id;
+        QTRY_VERIFY(std::ranges::count(shop.frame().layout->particleId, std::uint32_t(corner)));
+        const std::size_t links = sail.links.size();
+        shop.run("drawLinks");
+        shop.click(shop.at(shop.now(corner)));
+        shop.click(shop.at(shop.now(corner)) + QPointF(-60.0, 40.0));
+        shop.press(Qt::Key_Escape);
+        shop.press(Qt::Key_Escape);
+        QCOMPARE(shop.part(shop.partCalled("sail")).links.size(), links + 1);
+        expectSteps(8);
+    }
+
+    void fliesGrabsTearsAndTunes()
+    {
+        Shop& shop = *m_shop;
+        shop.press(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.frame().step > 10, patience);
+
+        const Part& sail = shop.part(shop.partCalled("sail"));
+        const Id held = sail.particles.back().id;
+        shop.run("toolGrab");
+        const QPointF from = shop.at(shop.now(sail.particles[12].id));
+        shop.mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+        for (int i = 1; i <= 10; ++i)
+            shop.mouse(QEvent::MouseMove, from + QPointF(3.0 * i, -3.0 * i), Qt::NoButton,
+                       Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.frame().held, patience);
+        shop.mouse(QEvent::MouseButtonRelease, from + QPointF(30.0, -30.0), Qt::LeftButton,
+                   Qt::NoButton);
+
+        shop.run("toolCut");
+        const QPointF pin = shop.at(shop.now(held));
+        shop.drag({pin + QPointF(-80.0, -80.0), pin + QPointF(80.0, 80.0)});
+        shop.drag({pin + QPointF(-80.0, 80.0), pin + QPointF(80.0, -80.0)});
+        QTRY_VERIFY_WITH_TIMEOUT(std::ranges::count(shop.frame().torn, std::uint8_t(1)) > 0
+                                     || shop.frame().layout->torn,
+                                 patience);
+        shop.run("toolPointer");
+
+        // a value of a material, while it flies
+        shop.selection.set({shop.itemCalled("line")});
+        auto* value = shop.window.inspector().findChild<QWidget*>("compliance");
+        QVERIFY(value);
+        auto* field = qobject_cast<QLineEdit*>(value);
+        if (!field)
+            field = value->findChild<QLineEdit*>();
+        const auto generation = shop.frame().generation;
+        field->selectAll();
+        QTest::keyClicks(field, "2e-5");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(findItem<Material>(shop.scene(), shop.itemCalled("line"))->compliance, 2e-5);
+        QTRY_VERIFY_WITH_TIMEOUT(shop.frame().generation > generation, patience);
+        QVERIFY(shop.frame().step > 10); // it did not start over
+        expectSteps(9);
+        shop.press(Qt::Key_Space);
+    }
+
+    void undoesEverythingAndDoesItAgain()
+    {
+        Shop& shop = *m_shop;
+        const std::string end = sceneText(shop.scene());
+        QUndoStack& history = shop.document.history();
+        while (history.canUndo())
+            shop.run("undo");
+        QVERIFY(shop.scene().items.empty());
+        QCOMPARE(sceneText(shop.scene()), m_begin);
+        while (history.canRedo())
+            shop.run("redo");
+        QCOMPARE(sceneText(shop.scene()), end);
+    }
+
+    void savesAndOpensAgain()
+    {
+        Shop& shop = *m_shop;
+        const QString file = m_folder.filePath("day.ripstop.json");
+        QVERIFY(!shop.document.save(file));
+        QVERIFY(!shop.window.isWindowModified());
+        Document again;
+        QVERIFY(!again.open(file));
+        QVERIFY(again.scene() == shop.scene());
+    }
+};
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format); // before the application exists
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("RipstopTest");
+    TestWorkshop test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_workshop.moc"
