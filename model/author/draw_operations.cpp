@@ -206,9 +206,9 @@ Result<Shaped> spar(const Scene& scene, const std::vector<Id>& ids, const Parame
     if (!taken.empty()) {
         edit.changes.emplace_back(SetValues{findProperty(Kind::Link, "material"), taken, {of}});
         edit.changes.emplace_back(
-            SetValues{findProperty(Kind::Link, "kind"), taken, {int(LinkKind::Rod)}});
+            SetValues{findProperty(Kind::Link, "kind"), taken, {std::string("rod")}});
         edit.changes.emplace_back(
-            SetValues{findProperty(Kind::Link, "resists"), taken, {int(Resists::Both)}});
+            SetValues{findProperty(Kind::Link, "resists"), taken, {std::string("both")}});
     }
     return Shaped{std::move(edit), std::move(links)};
 }

@@ -14,8 +14,9 @@ namespace {
 
 constexpr int mostSubsteps = 2000;
 constexpr double safety = 1.5;
-constexpr double leastGravity = 9.80665;     // m/s^2; wind loads what floats in space too
-constexpr double manySubsteps = 100.0;       // in 10 ms
+constexpr double leastGravity = 9.80665; // m/s^2; wind loads what floats in space too
+constexpr double manySubsteps = 100.0;   // in 10 ms
+constexpr double farLighter = 1000.0;
 constexpr std::size_t mostForBlocks = 20000; // particles; looking for blocks takes its time
 
 // What rods join, without passing a pin.
@@ -52,6 +53,7 @@ struct Worst
 {
     double substeps = 1.0;
     int rod = -1;
+    bool hangsHeavy = false; // a network that is pinned holds a load by particles far lighter
 };
 
 // The rod that needs most substeps, of those that are not in `direct`.
@@ -66,21 +68,27 @@ Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
         const int rods =
             system.rodsAt.start[std::size_t(p) + 1] - system.rodsAt.start[std::size_t(p)];
         const double mass = 1.0 / w;
-        return pull * std::min(mass, networks.mass(p) - mass) / rods;
+        const bool hangs = networks.rodsAtPins(p) > 0; // what is pinned takes any pull
+        return pull * (hangs ? mass : std::min(mass, networks.mass(p) - mass)) / rods;
     };
     Worst worst;
     for (std::size_t r = 0; r < system.rods.size(); ++r) {
         const Rod& rod = system.rods[r];
-        const double weight =
-            system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+        const double u = system.inverseMass[std::size_t(rod.a)];
+        const double w = system.inverseMass[std::size_t(rod.b)];
+        const double weight = u + w;
         if ((!direct.empty() && direct[r]) || weight == 0.0 || rod.restLength <= 0.0
             || rod.compliance > 0.0)
             continue;
+        if (u > 0.0 && w > 0.0 && networks.rodsAtPins(rod.a) > 0)
+            worst.hangsHeavy |= std::max(u, w) > farLighter * std::min(u, w);
         const double load = std::max(loadAt(rod.a, rod.b), loadAt(rod.b, rod.a));
         const double substeps = safety * system.timeStep
                                 * std::sqrt(load * weight / (system.strainGoal * rod.restLength));
-        if (substeps > worst.substeps)
-            worst = {substeps, int(r)};
+        if (substeps > worst.substeps) {
+            worst.substeps = substeps;
+            worst.rod = int(r);
+        }
     }
     return worst;
 }
@@ -115,12 +123,19 @@ SolverPlan planFor(const System& system)
     Worst worst = worstRod(system, {});
     const double many = manySubsteps * system.timeStep / 0.01;
     std::string block;
-    if (worst.substeps > many && system.inverseMass.size() <= mostForBlocks) {
+    // A heavy load on light lines stretches them little in a step, but the sweeps give back more
+    // than they took: it bounces higher and higher.
+    if ((worst.substeps > many || worst.hangsHeavy) && system.inverseMass.size() <= mostForBlocks) {
         plan.direct = directChoice(system);
         const auto count = std::count(plan.direct.begin(), plan.direct.end(), 1);
         if (count > 0) {
-            block = text("%d rods are solved directly, since their load would need %.0f substeps; ",
-                         int(count), worst.substeps);
+            block = worst.substeps > many
+                        ? text("%d rods are solved directly, since their load would need %.0f "
+                               "substeps; ",
+                               int(count), worst.substeps)
+                        : text("%d rods are solved directly, since their load is far heavier than "
+                               "what holds it; ",
+                               int(count));
             worst = worstRod(system, plan.direct);
         }
     }

@@ -166,6 +166,7 @@ Count allocationsOf(Work work)
 
 std::vector<double> kept; // what an optimizer must not leave out
 
+constexpr double never = 1e15; // m, 1 or N: what tears is recorded, and a record takes memory
 constexpr int warmUp = RIPSTOP_COUNTS ? 5 : 1;
 constexpr int counted =
     RIPSTOP_COUNTS ? 20 : 3; // sanitizers are slow, and there is nothing to count
@@ -208,7 +209,7 @@ System strip(Integrator integrator, Solver solver)
         const auto count = system.rods.size();
         Rod& added = addRod(system, a, b, distance(system, a, b), count % 7 == 0 ? 1e-6 : 0.0);
         added.resists = count % 11 == 0 ? Resists::Tension : Resists::Both;
-        added.tear = {count % 2 ? TearRule::Force : TearRule::Length, 1e6};
+        added.tear = {count % 2 ? TearRule::Force : TearRule::Length, never};
     };
     for (int i = 0; i < along; ++i)
         for (int k = 0; k < across; ++k) {
@@ -219,7 +220,7 @@ System strip(Integrator integrator, Solver solver)
             rod(at(i, k), at(i + 1, k));
             if (i + 2 < along)
                 addSpring(system, at(i, k), at(i + 2, k), 0.02, 1.0, 1e-4).tear = {TearRule::Strain,
-                                                                                   1e6};
+                                                                                   never};
             if (k + 1 == across)
                 continue;
             rod(at(i, k), at(i + 1, k + 1));

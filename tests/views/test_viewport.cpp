@@ -229,7 +229,7 @@ private slots:
         move({215, 160});
         const double gone = view.player.commandOf(Id{8});
         QVERIFY2(gone > 0.01 && gone < 0.25, qPrintable(QString::number(gone)));
-        move({399, 160});
+        move({460, 160});
         QCOMPARE(view.player.commandOf(Id{8}), 0.25); // its limit
         move({200, 160});
         QVERIFY(std::abs(view.player.commandOf(Id{8})) < 1e-12); // back where it was
