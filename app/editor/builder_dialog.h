@@ -51,7 +51,8 @@ public:
     void reject() override;
 
 signals:
-    // What comes is in the view, for the first time since its builder was chosen: time to look at it.
+    // What comes is in the view, for the first time since its builder was chosen: time to look at
+    // it.
     void shown(const std::vector<ripstop::Id>& bodies);
 
 private:

@@ -8,7 +8,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -17,7 +16,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int gap = 10;         // pixels, from the lower edge of the view
 constexpr int fieldWidth = 110; // pixels
 
 // clang-format off
@@ -30,9 +28,8 @@ constexpr Parameter segmentsParameter{"segments", "", 1, 1, 1000, true, "Links b
 
 DrawBar::DrawBar(Document& document, Viewport& viewport, DrawSettings& settings,
                  const Actions& actions)
-    : QFrame(&viewport)
+    : ViewBar(viewport, QStringLiteral("drawBar"))
     , m_document(document)
-    , m_viewport(viewport)
     , m_settings(settings)
     , m_hints{{actions["drawParticles"], tr("Draw particles"),
                tr("Click where they are to be: in the plane, on fabric. A right drag turns the "
@@ -47,8 +44,6 @@ DrawBar::DrawBar(Document& document, Viewport& viewport, DrawSettings& settings,
 {
     layOut();
     startOver();
-    hide();
-    viewport.installEventFilter(this);
     for (const Hint& hint : m_hints)
         connect(hint.tool, &QAction::toggled, this, &DrawBar::refresh);
     connect(&document, &Document::replaced, this, &DrawBar::startOver);
@@ -68,25 +63,23 @@ void DrawBar::startOver()
 
 void DrawBar::layOut()
 {
-    setObjectName(QStringLiteral("drawBar"));
-    setAutoFillBackground(true);
-    setFrameShape(QFrame::StyledPanel);
     QFont bold = font();
     bold.setBold(true);
     m_title->setFont(bold);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
 
-    m_part = chooser(tr("Part"),
-                     tr("Where new particles go. Links and panels go to the part of "
-                        "their first particle."),
-                     {}, [this](int row) { m_settings.part = Id(m_part->itemData(row).toUInt()); });
-    m_material = chooser(tr("Material"), tr("Of new links and panels."), {}, [this](int row) {
+    m_part =
+        chooser(tr("Part"),
+                tr("Where new particles go. Links and panels go to the part of "
+                   "their first particle."),
+                {}, 0, [this](int row) { m_settings.part = Id(m_part->itemData(row).toUInt()); });
+    m_material = chooser(tr("Material"), tr("Of new links and panels."), {}, 0, [this](int row) {
         m_settings.material = Id(m_material->itemData(row).toUInt());
     });
     auto* kind = chooser(tr("Kind"),
                          tr("Rods keep their length, lines only do not grow longer, springs pull "
                             "with a force."),
-                         {tr("Rods"), tr("Lines"), tr("Springs")}, [this](int row) {
+                         {tr("Rods"), tr("Lines"), tr("Springs")}, 0, [this](int row) {
                              m_settings.kind = row == 2 ? LinkKind::Spring : LinkKind::Rod;
                              m_settings.resists = row == 1 ? Resists::Tension : Resists::Both;
                          });
@@ -95,12 +88,12 @@ void DrawBar::layOut()
     m_mass =
         field(massParameter, m_settings.mass, [this](double value) { m_settings.mass = value; });
     m_onLinks = {kind, segments};
-    auto* plane =
-        chooser(tr("Plane"),
-                tr("Where places off the fabric lie: in a plane through the particle "
-                   "that was clicked last, or through the origin."),
-                {tr("Facing plane"), tr("Level plane"), tr("Front plane"), tr("Side plane")},
-                [this](int row) { m_settings.plane = DrawSettings::Plane(row); });
+    auto* plane = chooser(
+        tr("Plane"),
+        tr("Where places off the fabric lie: in a plane through the particle "
+           "that was clicked last, or through the origin."),
+        {tr("Facing plane"), tr("Level plane"), tr("Front plane"), tr("Side plane")},
+        int(m_settings.plane), [this](int row) { m_settings.plane = DrawSettings::Plane(row); });
     auto* onMesh = new QCheckBox(tr("On fabric"));
     onMesh->setToolTip(tr("A click on a panel puts the particle there, and not in the plane."));
     onMesh->setChecked(m_settings.onMesh);
@@ -126,17 +119,6 @@ void DrawBar::layOut()
     layout->addLayout(words);
     layout->addLayout(what);
     layout->addLayout(where);
-}
-
-QComboBox* DrawBar::chooser(const QString& name, const QString& help, const QStringList& choices,
-                            const std::function<void(int)>& choose)
-{
-    auto* box = new QComboBox;
-    box->addItems(choices);
-    box->setToolTip(help);
-    box->setAccessibleName(name);
-    connect(box, &QComboBox::activated, this, choose);
-    return box;
 }
 
 // With its name before it. What cannot be read changes nothing.
@@ -186,20 +168,6 @@ void DrawBar::refresh()
         widget->setVisible(used == m_hints.begin() + 1);
     m_material->setVisible(used != m_hints.begin());
     settle();
-}
-
-void DrawBar::settle()
-{
-    adjustSize();
-    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
-    raise();
-}
-
-bool DrawBar::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == &m_viewport && event->type() == QEvent::Resize && isVisible())
-        settle();
-    return QFrame::eventFilter(watched, event);
 }
 
 } // namespace ripstop

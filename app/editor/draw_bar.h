@@ -1,8 +1,8 @@
 #pragma once
 
-#include "viewport/draw_tool.h"
+#include "editor/view_bar.h"
 
-#include <QFrame>
+#include "viewport/draw_tool.h"
 
 #include <functional>
 #include <vector>
@@ -21,7 +21,7 @@ class Viewport;
 
 // Over the lower edge of the view while a draw tool is in use: what is drawn, of what, and in which
 // plane.
-class DrawBar final : public QFrame
+class DrawBar final : public ViewBar
 {
     Q_OBJECT
 
@@ -29,8 +29,6 @@ public:
     DrawBar(Document& document, Viewport& viewport, DrawSettings& settings, const Actions& actions);
 
     void refresh();
-
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Hint
@@ -42,16 +40,12 @@ private:
 
     void startOver();
     void layOut();
-    QComboBox* chooser(const QString& name, const QString& help, const QStringList& choices,
-                       const std::function<void(int)>& choose);
     QWidget* field(const Parameter& parameter, double value,
                    const std::function<void(double)>& take);
     template <typename T>
     void fillItems(QComboBox& box, Id chosen, const QString& fresh);
-    void settle(); // at its place in the view
 
     Document& m_document;
-    Viewport& m_viewport;
     DrawSettings& m_settings;
     std::vector<Hint> m_hints;
     QLabel* m_title;

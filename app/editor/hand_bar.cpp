@@ -8,7 +8,6 @@
 #include "viewport/viewport.h"
 
 #include <QAction>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -22,7 +21,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int gap = 10; // pixels, from the lower edge of the view
 constexpr double degree = std::numbers::pi / 180.0;
 
 QString shortText(double value) { return compactNumber(QString::number(value, 'g', 4).toDouble()); }
@@ -30,10 +28,9 @@ QString shortText(double value) { return compactNumber(QString::number(value, 'g
 } // namespace
 
 HandBar::HandBar(Document& document, Player& player, Viewport& viewport, const Actions& actions)
-    : QFrame(&viewport)
+    : ViewBar(viewport, QStringLiteral("handBar"))
     , m_document(document)
     , m_player(player)
-    , m_viewport(viewport)
     , m_settings(viewport.hands())
     , m_hints{{actions["toolGrab"], tr("Grab"),
                tr("Drag fabric, lines, controls, colliders. Wheel: nearer or farther. P: pin.")},
@@ -47,8 +44,6 @@ HandBar::HandBar(Document& document, Player& player, Viewport& viewport, const A
 {
     addFields();
     layOut(actions["through"]);
-    hide();
-    viewport.installEventFilter(this);
     for (const Hint& hint : m_hints)
         connect(hint.tool, &QAction::toggled, this, &HandBar::refresh);
     connect(m_unpin, &QPushButton::clicked, actions["unpinHands"], &QAction::trigger);
@@ -125,9 +120,6 @@ void HandBar::addField(const QString& name, Field field, const QString& help)
 
 void HandBar::layOut(QAction* through)
 {
-    setObjectName(QStringLiteral("handBar"));
-    setAutoFillBackground(true);
-    setFrameShape(QFrame::StyledPanel);
     setCursor(Qt::ArrowCursor);
     QFont bold = font();
     bold.setBold(true);
@@ -200,21 +192,6 @@ void HandBar::take(const Field& field)
         field.set(number);
     field.edit->setText(field.isOwn() ? shortText(field.value()) : QString());
     refresh();
-}
-
-void HandBar::settle()
-{
-    layout()->activate();
-    adjustSize();
-    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
-    raise();
-}
-
-bool HandBar::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == &m_viewport && event->type() == QEvent::Resize && isVisible())
-        settle();
-    return QFrame::eventFilter(watched, event);
 }
 
 } // namespace ripstop

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "viewport/hand_settings.h"
+#include "editor/view_bar.h"
 
-#include <QFrame>
+#include "viewport/hand_settings.h"
 
 #include <functional>
 #include <vector>
@@ -21,7 +21,7 @@ class Viewport;
 
 // Over the lower edge of the view while a hand, a knife or a fan is in use: how strong it is, what
 // the mouse does, and what hands have left behind.
-class HandBar final : public QFrame
+class HandBar final : public ViewBar
 {
     Q_OBJECT
 
@@ -29,8 +29,6 @@ public:
     HandBar(Document& document, Player& player, Viewport& viewport, const Actions& actions);
 
     void refresh();
-
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     // A number of the settings. One that may be left to the program is empty then and shows what
@@ -57,12 +55,10 @@ private:
     void addField(const QString& name, Field field, const QString& help);
     void addFields();
     void take(const Field& field);
-    void settle(); // at its place in the view
     const Hint* shown() const;
 
     Document& m_document;
     Player& m_player;
-    Viewport& m_viewport;
     HandSettings& m_settings;
     std::vector<Hint> m_hints;
     std::vector<Field> m_fields;

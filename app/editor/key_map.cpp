@@ -21,7 +21,7 @@ KeyMap::KeyMap(const std::vector<QAction*>& actions, Memory memory, QObject* par
         m_usual[action] = action->shortcut();
         const QVariant kept =
             memory == Memory::Keep ? QSettings().value(settingOf(*action)) : QVariant();
-        wear(*action, kept.isValid() ? QKeySequence(kept.toString()) : action->shortcut());
+        show(*action, kept.isValid() ? QKeySequence(kept.toString()) : action->shortcut());
     }
 }
 
@@ -49,12 +49,17 @@ void KeyMap::resetAll()
 }
 
 // The tip is the status tip with the keys behind it.
-void KeyMap::wear(QAction& action, const QKeySequence& keys)
+void KeyMap::show(QAction& action, const QKeySequence& keys)
 {
     action.setShortcut(keys);
     const QString tip = action.statusTip();
     const QString text = keys.toString(QKeySequence::NativeText);
     action.setToolTip(text.isEmpty() ? tip : tr("%1 (%2)").arg(tip, text));
+}
+
+void KeyMap::wear(QAction& action, const QKeySequence& keys)
+{
+    show(action, keys);
     if (m_memory == Memory::Ignore)
         return;
     QSettings settings;

@@ -32,7 +32,8 @@ signals:
     void changed();
 
 private:
-    void wear(QAction& action, const QKeySequence& keys);
+    static void show(QAction& action, const QKeySequence& keys);
+    void wear(QAction& action, const QKeySequence& keys); // from now on, and in the next run
 
     std::vector<QAction*> m_actions;
     std::map<const QAction*, QKeySequence> m_usual;

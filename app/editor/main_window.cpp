@@ -152,14 +152,13 @@ bool MainWindow::showDock(const QString& id)
 void MainWindow::buildActions()
 {
     const auto keys = m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore;
-    m_actions =
-        new Actions({*this, m_document, m_selection, m_player, *m_viewport, *m_outline, *m_files,
-                     m_dialogs, *m_tuning, *m_inspector, m_drawSettings,
-                     [this] { showStartPage(); }, [this] { importMesh({}); },
-                     [this] { showTour(); }, [this](const QString& dock) { showDock(dock); },
-                     [this](const QString& builder) { insert(builder); },
-                     [this] { m_handBar->refresh(); }},
-                    keys);
+    m_actions = new Actions(
+        {*this, m_document, m_selection, m_player, *m_viewport, *m_outline, *m_files, m_dialogs,
+         *m_tuning, *m_inspector, m_drawSettings, [this] { showStartPage(); },
+         [this] { importMesh({}); }, [this] { showTour(); },
+         [this](const QString& dock) { showDock(dock); },
+         [this](const QString& builder) { insert(builder); }, [this] { m_handBar->refresh(); }},
+        keys);
     m_handBar = new HandBar(m_document, m_player, *m_viewport, *m_actions); // the view owns it
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());

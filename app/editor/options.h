@@ -26,7 +26,7 @@ struct Options
     ColorBy colorBy = ColorBy::Material;
     QString select;    // name of an item
     QString fit;       // name of an item
-    QString action; // of a menu, by its id
+    QString action;    // of a menu, by its id
     QStringList docks; // in front
 };
 

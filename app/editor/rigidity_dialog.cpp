@@ -1,6 +1,5 @@
 #include "editor/rigidity_dialog.h"
 
-#include "author/drawing.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
@@ -19,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace ripstop {
@@ -264,27 +262,11 @@ void RigidityDialog::selectMoving()
         m_selection.set(movingIn(*m_rigidity, std::size_t(m_modes->currentRow())));
 }
 
-// Of the material that most rods here have.
 void RigidityDialog::addBraces()
 {
-    Drawing drawing(m_document.scene());
-    std::map<Id, int> counts;
-    forEachPart(m_document.scene(), [&](Id, const Part& part) {
-        for (const Link& link : part.links)
-            if (link.kind == LinkKind::Rod
-                && std::ranges::binary_search(m_rigidity->particles, link.from))
-                ++counts[link.material];
-    });
-    const auto most = std::ranges::max_element(
-        counts, [](const auto& a, const auto& b) { return a.second < b.second; });
-    const LinkStroke stroke{most == counts.end() ? drawing.materialNamed("braces") : most->first,
-                            LinkKind::Rod, Resists::Both};
-    for (const Brace& brace : m_braces)
-        drawing.link(m_rigidity->particles[std::size_t(brace.from)],
-                     m_rigidity->particles[std::size_t(brace.to)], stroke);
-    std::vector<Id> rods = drawing.made();
-    m_document.push(drawing.finish(tr("Add braces").toStdString()));
-    m_selection.set(std::move(rods));
+    Braced braced = withBraces(m_document.scene(), *m_rigidity, m_braces);
+    m_document.push(std::move(braced.edit));
+    m_selection.set(std::move(braced.rods));
     lookAgain();
 }
 

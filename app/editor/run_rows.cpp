@@ -63,9 +63,9 @@ std::vector<MenuRow> handRows(const Workbench& bench, const Actions& actions)
     const auto tr = [](const char* text) { return Actions::tr(text); };
     const auto grab = [&bench] {
         Viewport& viewport = bench.viewport;
-        take(bench, std::make_unique<GrabTool>(
-                        bench.document, bench.player, viewport.hands(),
-                        [&viewport] { return viewport.pointing().pickable; }));
+        take(bench,
+             std::make_unique<GrabTool>(bench.document, bench.player, viewport.hands(),
+                                        [&viewport] { return viewport.pointing().pickable; }));
     };
     const auto cut = [&bench, &actions] {
         take(bench, std::make_unique<CutTool>(bench.player, [&actions] {
@@ -73,8 +73,8 @@ std::vector<MenuRow> handRows(const Workbench& bench, const Actions& actions)
              }));
     };
     const auto fan = [&bench] {
-        take(bench, std::make_unique<FanTool>(bench.player, bench.viewport.hands(),
-                                              bench.handsChanged));
+        take(bench,
+             std::make_unique<FanTool>(bench.player, bench.viewport.hands(), bench.handsChanged));
     };
     const auto settle = [&bench, open = QPointer<SettleDialog>()]() mutable {
         if (!open) // deletes itself when closed

@@ -5,7 +5,6 @@
 #include "viewport/viewport.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,8 +14,6 @@
 
 namespace ripstop {
 namespace {
-
-constexpr int gap = 10; // pixels, from the lower edge of the view
 
 struct Words
 {
@@ -52,8 +49,7 @@ QString numberText(double value)
 } // namespace
 
 TransformBar::TransformBar(Viewport& viewport)
-    : QFrame(&viewport)
-    , m_viewport(viewport)
+    : ViewBar(viewport, QStringLiteral("transformBar"))
     , m_tool(viewport.transformTool())
     , m_title(new QLabel)
     , m_unit(new QLabel)
@@ -61,16 +57,11 @@ TransformBar::TransformBar(Viewport& viewport)
     , m_row(new QWidget)
 {
     layOut();
-    hide();
-    viewport.installEventFilter(this);
     connect(&m_tool, &TransformTool::changed, this, &TransformBar::refresh);
 }
 
 void TransformBar::layOut()
 {
-    setObjectName(QStringLiteral("transformBar"));
-    setAutoFillBackground(true);
-    setFrameShape(QFrame::StyledPanel);
     auto* numbers = new QHBoxLayout;
     QFont bold = font();
     bold.setBold(true);
@@ -124,18 +115,6 @@ void TransformBar::layOut()
     layout->addWidget(m_hint);
 }
 
-QWidget* TransformBar::chooser(const QString& name, const QString& help, const QStringList& choices,
-                               int chosen, const std::function<void(int)>& choose)
-{
-    auto* box = new QComboBox;
-    box->addItems(choices);
-    box->setCurrentIndex(chosen);
-    box->setToolTip(help);
-    box->setAccessibleName(name);
-    connect(box, &QComboBox::activated, this, choose);
-    return box;
-}
-
 void TransformBar::refresh()
 {
     const Shaping shaping = m_tool.shaping();
@@ -161,13 +140,6 @@ void TransformBar::refresh()
         settle();
 }
 
-void TransformBar::settle()
-{
-    adjustSize();
-    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
-    raise();
-}
-
 void TransformBar::take()
 {
     Vec3 numbers = m_tool.numbers(); // those that change nothing
@@ -182,13 +154,6 @@ void TransformBar::take()
     for (int axis = 0; axis < 3; ++axis)
         m_numbers[std::size_t(axis)]->setText(numberText(m_tool.numbers()[axis]));
     m_viewport.setFocus();
-}
-
-bool TransformBar::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == &m_viewport && event->type() == QEvent::Resize && isVisible())
-        settle();
-    return QFrame::eventFilter(watched, event);
 }
 
 } // namespace ripstop

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "viewport/transform_tool.h"
+#include "editor/view_bar.h"
 
-#include <QFrame>
+#include "viewport/transform_tool.h"
 
 #include <array>
 
@@ -17,24 +17,18 @@ class Viewport;
 // Over the lower edge of the view while a tool is chosen: the numbers of the drag, which can also
 // be typed (Enter applies them), and what it turns about, what becomes of rest lengths, what Ctrl
 // snaps to.
-class TransformBar final : public QFrame
+class TransformBar final : public ViewBar
 {
     Q_OBJECT
 
 public:
     explicit TransformBar(Viewport& viewport);
 
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     void layOut();
     void refresh();
-    void settle(); // at its place in the view
-    void take();   // what is typed
-    QWidget* chooser(const QString& name, const QString& help, const QStringList& choices,
-                     int chosen, const std::function<void(int)>& choose);
+    void take(); // what is typed
 
-    Viewport& m_viewport;
     TransformTool& m_tool;
     QLabel* m_title;
     std::array<QLineEdit*, 3> m_numbers;

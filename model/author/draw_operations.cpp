@@ -63,39 +63,6 @@ LinkStroke strokeOf(int kind)
     }
 }
 
-// The material that most elements of a table have that touch the particles;
-// noId without one.
-template <typename Rows, typename Touches>
-Id commonest(const Scene& scene, Rows Part::*rows, Touches touches)
-{
-    std::map<Id, int> counts;
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const auto& row : part.*rows)
-            if (touches(row))
-                ++counts[row.material];
-    });
-    const auto most = std::ranges::max_element(
-        counts, [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == counts.end() ? noId : most->first;
-}
-
-Id linkMaterialAt(const Scene& scene, const std::vector<Id>& particles)
-{
-    return commonest(scene, &Part::links, [&](const Link& link) {
-        return std::ranges::binary_search(particles, link.from)
-               || std::ranges::binary_search(particles, link.to);
-    });
-}
-
-Id panelMaterialAt(const Scene& scene, const std::vector<Id>& particles)
-{
-    return commonest(scene, &Part::panels, [&](const Panel& panel) {
-        return std::ranges::any_of(std::array{panel.a, panel.b, panel.c}, [&](Id corner) {
-            return std::ranges::binary_search(particles, corner);
-        });
-    });
-}
-
 Material named(const char* name)
 {
     Material plain;

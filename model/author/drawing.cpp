@@ -1,5 +1,6 @@
 #include "author/drawing.h"
 
+#include "author/elements.h"
 #include "author/movable.h"
 
 #include <algorithm>
@@ -9,20 +10,11 @@
 namespace ripstop {
 namespace {
 
-std::array<Id, 2> pairOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
-
 std::array<Id, 3> tripleOf(Id a, Id b, Id c)
 {
     std::array<Id, 3> triple{a, b, c};
     std::ranges::sort(triple);
     return triple;
-}
-
-const Particle* particleOf(const Scene& scene, Id id)
-{
-    const auto ref = find(scene, id);
-    const auto* row = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-    return row ? *row : nullptr;
 }
 
 // Who is tied to whom among these.
@@ -89,18 +81,76 @@ private:
     std::map<Id, std::set<Id>> m_next;
 };
 
+// The material that most elements of a table have that touch the particles;
+// noId without one.
+template <typename Rows, typename Touches>
+Id commonest(const Scene& scene, Rows Part::*rows, Touches touches)
+{
+    std::map<Id, int> counts;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const auto& row : part.*rows)
+            if (touches(row))
+                ++counts[row.material];
+    });
+    const auto most = std::ranges::max_element(
+        counts, [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == counts.end() ? noId : most->first;
+}
+
 } // namespace
+
+Id linkMaterialAt(const Scene& scene, const std::vector<Id>& particles)
+{
+    return commonest(scene, &Part::links, [&](const Link& link) {
+        return std::ranges::binary_search(particles, link.from)
+               || std::ranges::binary_search(particles, link.to);
+    });
+}
+
+Id panelMaterialAt(const Scene& scene, const std::vector<Id>& particles)
+{
+    return commonest(scene, &Part::panels, [&](const Panel& panel) {
+        return std::ranges::any_of(std::array{panel.a, panel.b, panel.c}, [&](Id corner) {
+            return std::ranges::binary_search(particles, corner);
+        });
+    });
+}
 
 Drawing::Drawing(const Scene& scene)
     : m_scene(scene)
     , m_next(scene.nextId)
+{}
+
+// Who is linked to it, in the scene and by this drawing. One pass over the links for each particle
+// that is asked about, so that a click on a large design does not sort them all.
+std::set<Id>& Drawing::linkedTo(Id particle)
 {
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Link& link : part.links)
-            m_linked.insert(pairOf(link.from, link.to));
-        for (const Panel& panel : part.panels)
-            m_covered.insert(tripleOf(panel.a, panel.b, panel.c));
-    });
+    const auto [place, isNew] = m_linkedTo.try_emplace(particle);
+    if (isNew && particle < m_scene.nextId)
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            for (const Link& link : part.links) {
+                if (link.from == particle)
+                    place->second.insert(link.to);
+                if (link.to == particle)
+                    place->second.insert(link.from);
+            }
+        });
+    return place->second;
+}
+
+// The other corners of the panels of which it is the lowest, in ascending order.
+std::set<std::array<Id, 2>>& Drawing::coveredBy(Id lowest)
+{
+    const auto [place, isNew] = m_coveredBy.try_emplace(lowest);
+    if (isNew && lowest < m_scene.nextId)
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            for (const Panel& panel : part.panels)
+                if (panel.a == lowest || panel.b == lowest || panel.c == lowest)
+                    if (const auto corners = tripleOf(panel.a, panel.b, panel.c);
+                        corners[0] == lowest)
+                        place->second.insert({corners[1], corners[2]});
+        });
+    return place->second;
 }
 
 Id Drawing::fresh() { return std::exchange(m_next, Id{std::uint32_t(m_next) + 1}); }
@@ -158,7 +208,8 @@ Id Drawing::particle(Id part, const Vec3& position, double mass)
 Id Drawing::link(Id from, Id to, const LinkStroke& stroke)
 {
     const double length = (position(to) - position(from)).norm();
-    if (from == to || length == 0.0 || !m_linked.insert(pairOf(from, to)).second)
+    const auto [low, high] = std::minmax(from, to);
+    if (from == to || length == 0.0 || !linkedTo(low).insert(high).second)
         return noId;
     Link row;
     row.id = fresh();
@@ -195,7 +246,8 @@ std::vector<Id> Drawing::rope(Id from, Id to, int count, double mass, double sla
 
 Id Drawing::panel(Id a, Id b, Id c, Id material)
 {
-    if (a == b || b == c || c == a || !m_covered.insert(tripleOf(a, b, c)).second)
+    const auto [low, middle, high] = tripleOf(a, b, c);
+    if (a == b || b == c || c == a || !coveredBy(low).insert({middle, high}).second)
         return noId;
     const Id part = partOf(a);
     const Id id = fresh();

@@ -58,17 +58,24 @@ private:
     Particle* drawn(Id particle);
     const Particle* row(Id particle) const;
     AddRows& rowsOf(Id part);
+    std::set<Id>& linkedTo(Id particle);
+    std::set<std::array<Id, 2>>& coveredBy(Id lowest);
 
     const Scene& m_scene;
     Id m_next;
     std::vector<AddItem> m_items;
-    std::map<Id, AddRows> m_rows; // by part
-    std::map<Id, Id> m_partOf;    // of drawn elements
-    std::map<Id, double> m_mass;  // kg, new, of particles that were there
-    std::set<std::array<Id, 2>> m_linked;
-    std::set<std::array<Id, 3>> m_covered;
+    std::map<Id, AddRows> m_rows;                          // by part
+    std::map<Id, Id> m_partOf;                             // of drawn elements
+    std::map<Id, double> m_mass;                           // kg, new, of particles that were there
+    std::map<Id, std::set<Id>> m_linkedTo;                 // of first ends, as they are asked for
+    std::map<Id, std::set<std::array<Id, 2>>> m_coveredBy; // of lowest corners, the same
     std::vector<Id> m_made;
 };
+
+// What most links, or panels, are made of that touch these particles (ascending); noId where there
+// are none.
+Id linkMaterialAt(const Scene& scene, const std::vector<Id>& particles);
+Id panelMaterialAt(const Scene& scene, const std::vector<Id>& particles);
 
 // The particles in the order in which one would draw through them: along links from an end where
 // they form a line or a ring, else along their greatest extent.

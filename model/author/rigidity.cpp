@@ -1,7 +1,7 @@
 #include "author/rigidity.h"
 
+#include "author/drawing.h"
 #include "author/movable.h"
-#include "scene/property.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -213,6 +213,19 @@ std::vector<Brace> bracesFor(const Rigidity& rigidity)
         left = (left * qr.householderQ()).rightCols(left.cols() - 1).eval();
     }
     return braces;
+}
+
+Braced withBraces(const Scene& scene, const Rigidity& rigidity, const std::vector<Brace>& braces)
+{
+    Drawing drawing(scene);
+    const Id there = linkMaterialAt(scene, rigidity.particles);
+    const LinkStroke stroke{there == noId ? drawing.materialNamed("braces") : there, LinkKind::Rod,
+                            Resists::Both};
+    for (const Brace& brace : braces)
+        drawing.link(rigidity.particles[std::size_t(brace.from)],
+                     rigidity.particles[std::size_t(brace.to)], stroke);
+    std::vector<Id> rods = drawing.made();
+    return {drawing.finish("Add braces"), std::move(rods)};
 }
 
 } // namespace ripstop

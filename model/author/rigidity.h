@@ -10,7 +10,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "scene/scene.h"
+#include "scene/edit.h"
 
 #include <Eigen/Core>
 
@@ -49,5 +49,14 @@ struct Brace
 // Rods that take the modes away, one for each, which is the least there can be; short ones first.
 // Fewer when no rod between these particles can stop the rest.
 std::vector<Brace> bracesFor(const Rigidity& rigidity);
+
+struct Braced
+{
+    Edit edit;
+    std::vector<Id> rods;
+};
+
+// Draws the braces, of what the links there are made of.
+Braced withBraces(const Scene& scene, const Rigidity& rigidity, const std::vector<Brace>& braces);
 
 } // namespace ripstop

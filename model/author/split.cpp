@@ -1,5 +1,6 @@
 #include "author/split.h"
 
+#include "author/elements.h"
 #include "scene/references.h"
 
 #include <algorithm>
@@ -69,17 +70,10 @@ private:
         return id;
     }
 
-    const Particle* particle(Id id) const
-    {
-        const auto ref = find(m_scene, id);
-        const auto* row = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-        return row ? *row : nullptr;
-    }
-
     void splitLink(const Link& row, AddRows& added, RemoveRows& removed)
     {
-        const Particle* from = particle(row.from);
-        const Particle* to = particle(row.to);
+        const Particle* from = particleOf(m_scene, row.from);
+        const Particle* to = particleOf(m_scene, row.to);
         const Material* material = findItem<Material>(m_scene, row.material);
         // a second link between the same ends would get its own particles and part from the first
         if (!from || !to || m_between.contains(sideOf(row.from, row.to)))
@@ -122,7 +116,7 @@ private:
         const double line = *material->linearDensity * row.restLength; // kg
         const double off = 0.5 * line * (1.0 - 1.0 / m_count);
         for (const Id end : {row.from, row.to}) {
-            const auto held = m_endMass.try_emplace(end, particle(end)->mass).first;
+            const auto held = m_endMass.try_emplace(end, particleOf(m_scene, end)->mass).first;
             held->second = std::max(held->second - off, 0.0);
         }
         return line / m_count;

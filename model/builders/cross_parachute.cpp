@@ -40,34 +40,6 @@ constexpr Parameter parameters[]{
 };
 // clang-format on
 
-struct Materials
-{
-    std::array<Id, 2> cloth; // square and arms
-    Id seams;
-    Id lines;
-    Id frame;
-};
-
-Materials addMaterials(Scene& scene, const Parameters& p)
-{
-    Material material;
-    material.skinFriction = p.at("friction");
-    const auto add = [&](const char* name, const char* color, bool shown) {
-        material.name = name;
-        material.color = color;
-        material.shown = shown;
-        return addItem(scene, material);
-    };
-    Materials materials{};
-    materials.cloth = {add("square", "#f2f0e6", true), add("arms", "#3a7ca5", true)};
-    materials.seams = add("seams", "#b5b2a6", true);
-    material.diameter = p.at("line_diameter");
-    materials.lines = add("suspension line", "#4f5d75", true);
-    material.diameter = 0.0;
-    materials.frame = add("frame", "#8d99ae", false);
-    return materials;
-}
-
 // Rows of n + 1 nodes; row 0 may be nodes that are there already.
 using Rows = std::vector<std::vector<Id>>;
 
@@ -96,7 +68,7 @@ struct Canopy
     std::vector<Id> corners; // of the square, where it has arms
 };
 
-Canopy addCanopy(Network& network, const Parameters& p, const Materials& materials)
+Canopy addCanopy(Network& network, const Parameters& p, const CanopyMaterials& materials)
 {
     const int n = int(p.at("cells"));
     const int m = int(std::lround(p.at("arms") * n));
@@ -154,7 +126,7 @@ Canopy addCanopy(Network& network, const Parameters& p, const Materials& materia
 }
 
 Id addPayload(Network& network, const std::vector<Id>& ends, const Parameters& p,
-              const Materials& materials)
+              const CanopyMaterials& materials)
 {
     double reach = 0.0; // m, of the ends from the axis
     for (const Id end : ends)
@@ -178,7 +150,8 @@ Result<Scene> buildCrossParachute(const Parameters& p)
     scene.settings.notes = "The payload sinks at sqrt(2 m g / (rho CD0 S0)).";
     addGround(scene);
     addWind(scene, Vec3(p.at("wind"), 0.0, 0.0));
-    const Materials materials = addMaterials(scene, p);
+    const CanopyMaterials materials =
+        addCanopyMaterials(scene, p, {}, {"square", "arms"}, {"#f2f0e6", "#3a7ca5"});
 
     Network network(scene, "parachute");
     const auto [ends, corners] = addCanopy(network, p, materials);

@@ -18,6 +18,28 @@ void setDrag(Scene& scene, const Network& network, std::span<const Id> cloth, do
     force((wanted - alone) / each); // and leaves it at that
 }
 
+CanopyMaterials addCanopyMaterials(Scene& scene, const std::map<std::string, double>& parameters,
+                                   Material cloth, const std::array<const char*, 2>& names,
+                                   const std::array<const char*, 2>& colors)
+{
+    Material material = std::move(cloth);
+    material.skinFriction = parameters.at("friction");
+    const auto add = [&](const char* name, const char* color, bool shown) {
+        material.name = name;
+        material.color = color;
+        material.shown = shown;
+        return addItem(scene, material);
+    };
+    CanopyMaterials materials{};
+    materials.cloth = {add(names[0], colors[0], true), add(names[1], colors[1], true)};
+    materials.seams = add("seams", "#b5b2a6", true);
+    material.diameter = parameters.at("line_diameter");
+    materials.lines = add("suspension line", "#4f5d75", true);
+    material.diameter = 0.0;
+    materials.frame = add("frame", "#8d99ae", false);
+    return materials;
+}
+
 std::vector<Id> addHoop(Network& network, const std::vector<Id>& skirt, double reach, double mass,
                         Id material)
 {

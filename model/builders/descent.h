@@ -3,7 +3,10 @@
 
 #include "builders/network.h"
 
+#include <array>
+#include <map>
 #include <span>
+#include <string>
 
 namespace ripstop {
 
@@ -13,6 +16,19 @@ namespace ripstop {
 // (Knacke 1991, page 5-128). The cloth is given that coefficient.
 void setDrag(Scene& scene, const Network& network, std::span<const Id> cloth, double coefficient,
              double area);
+
+struct CanopyMaterials
+{
+    std::array<Id, 2> cloth;
+    Id seams;
+    Id lines; // of the parameter "line_diameter"
+    Id frame; // rods that nobody sees
+};
+
+// `cloth` has the skin friction of the parameter "friction".
+CanopyMaterials addCanopyMaterials(Scene& scene, const std::map<std::string, double>& parameters,
+                                   Material cloth, const std::array<const char*, 2>& names,
+                                   const std::array<const char*, 2>& colors);
 
 // Two particles above and below the skirt, `reach` m away, tied to all of it: a rigid double
 // pyramid.

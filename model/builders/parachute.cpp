@@ -52,35 +52,6 @@ constexpr Parameter parameters[]{
 };
 // clang-format on
 
-struct Materials
-{
-    std::array<Id, 2> cloth;
-    Id seams;
-    Id lines;
-    Id frame;
-};
-
-Materials addMaterials(Scene& scene, const Parameters& p)
-{
-    Material material;
-    material.skinFriction = p.at("friction");
-    material.porosity = p.at("porosity");
-    const auto add = [&](const char* name, const char* color, bool shown) {
-        material.name = name;
-        material.color = color;
-        material.shown = shown;
-        return addItem(scene, material);
-    };
-    Materials materials{};
-    materials.cloth = {add("odd gores", "#d1495b", true), add("even gores", "#f2f0e6", true)};
-    materials.seams = add("seams", "#b5b2a6", true);
-    material.diameter = p.at("line_diameter");
-    materials.lines = add("suspension line", "#4f5d75", true);
-    material.diameter = 0.0;
-    materials.frame = add("frame", "#8d99ae", false);
-    return materials;
-}
-
 // Half the angle that the cap spans at its centre: sin(a) / a = fullness.
 double capAngle(double fullness)
 {
@@ -132,7 +103,7 @@ public:
     const std::vector<Id>& nodes() const { return m_nodes; }
     std::vector<Id> skirt() const { return {m_nodes.end() - m_sectors, m_nodes.end()}; }
 
-    void weave(Network& network, const Materials& materials) const
+    void weave(Network& network, const CanopyMaterials& materials) const
     {
         for (int ring = 1; ring <= m_rings; ++ring)
             for (int sector = 0; sector < m_sectors; ++sector) {
@@ -173,7 +144,7 @@ private:
 };
 
 Id addPayload(Network& network, const std::vector<Id>& skirt, const Parameters& p,
-              const Materials& materials)
+              const CanopyMaterials& materials)
 {
     const Vec3 edge = network.position(skirt.front());
     const double length = std::max(p.at("line_length"), 1.05 * edge.x());
@@ -190,7 +161,10 @@ Result<Scene> buildParachute(const Parameters& p)
     Scene scene;
     addGround(scene);
     addWind(scene, Vec3(p.at("wind"), 0.0, 0.0));
-    const Materials materials = addMaterials(scene, p);
+    Material cloth;
+    cloth.porosity = p.at("porosity");
+    const CanopyMaterials materials =
+        addCanopyMaterials(scene, p, cloth, {"odd gores", "even gores"}, {"#d1495b", "#f2f0e6"});
 
     Network network(scene, "parachute");
     const Canopy canopy(network, p);

@@ -1,21 +1,11 @@
 // A sheet in the whole window, and a mouse.
 #pragma once
 
-#include "document/document.h"
-#include "document/player.h"
-#include "document/selection.h"
-#include "editor/main_window.h"
-#include "viewport/viewport.h"
+#include "app/window_shop.h"
 #include "views/small_scenes.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QLineEdit>
-#include <QMouseEvent>
-#include <QSurfaceFormat>
 #include <QtTest>
-
-#include <algorithm>
 
 namespace ripstop {
 
@@ -77,14 +67,8 @@ struct Sheet
     }
 };
 
-struct Shop
+struct Shop : WindowShop
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
-    Viewport& viewport = window.viewport();
-
     explicit Shop(Scene scene)
     {
         document.replace(std::move(scene));
@@ -96,57 +80,6 @@ struct Shop
         (void)QTest::qWaitForWindowExposed(&window);
     }
 
-    void run(const char* id) { window.actions()[id]->trigger(); }
-    const Frame& frame() const { return *player.frame(); }
-
-    // In the picture, pixels.
-    QPointF at(const Vec3& place) const
-    {
-        const double width = viewport.width(), height = viewport.height();
-        const Eigen::Vector4d p =
-            viewport.camera().projection(width / height) * place.homogeneous();
-        return {0.5 * width * (1.0 + p.x() / p.w()), 0.5 * height * (1.0 - p.y() / p.w())};
-    }
-
-    Vec3 now(Id id) const
-    {
-        const auto& ids = frame().layout->particleId;
-        const auto place = std::find(ids.begin(), ids.end(), std::uint32_t(id)) - ids.begin();
-        return frame().position[std::size_t(place)];
-    }
-
-    void send(QEvent::Type type, QPointF place, Qt::KeyboardModifiers keys = {})
-    {
-        const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
-        const auto buttons = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
-        QMouseEvent event(type, place, viewport.mapToGlobal(place), button, buttons, keys);
-        QApplication::sendEvent(&viewport, &event);
-    }
-    void press(QPointF place, Qt::KeyboardModifiers keys = {})
-    {
-        send(QEvent::MouseButtonPress, place, keys);
-    }
-    void move(QPointF from, QPointF to, Qt::KeyboardModifiers keys = {})
-    {
-        for (int i = 1; i <= 10; ++i)
-            send(QEvent::MouseMove, from + 0.1 * i * (to - from), keys);
-    }
-    void release(QPointF place, Qt::KeyboardModifiers keys = {})
-    {
-        send(QEvent::MouseButtonRelease, place, keys);
-    }
-    void drag(QPointF from, QPointF to, Qt::KeyboardModifiers keys = {})
-    {
-        press(from, keys);
-        move(from, to, keys);
-        release(to, keys);
-    }
-    void wheel(QPointF place, int notches, Qt::KeyboardModifiers keys = {})
-    {
-        QWheelEvent event(place, viewport.mapToGlobal(place), {}, {0, 120 * notches},
-                          Qt::LeftButton, keys, Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&viewport, &event);
-    }
     QLineEdit* field(const char* name)
     {
         for (QLineEdit* edit : viewport.findChildren<QLineEdit*>(QLatin1String(name)))
@@ -162,19 +95,5 @@ struct Shop
         QTest::keyClick(edit, Qt::Key_Return);
     }
 };
-
-// Runs a test whose windows have a 3D view.
-template <typename Test>
-int runWithView(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format); // before the application exists
-    QApplication application(argc, argv);
-    Test test;
-    return QTest::qExec(&test, argc, argv);
-}
 
 } // namespace ripstop

@@ -7,6 +7,7 @@
 #include "editor/result_page.h"
 #include "editor/verification_dialog.h"
 #include "viewport/viewport.h"
+#include "views/run_with_view.h"
 
 #include "compile/compile.h"
 #include "io/scene_file.h"
@@ -24,7 +25,6 @@
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QProcess>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QtTest>
@@ -360,16 +360,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format); // before the application exists
-    QApplication application(argc, argv);
-    QApplication::setApplicationName("RipstopTest");
-    TestEditor test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWithView<TestEditor>(argc, argv); }
 #include "test_editor.moc"

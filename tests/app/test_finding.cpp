@@ -11,6 +11,7 @@
 #include "editor/tour.h"
 #include "scene/path.h"
 #include "viewport/viewport.h"
+#include "views/run_with_view.h"
 
 #include <QAction>
 #include <QInputDialog>
@@ -19,7 +20,6 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QUndoView>
@@ -82,6 +82,7 @@ private:
 private slots:
     void initTestCase()
     {
+        QCoreApplication::setOrganizationName("Ripstop"); // whose settings
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_home.path());
         qputenv("XDG_DATA_HOME", m_home.path().toUtf8());
     }
@@ -267,17 +268,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
-    QApplication::setApplicationName("Ripstop");
-    QApplication::setOrganizationName("Ripstop");
-    TestFinding test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWithView<TestFinding>(argc, argv); }
 
 #include "test_finding.moc"

@@ -8,6 +8,7 @@
 #include "model/meshes.h"
 #include "start/start_page.h"
 #include "viewport/viewport.h"
+#include "views/run_with_view.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -17,7 +18,6 @@
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -271,18 +271,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
-    QApplication::setApplicationName("RipstopTest");
-
-    TestImport test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWithView<TestImport>(argc, argv); }
 
 #include "test_import.moc"

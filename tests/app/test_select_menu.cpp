@@ -8,6 +8,7 @@
 #include "editor/main_window.h"
 #include "viewport/pointing.h"
 #include "viewport/viewport.h"
+#include "views/run_with_view.h"
 
 #include <QAction>
 #include <QElapsedTimer>
@@ -18,7 +19,6 @@
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QStatusBar>
-#include <QSurfaceFormat>
 #include <QtTest>
 
 using namespace ripstop;
@@ -265,15 +265,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format); // before the application exists
-    QApplication application(argc, argv);
-    TestSelectMenu test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWithView<TestSelectMenu>(argc, argv); }
 #include "test_select_menu.moc"

@@ -1,5 +1,6 @@
 // A designer's day in one go, by real events: a kite from nothing, flown, torn and tuned, all of it
 // taken back and done again.
+#include "app/window_shop.h"
 #include "author/elements.h"
 #include "builders/builder.h"
 #include "document/document.h"
@@ -21,7 +22,6 @@
 #include <QDialogButtonBox>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -33,14 +33,8 @@ namespace {
 
 constexpr int patience = 20000; // ms
 
-struct Shop
+struct Shop : WindowShop
 {
-    Document document;
-    Selection selection{document};
-    Player player{document};
-    MainWindow window{document, selection, player, MainWindow::Memory::Ignore};
-    Viewport& viewport = window.viewport();
-
     Shop()
     {
         window.resize(1280, 800);
@@ -49,9 +43,7 @@ struct Shop
     }
 
     const Scene& scene() const { return document.scene(); }
-    const Frame& frame() const { return *player.frame(); }
-    void run(const char* id) { window.actions()[id]->trigger(); }
-    void press(Qt::Key key)
+    void pressKey(Qt::Key key)
     {
         QApplication::setActiveWindow(&window); // which a dialog has been
         viewport.setFocus();
@@ -135,37 +127,14 @@ struct Shop
         return noId;
     }
 
-    // In the picture, pixels.
-    QPointF at(const Vec3& place) const
+    void click(QPointF place) { drag(place, place); }
+    void drawAround(const std::vector<QPointF>& corners)
     {
-        const double width = viewport.width(), height = viewport.height();
-        const Eigen::Vector4d p =
-            viewport.camera().projection(width / height) * place.homogeneous();
-        return {0.5 * width * (1.0 + p.x() / p.w()), 0.5 * height * (1.0 - p.y() / p.w())};
+        press(corners.front());
+        for (std::size_t i = 1; i < corners.size(); ++i)
+            move(corners[i - 1], corners[i]);
+        release(corners.back());
     }
-    Vec3 now(Id particle) const
-    {
-        const auto& ids = frame().layout->particleId;
-        const auto found = std::ranges::find(ids, std::uint32_t(particle));
-        return frame().position[std::size_t(found - ids.begin())];
-    }
-
-    void mouse(QEvent::Type type, QPointF place, Qt::MouseButton button, Qt::MouseButtons buttons)
-    {
-        QMouseEvent event(type, place, viewport.mapToGlobal(place), button, buttons,
-                          Qt::NoModifier);
-        QApplication::sendEvent(&viewport, &event);
-    }
-    void drag(const std::vector<QPointF>& path)
-    {
-        mouse(QEvent::MouseButtonPress, path.front(), Qt::LeftButton, Qt::LeftButton);
-        for (std::size_t i = 1; i < path.size(); ++i)
-            for (int step = 1; step <= 10; ++step)
-                mouse(QEvent::MouseMove, path[i - 1] + 0.1 * step * (path[i] - path[i - 1]),
-                      Qt::NoButton, Qt::LeftButton);
-        mouse(QEvent::MouseButtonRelease, path.back(), Qt::LeftButton, Qt::NoButton);
-    }
-    void click(QPointF place) { drag({place, place}); }
 };
 
 } // namespace
@@ -247,7 +216,7 @@ private slots:
         expectSteps(3);
 
         shop.selection.set({shop.part(sail).particles.back().id});
-        shop.press(Qt::Key_P);
+        shop.pressKey(Qt::Key_P);
         QVERIFY(shop.part(sail).particles.back().pinned);
         expectSteps(4);
 
@@ -298,7 +267,7 @@ private slots:
         }
         least -= QPointF(12, 12);
         most += QPointF(12, 12);
-        shop.drag({least, {most.x(), least.y()}, most, {least.x(), most.y()}, least});
+        shop.drawAround({least, {most.x(), least.y()}, most, {least.x(), most.y()}, least});
         const auto& taken = shop.selection.ids();
         QVERIFY(std::ranges::includes(taken, edge));
         shop.run("takeLinks");
@@ -329,8 +298,8 @@ private slots:
         shop.run("drawLinks");
         shop.click(shop.at(shop.now(corner)));
         shop.click(shop.at(shop.now(corner)) + QPointF(-60.0, 40.0));
-        shop.press(Qt::Key_Escape);
-        shop.press(Qt::Key_Escape);
+        shop.pressKey(Qt::Key_Escape);
+        shop.pressKey(Qt::Key_Escape);
         QCOMPARE(shop.part(shop.sail()).links.size(), links + 1);
         expectSteps(8);
     }
@@ -338,25 +307,22 @@ private slots:
     void fliesGrabsTearsAndTunes()
     {
         Shop& shop = *m_shop;
-        shop.press(Qt::Key_Space);
+        shop.pressKey(Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(shop.frame().step > 10, patience);
 
         const Part& sail = shop.part(shop.sail());
         const Id held = sail.particles.back().id;
         shop.run("toolGrab");
         const QPointF from = shop.at(shop.now(sail.particles[12].id));
-        shop.mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-        for (int i = 1; i <= 10; ++i)
-            shop.mouse(QEvent::MouseMove, from + QPointF(3.0 * i, -3.0 * i), Qt::NoButton,
-                       Qt::LeftButton);
+        shop.press(from);
+        shop.move(from, from + QPointF(30.0, -30.0));
         QTRY_VERIFY_WITH_TIMEOUT(shop.frame().held, patience);
-        shop.mouse(QEvent::MouseButtonRelease, from + QPointF(30.0, -30.0), Qt::LeftButton,
-                   Qt::NoButton);
+        shop.release(from + QPointF(30.0, -30.0));
 
         shop.run("toolCut");
         const QPointF pin = shop.at(shop.now(held));
-        shop.drag({pin + QPointF(-80.0, -80.0), pin + QPointF(80.0, 80.0)});
-        shop.drag({pin + QPointF(-80.0, 80.0), pin + QPointF(80.0, -80.0)});
+        shop.drag(pin + QPointF(-80.0, -80.0), pin + QPointF(80.0, 80.0));
+        shop.drag(pin + QPointF(-80.0, 80.0), pin + QPointF(80.0, -80.0));
         QTRY_VERIFY_WITH_TIMEOUT(std::ranges::count(shop.frame().torn, std::uint8_t(1)) > 0
                                      || shop.frame().layout->torn,
                                  patience);
@@ -370,7 +336,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(shop.frame().generation > generation, patience);
         QVERIFY(shop.frame().step > 10); // it did not start over
         expectSteps(9);
-        shop.press(Qt::Key_Space);
+        shop.pressKey(Qt::Key_Space);
     }
 
     void undoesEverythingAndDoesItAgain()
@@ -400,16 +366,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format); // before the application exists
-    QApplication application(argc, argv);
-    QApplication::setApplicationName("RipstopTest");
-    TestWorkshop test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWithView<TestWorkshop>(argc, argv); }
 #include "test_workshop.moc"

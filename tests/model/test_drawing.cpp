@@ -290,8 +290,9 @@ private slots:
         QCOMPARE(int(sheet.rigidity().modes.size()), 0); // 18 - 12 - 6
     }
 
-    // The paper's glider: 49 particles and 198 rods, rank 141 of 141 and so 57 redundant rods; it is
-    // stiff as soon as the sail is bent. Its lattice alone, 45 particles and 108 rods, has 21 modes.
+    // The paper's glider: 49 particles and 198 rods, rank 141 of 141 and so 57 redundant rods; it
+    // is stiff as soon as the sail is bent. Its lattice alone, 45 particles and 108 rods, has 21
+    // modes.
     void knowsThePapersGlider()
     {
         const Scene scene = *build(*findBuilder("hang_glider"), {});

@@ -8,10 +8,10 @@
 #include "viewport/region_tool.h"
 #include "viewport/scene_frame.h"
 #include "viewport/viewport.h"
+#include "views/run_with_view.h"
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QSurfaceFormat>
 #include <QtTest>
 
 #include <ctime>
@@ -476,15 +476,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format); // before the application exists
-    QApplication application(argc, argv);
-    TestRegionSelect test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWithView<TestRegionSelect>(argc, argv); }
 #include "test_region_select.moc"

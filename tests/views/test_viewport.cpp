@@ -1,4 +1,5 @@
 #include "viewport/viewport.h"
+#include "views/run_with_view.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -13,7 +14,6 @@
 #include <Eigen/Geometry>
 #include <QApplication>
 #include <QMouseEvent>
-#include <QSurfaceFormat>
 #include <QtTest>
 
 #include <numbers>
@@ -283,15 +283,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format); // before the application exists
-    QApplication application(argc, argv);
-    TestViewport test;
-    return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return runWithView<TestViewport>(argc, argv); }
 #include "test_viewport.moc"

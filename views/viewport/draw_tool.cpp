@@ -1,5 +1,6 @@
 #include "viewport/draw_tool.h"
 
+#include "author/elements.h"
 #include "document/document.h"
 #include "document/words.h"
 #include "viewport/picker.h"
@@ -15,13 +16,6 @@ namespace {
 
 constexpr double spotRadius = 5.0; // pixels
 constexpr double wordsGap = 14.0;  // pixels, from the mouse
-
-const Particle* particleOf(const Scene& scene, Id id)
-{
-    const auto ref = find(scene, id);
-    const auto* row = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
-    return row ? *row : nullptr;
-}
 
 // Where the ray meets the plane through a point, m; nothing where it runs along it or away.
 std::optional<Vec3> meeting(const Projection::Ray& ray, const Vec3& point, const Vec3& normal)

@@ -1,0 +1,56 @@
+#include "editor/view_bar.h"
+
+#include "viewport/viewport.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QLayout>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int gap = 10; // pixels, from the lower edge of the view
+
+} // namespace
+
+ViewBar::ViewBar(Viewport& viewport, const QString& name)
+    : QFrame(&viewport)
+    , m_viewport(viewport)
+{
+    setObjectName(name);
+    setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    hide();
+    viewport.installEventFilter(this);
+}
+
+void ViewBar::settle()
+{
+    layout()->activate();
+    adjustSize();
+    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
+    raise();
+}
+
+QComboBox* ViewBar::chooser(const QString& name, const QString& help, const QStringList& choices,
+                            int chosen, const std::function<void(int)>& choose)
+{
+    auto* box = new QComboBox;
+    box->addItems(choices);
+    box->setCurrentIndex(chosen);
+    box->setToolTip(help);
+    box->setAccessibleName(name);
+    connect(box, &QComboBox::activated, this, choose);
+    return box;
+}
+
+bool ViewBar::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == &m_viewport && event->type() == QEvent::Resize && isVisible())
+        settle();
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace ripstop
