@@ -31,12 +31,13 @@ static const QList<Room> namedRooms = {
     {"model/run",      {"base", "scene", "sim", "compile", "measure"},               {"Eigen/"},  {}},
     {"model/verify",   {"base", "scene", "builders", "sim", "compile", "measure", "run"},
                                                                                      {"Eigen/"},  {}},
-    {"model/io",       {"base", "scene", "run"},                                     {"Eigen/"},  json + posix},
+    {"model/io",       {"base", "scene", "measure", "run"},                          {"Eigen/"},  json + posix},
+    {"model/export",   {"base", "scene", "run", "io"},                               {"Eigen/"},  {"assimp/", "tiny_gltf.h"}},
     {"views/document", {"base", "scene", "author", "compile", "run", "io"},          {"Q", "Eigen/"},        {}},
     {"views/viewport", {"base", "shapes", "scene", "author", "run", "document", "icons"},
                                                                                      {"Q", "Eigen/", "vtk"}, {}},
     {"app/cli",        {"base", "shapes", "scene", "builders", "author", "sim", "compile", "measure",
-                        "run", "io", "verify"},
+                        "run", "io", "export", "verify"},
                                                                                      {"Eigen/", "CLI/", "nlohmann/"}, posix},
     // clang-format on
 };

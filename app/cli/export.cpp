@@ -1,10 +1,11 @@
 // ripstop-cli export: meshes, series and tables for other programs.
-#include "io/export.h"
+#include "export/export_run.h"
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/compile.h"
+#include "export/format.h"
 
 #include <optional>
 
@@ -25,8 +26,8 @@ struct Options
 
 bool isOneMoment(const std::filesystem::path& target)
 {
-    const std::string extension = target.extension().string();
-    return extension == ".obj" || extension == ".ply" || extension == ".vtp";
+    const ExportFormat* format = formatOf(target);
+    return format && format->of == ExportFormat::Of::Moment;
 }
 
 int exportScene(const Options& options)
@@ -39,21 +40,33 @@ int exportScene(const Options& options)
         return fail(BadInput, options.scene.file + ": " + system.message());
 
     Simulation simulation(*system, options.threads);
-    ExportRange range{options.from, 0.0, options.fps, &*loaded.scene};
+    ExportRange range{options.from, 0.0, options.fps};
     range.to = options.to.value_or(isOneMoment(options.output) ? options.from
                                                                : options.from + seriesSeconds);
     catchInterrupt();
     ProgressLine progress(options.output);
-    const auto failure = exportRun(simulation, range, options.output, [&](double share) {
-        progress.show(share);
-        return !interrupted();
-    });
+    const auto failure =
+        exportRun(simulation, Dress(*loaded.scene), range, options.output, [&](double share) {
+            progress.show(share);
+            return !interrupted();
+        });
     if (!failure)
         return Done;
     return fail(simulation.trouble() ? Diverged
                 : interrupted()      ? Interrupted
                                      : BadInput,
                 failure->message);
+}
+
+std::string formatList()
+{
+    std::string list = "Formats:\n";
+    for (const ExportFormat& format : exportFormats()) {
+        std::string line = "  " + std::string(format.ending);
+        line.resize(std::max<std::size_t>(line.size() + 1, 18), ' ');
+        list += line + std::string(format.label) + '\n';
+    }
+    return list;
 }
 
 } // namespace
@@ -66,7 +79,7 @@ void addExport(CLI::App& app, Command& chosen)
     addSceneOption(*command, options->scene);
     command
         ->add_option("-o,--output", options->output,
-                     ".obj, .ply, .vtp: one moment; .pvd: a series for ParaView; .csv: the probes")
+                     "What to write; the ending says the format, see below")
         ->required()
         ->type_name("TARGET");
     command->add_option("--fps", options->fps, "Frames per simulated second")
@@ -86,14 +99,18 @@ void addExport(CLI::App& app, Command& chosen)
     command->add_option("--threads", options->threads, "Threads; the result is the same for all")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-    command->footer("Examples:\n"
-                    "  ripstop-cli export kite.ripstop.json -o design.obj            (as drawn)\n"
-                    "  ripstop-cli export kite.ripstop.json -o flying.ply --to 20    (after 20 s)\n"
-                    "  ripstop-cli export kite.ripstop.json -o kite.pvd --to 10 --fps 25\n"
-                    "  ripstop-cli export kite.ripstop.json -o kite.csv --to 60 --fps 10\n"
-                    "\n"
-                    "Torn links and the panels beside them are left out of meshes. Ctrl-C removes\n"
-                    "what was written.");
+    command->footer(
+        formatList()
+        + "\n"
+          "Examples:\n"
+          "  ripstop-cli export kite.ripstop.json -o design.obj            (as drawn)\n"
+          "  ripstop-cli export kite.ripstop.json -o flying.ply --to 20    (after 20 s)\n"
+          "  ripstop-cli export kite.ripstop.json -o kite.glb --to 10 --fps 25\n"
+          "  ripstop-cli export kite.ripstop.json -o kite_{frame}.obj --to 2\n"
+          "\n"
+          "Torn links and the panels beside them are left out of meshes. Formats of one\n"
+          "mesh for all frames have the mesh as it is split in the end, from the start on;\n"
+          "panels that go shrink to a point. Ctrl-C removes what was written.");
     command->callback([options, &chosen] { chosen = [options] { return exportScene(*options); }; });
 }
 

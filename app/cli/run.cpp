@@ -205,7 +205,7 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
 {
     std::optional<CsvWriter> table;
     if (!options.csv.empty()) {
-        Result<CsvWriter> opened = CsvWriter::open(options.csv, *simulation.frame()->layout);
+        Result<CsvWriter> opened = CsvWriter::open(options.csv, *simulation.frame());
         if (!opened)
             return fail(BadInput, opened.message());
         table = std::move(*opened);
@@ -224,7 +224,7 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     // What was flown is reported even when a file cannot be written.
     std::vector<std::optional<Failure>> written;
     if (table)
-        written.push_back(table->close());
+        written.push_back(table->close(*simulation.frame()));
     if (!options.tears.empty())
         written.push_back(writeTears(scene, simulation.frame()->tears, options.tears));
     if (!options.finalScene.empty())

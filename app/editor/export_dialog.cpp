@@ -2,8 +2,8 @@
 
 #include "compile/compile.h"
 #include "editor/ask_file.h"
+#include "export/export_run.h"
 #include "io/control_track.h"
-#include "io/export.h"
 #include "io/tear_table.h"
 #include "run/tear_report.h"
 
@@ -88,16 +88,6 @@ QString inWords(Content content, const Frame* now)
                             "by hand during the run on the screen.");
 }
 
-std::optional<Failure> writeMoment(const Scene& scene, const Frame& frame,
-                                   const std::filesystem::path& file)
-{
-    if (file.extension() == ".ply")
-        return writePly(frame, file);
-    if (file.extension() == ".vtp")
-        return writeVtp(frame, file);
-    return writeObj(frame, file, &scene);
-}
-
 std::optional<Failure> writeNow(Content content, const Scene& scene, const Frame& now,
                                 const std::filesystem::path& file)
 {
@@ -105,7 +95,7 @@ std::optional<Failure> writeNow(Content content, const Scene& scene, const Frame
         return writeTears(scene, now.tears, file);
     if (content == Content::Controls)
         return writeControlTrack(scene, trackOf(now), file);
-    return writeMoment(scene, now, file);
+    return writeMoment(now, Dress(scene), file);
 }
 
 QDoubleSpinBox* seconds(double value)
@@ -235,7 +225,7 @@ void ExportDialog::start()
         if (!system)
             return QString::fromStdString(system.message());
         Simulation simulation(*system);
-        const auto failure = ripstop::exportRun(simulation, range, file, [this](double done) {
+        const auto failure = ripstop::exportRun(simulation, Dress(m_scene), range, file, [this](double done) {
             m_done = done;
             return !m_cancelled;
         });

@@ -1,6 +1,7 @@
 #include "io/csv.h"
 
 #include "io/json_text.h"
+#include "measure/diagnostics.h"
 
 #include <cerrno>
 #include <cmath>
@@ -10,6 +11,13 @@ namespace ripstop {
 namespace {
 
 std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown error"; }
+
+std::string stateOf(const Frame& frame)
+{
+    std::string text = "; state at ";
+    appendNumber(text, frame.time);
+    return text + " s: " + hashText(frame.hash) + '\n';
+}
 
 } // namespace
 
@@ -25,26 +33,17 @@ std::string csvCell(const std::string& text, char separator)
     return quoted;
 }
 
-Result<CsvWriter> CsvWriter::open(const std::filesystem::path& file, const Layout& layout)
+std::string csvHeader(const Frame& first)
 {
-    CsvWriter writer;
-    writer.m_file = file;
-    errno = 0;
-    writer.m_out.open(file, std::ios::binary | std::ios::trunc);
-    if (!writer.m_out)
-        return Failure{file.string() + " cannot be written: " + reason()
-                       + "; choose another folder."};
-
-    std::string header = "time (s)";
-    for (const Layout::Probe& probe : layout.probes) {
+    std::string header = "# Ripstop " RIPSTOP_VERSION + stateOf(first) + "time (s)";
+    for (const Layout::Probe& probe : first.layout->probes) {
         header += ',';
         header += csvCell(probe.unit.empty() ? probe.name : probe.name + " (" + probe.unit + ")");
     }
-    writer.m_out << header << '\n';
-    return writer;
+    return header + '\n';
 }
 
-void CsvWriter::add(const Frame& frame)
+std::string csvRow(const Frame& frame)
 {
     std::string row;
     appendNumber(row, frame.time);
@@ -53,13 +52,30 @@ void CsvWriter::add(const Frame& frame)
         if (std::isfinite(value))
             appendNumber(row, value);
     }
-    row += '\n';
-    m_out << row;
+    return row + '\n';
 }
 
-std::optional<Failure> CsvWriter::close()
+std::string csvEnd(const Frame& last) { return "# end" + stateOf(last); }
+
+Result<CsvWriter> CsvWriter::open(const std::filesystem::path& file, const Frame& first)
+{
+    CsvWriter writer;
+    writer.m_file = file;
+    errno = 0;
+    writer.m_out.open(file, std::ios::binary | std::ios::trunc);
+    if (!writer.m_out)
+        return Failure{file.string() + " cannot be written: " + reason()
+                       + "; choose another folder."};
+    writer.m_out << csvHeader(first);
+    return writer;
+}
+
+void CsvWriter::add(const Frame& frame) { m_out << csvRow(frame); }
+
+std::optional<Failure> CsvWriter::close(const Frame& last)
 {
     errno = 0;
+    m_out << csvEnd(last);
     m_out.close();
     if (!m_out)
         return Failure{m_file.string() + " is not complete: " + reason()

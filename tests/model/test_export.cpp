@@ -1,7 +1,8 @@
 // Exported files, read back by other means than ours.
 #include "compile/compile.h"
+#include "export/export_run.h"
+#include "export/format.h"
 #include "io/csv.h"
-#include "io/export.h"
 #include "scene/scene.h"
 
 #include <QDir>
@@ -73,6 +74,11 @@ QByteArray contentOf(const QString& path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
+}
+
+std::optional<Failure> written(const Frame& frame, const std::string& target)
+{
+    return writeMoment(frame, Dress(), target);
 }
 
 int countOf(const QStringList& lines, const QString& start)
@@ -150,12 +156,12 @@ private slots:
     {
         QTemporaryDir folder;
         const QString path = folder.filePath("a kite.obj");
-        QVERIFY(!writeObj(square(), path.toStdString()));
+        QVERIFY(!written(square(), path.toStdString()));
         const QStringList lines = QString(contentOf(path)).split('\n');
         QCOMPARE(countOf(lines, "v "), 5);
         QVERIFY(lines.contains("v 1 1 0.1"));
         QCOMPARE(countOf(lines, "f "), 1); // the other panel is gone
-        QVERIFY(lines.contains("f 1 2 3"));
+        QVERIFY(lines.contains("f 1//1 2//2 3//3"));
         QCOMPARE(countOf(lines, "l "), 5); // the diagonal is torn
         QVERIFY(lines.contains("l 1 5"));
         QVERIFY(!lines.contains("l 1 3"));
@@ -165,7 +171,7 @@ private slots:
     {
         QTemporaryDir folder;
         const QString path = folder.filePath("kite.ply");
-        QVERIFY(!writePly(square(), path.toStdString()));
+        QVERIFY(!written(square(), path.toStdString()));
         const QStringList lines = QString(contentOf(path)).trimmed().split('\n');
         QCOMPARE(lines.front(), QString("ply"));
         QVERIFY(lines.contains("element vertex 5"));
@@ -182,7 +188,7 @@ private slots:
     {
         QTemporaryDir folder;
         const QString path = folder.filePath("kite.vtp");
-        QVERIFY(!writeVtp(square(), path.toStdString()));
+        QVERIFY(!written(square(), path.toStdString()));
         const Vtp vtp = readVtp(path);
         QCOMPARE(vtp.error, QString());
         QCOMPARE(vtp.piece["NumberOfPoints"], QString("5"));
@@ -217,10 +223,10 @@ private slots:
         QTemporaryDir folder;
         Frame frame;
         frame.layout = std::make_shared<Layout>();
-        QVERIFY(!writeVtp(frame, folder.filePath("a.vtp").toStdString()));
+        QVERIFY(!written(frame, folder.filePath("a.vtp").toStdString()));
         QCOMPARE(readVtp(folder.filePath("a.vtp")).error, QString());
-        QVERIFY(!writeObj(frame, folder.filePath("a.obj").toStdString()));
-        QVERIFY(!writePly(frame, folder.filePath("a.ply").toStdString()));
+        QVERIFY(!written(frame, folder.filePath("a.obj").toStdString()));
+        QVERIFY(!written(frame, folder.filePath("a.ply").toStdString()));
     }
 
     void csv()
@@ -228,15 +234,17 @@ private slots:
         QTemporaryDir folder;
         const QString path = folder.filePath("kite.csv");
         Frame frame = square();
-        Result<CsvWriter> table = CsvWriter::open(path.toStdString(), *frame.layout);
+        Result<CsvWriter> table = CsvWriter::open(path.toStdString(), frame);
         QVERIFY(table);
         table->add(frame);
         frame.time = 1.5;
         frame.probe = {-0.0, 1.0 / 3.0, std::numeric_limits<double>::infinity()};
         table->add(frame);
-        QVERIFY(!table->close());
-        const QStringList lines = QString(contentOf(path)).split('\n');
-        QCOMPARE(lines.size(), 4);
+        QVERIFY(!table->close(frame));
+        QStringList lines = QString(contentOf(path)).split('\n');
+        QCOMPARE(lines.size(), 6);
+        QVERIFY(lines.takeFirst().startsWith("# Ripstop "));
+        QCOMPARE(lines.takeAt(3), QString("# end; state at 1.5 s: 0000000000000000"));
         QCOMPARE(lines[0], QString("time (s),height (m),glide ratio,\"pull, \"\"left\"\" (N)\""));
         QCOMPARE(lines[1], QString("1.25,2.5,,-1e-07"));
         QCOMPARE(lines[2], QString("1.5,-0.0,0.3333333333333333,"));
@@ -250,7 +258,7 @@ private slots:
         const QString path = folder.filePath("a & b.pvd");
         Simulation simulation = simulationOf(pendulum());
         double share = 0.0;
-        const auto failure = exportRun(simulation, {.from = 0.1, .to = 0.5, .fps = 10.0},
+        const auto failure = exportRun(simulation, Dress(), {.from = 0.1, .to = 0.5, .fps = 10.0},
                                        path.toStdString(), [&](double done) {
                                            const bool forward = done >= share;
                                            share = done;
@@ -282,12 +290,12 @@ private slots:
         QTemporaryDir folder;
         const QString path = folder.filePath("height.csv");
         Simulation simulation = simulationOf(pendulum());
-        QVERIFY(
-            !exportRun(simulation, {.from = 0.0, .to = 0.2, .fps = 1000.0}, path.toStdString()));
+        QVERIFY(!exportRun(simulation, Dress(), {.from = 0.0, .to = 0.2, .fps = 1000.0},
+                           path.toStdString()));
         const QStringList lines = QString(contentOf(path)).trimmed().split('\n');
-        QCOMPARE(lines.size(), 1 + 21);
-        QCOMPARE(lines[0], QString("time (s),height (m)"));
-        QCOMPARE(lines[1], QString("0,0"));
+        QCOMPARE(lines.size(), 3 + 21); // two comments
+        QCOMPARE(lines[1], QString("time (s),height (m)"));
+        QCOMPARE(lines[2], QString("0,0"));
     }
 
     // The same moment, whether one runs there at once or by way of a series.
@@ -296,9 +304,10 @@ private slots:
         QTemporaryDir folder;
         Simulation direct = simulationOf(pendulum());
         QVERIFY(direct.runUntil(0.3));
-        QVERIFY(!writePly(*direct.frame(), folder.filePath("direct.ply").toStdString()));
+        QVERIFY(!written(*direct.frame(), folder.filePath("direct.ply").toStdString()));
         Simulation exported = simulationOf(pendulum());
-        QVERIFY(!exportRun(exported, {.to = 0.3}, folder.filePath("exported.ply").toStdString()));
+        QVERIFY(!exportRun(exported, Dress(), {.to = 0.3},
+                           folder.filePath("exported.ply").toStdString()));
         QCOMPARE(contentOf(folder.filePath("exported.ply")),
                  contentOf(folder.filePath("direct.ply")));
     }
@@ -306,7 +315,8 @@ private slots:
     void cancelRemovesWhatWasWritten_data()
     {
         QTest::addColumn<QString>("target");
-        for (const char* target : {"kite.pvd", "kite.csv", "kite.obj"})
+        for (const char* target : {"kite.pvd", "kite.csv", "kite.obj", "kite.glb", "kite.pc2",
+                                   "kite.mdd", "kite_{frame}.ply"})
             QTest::newRow(target) << target;
     }
 
@@ -315,9 +325,9 @@ private slots:
         QFETCH(QString, target);
         QTemporaryDir folder;
         Simulation simulation = simulationOf(pendulum());
-        const auto failure =
-            exportRun(simulation, {.from = 0.0, .to = 2.0}, folder.filePath(target).toStdString(),
-                      [](double done) { return done < 0.5; });
+        const auto failure = exportRun(simulation, Dress(), {.from = 0.0, .to = 2.0},
+                                       folder.filePath(target).toStdString(),
+                                       [](double done) { return done < 0.5; });
         QVERIFY(failure);
         QVERIFY(failure->message.find("cancelled") != std::string::npos);
         QVERIFY(QDir(folder.path()).isEmpty());
@@ -332,13 +342,13 @@ private slots:
         scene.settings.speedLimit = 9.80665;
         Simulation simulation = simulationOf(scene);
         const QString path = folder.filePath("fall.csv");
-        const auto failure =
-            exportRun(simulation, {.from = 0.0, .to = 5.0, .fps = 10.0}, path.toStdString());
+        const auto failure = exportRun(simulation, Dress(), {.from = 0.0, .to = 5.0, .fps = 10.0},
+                                       path.toStdString());
         QVERIFY(failure);
         QVERIFY(simulation.trouble());
         QVERIFY(failure->message.find("stopped") != std::string::npos);
         const QStringList lines = QString(contentOf(path)).trimmed().split('\n');
-        QVERIFY(lines.size() >= 1 + 10 && lines.size() <= 1 + 12);
+        QVERIFY(lines.size() >= 3 + 10 && lines.size() <= 3 + 12); // two of them are comments
     }
 
     void failures_data()
@@ -350,11 +360,13 @@ private slots:
         QTest::addColumn<QString>("fragment");
 
         // clang-format off
-        QTest::newRow("unknown extension")   << "kite.stl"           << 0.0  << 1.0 << 25.0 << ".obj, .ply";
+        QTest::newRow("unknown extension")   << "kite.abc"           << 0.0  << 1.0 << 25.0 << ".obj, .ply";
         QTest::newRow("no extension")        << "kite"               << 0.0  << 1.0 << 25.0 << ".pvd";
         QTest::newRow("OBJ into nowhere")    << "missing/kite.obj"   << 0.0  << 0.1 << 25.0 << "No such file";
         QTest::newRow("PLY where none may")  << "/proc/kite.ply"     << 0.0  << 0.1 << 25.0 << "/proc/kite.ply";
         QTest::newRow("series into nowhere") << "missing/kite.pvd"   << 0.0  << 0.1 << 25.0 << "missing/kite";
+        QTest::newRow("glTF into nowhere")   << "missing/kite.glb"   << 0.0  << 0.1 << 25.0 << "missing/kite.glb";
+        QTest::newRow("cache where none may") << "/proc/kite.pc2"    << 0.0  << 0.1 << 25.0 << "/proc/kite.pc2";
         QTest::newRow("CSV where none may")  << "/proc/kite.csv"     << 0.0  << 0.1 << 25.0 << "/proc/kite.csv";
         QTest::newRow("end before start")    << "kite.pvd"           << 1.0  << 0.5 << 25.0 << "end of the range";
         QTest::newRow("before the design")   << "kite.pvd"           << -1.0 << 0.5 << 25.0 << "before the present";
@@ -373,8 +385,8 @@ private slots:
         QTemporaryDir folder;
         Simulation simulation = simulationOf(pendulum());
         const QString path = target.startsWith('/') ? target : folder.filePath(target);
-        const auto failure =
-            exportRun(simulation, {.from = from, .to = to, .fps = fps}, path.toStdString());
+        const auto failure = exportRun(simulation, Dress(), {.from = from, .to = to, .fps = fps},
+                                       path.toStdString());
         QVERIFY(failure);
         QVERIFY2(failure->message.find(fragment.toStdString()) != std::string::npos,
                  failure->message.c_str());
@@ -387,7 +399,7 @@ private slots:
         Scene scene = pendulum();
         scene.items.pop_back();
         Simulation simulation = simulationOf(scene);
-        const auto failure = exportRun(simulation, {.from = 0.0, .to = 1.0},
+        const auto failure = exportRun(simulation, Dress(), {.from = 0.0, .to = 1.0},
                                        folder.filePath("kite.csv").toStdString());
         QVERIFY(failure);
         QVERIFY(failure->message.find("add a probe") != std::string::npos);

@@ -3,7 +3,7 @@
 
 #include "compile/compile.h"
 #include "compile/live_system.h"
-#include "io/export.h"
+#include "export/export_run.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "shapes/shape_files.h"
@@ -334,7 +334,7 @@ private slots:
         QCOMPARE(simulation.state().splits.size(), std::size_t(7));
         QTemporaryDir folder;
         const auto path = folder.filePath("torn.obj").toStdString();
-        QVERIFY(!writeObj(*simulation.frame(), path));
+        QVERIFY(!writeMoment(*simulation.frame(), Dress(), path));
         const auto mesh = meshFromFile(path);
         QVERIFY2(bool(mesh), mesh ? "" : mesh.message().c_str());
         QCOMPARE((*mesh)->faces().size(), std::size_t(60));

@@ -1,10 +1,8 @@
 // One moment as VTK PolyData: links are lines, panels are triangles, in that order. Arrays are
 // base64 with their length in bytes before them, so the file is small, exact and still XML.
-#include "io/export.h"
+#include "export/moment.h"
 
-#include "io/json_text.h"
-#include "io/standing.h"
-#include "io/whole_file.h"
+#include "export/standing.h"
 
 #include <algorithm>
 #include <bit>
@@ -134,7 +132,7 @@ void addCellData(std::string& text, const Frame& frame, const Standing& whole)
 
 } // namespace
 
-std::optional<Failure> writeVtp(const Frame& frame, const std::filesystem::path& file)
+Result<std::string> vtpMoment(const Frame& frame, const Dress&)
 {
     const Standing whole = standing(frame);
     Cells lines;
@@ -172,7 +170,7 @@ std::optional<Failure> writeVtp(const Frame& frame, const std::filesystem::path&
     addCells(text, "Lines", lines);
     addCells(text, "Polys", polys);
     text += "</Piece>\n</PolyData>\n</VTKFile>\n";
-    return replaceFile(file, text, Flush::Later);
+    return text;
 }
 
 } // namespace ripstop

@@ -1,0 +1,36 @@
+// A flight for other programs: runs a simulation and writes what it passes through.
+#pragma once
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "export/dress.h"
+#include "run/simulation.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace ripstop {
+
+struct ExportRange
+{
+    double from = 0.0; // s
+    double to = 0.0;   // s; a format of one moment is taken at this time
+    double fps = 25.0; // frames per simulated second
+};
+
+// How many frames the range asks for; there are fewer where it asks for more than there are steps.
+std::size_t frameCount(const ExportRange& range);
+
+// Writes one frame as the name of the target says. The file is the old one or the new one, whole.
+std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress,
+                                   const std::filesystem::path& target);
+
+// Runs the simulation from where it is and writes the target, whose name says the format
+// (export/format.h). Gone panels and torn links are left out of meshes. When cancelled, nothing is
+// left of what was written. When the simulation cannot go on, a series that ends there is kept and
+// the failure says so; Simulation::trouble() tells this case from the others.
+std::optional<Failure> exportRun(Simulation& simulation, const Dress& dress,
+                                 const ExportRange& range, const std::filesystem::path& target,
+                                 const Progress& progress = {});
+
+} // namespace ripstop

@@ -1,0 +1,118 @@
+#include "export/format.h"
+
+#include "export/gltf.h"
+#include "export/moment.h"
+#include "export/point_cache.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ripstop {
+namespace {
+
+using Of = ExportFormat::Of;
+using Topology = ExportFormat::Topology;
+using Beside = ExportFormat::Beside;
+
+constexpr std::array formats{
+    ExportFormat{".obj", "Mesh, Wavefront OBJ",
+                 "Panels with normals and texture points, and lines. Blender and most others.",
+                 Of::Moment, Topology::Free, Beside::Nothing, objMoment, nullptr},
+    ExportFormat{".ply", "Mesh, PLY",
+                 "Particles with velocities, panels, all links with strain and tension.",
+                 Of::Moment, Topology::Free, Beside::Nothing, plyMoment, nullptr},
+    ExportFormat{".stl", "Mesh, STL",
+                 "The panels alone, for printing and CAD; the format knows no unit: metres.",
+                 Of::Moment, Topology::Free, Beside::Nothing, stlMoment, nullptr},
+    ExportFormat{".dae", "Mesh, Collada",
+                 "Panels with normals, texture points and colours, and lines.", Of::Moment,
+                 Topology::Free, Beside::Nothing, colladaMoment, nullptr},
+    ExportFormat{".vtp", "Mesh with strains and loads, VTP",
+                 "All that is measured, as arrays for ParaView and Python.", Of::Moment,
+                 Topology::Free, Beside::Nothing, vtpMoment, nullptr},
+    ExportFormat{".glb", "Animation, glTF",
+                 "One file with a morph target for each frame and the colours of the fabrics. "
+                 "Blender and web pages.",
+                 Of::Series, Topology::Constant, Beside::Nothing, glbMoment, gltfSink},
+    ExportFormat{".gltf", "Animation, glTF as text", "The same as text, for looking into it.",
+                 Of::Series, Topology::Constant, Beside::Nothing, nullptr, gltfSink},
+    ExportFormat{".pc2", "Point cache, PC2",
+                 "With its mesh as OBJ beside it, for Blender's Mesh Cache (Time Mode: Frame).",
+                 Of::Series, Topology::Constant, Beside::Obj, nullptr, pc2Sink},
+    ExportFormat{".mdd", "Point cache, MDD",
+                 "With its mesh as OBJ beside it, for Blender, LightWave and Maya.", Of::Series,
+                 Topology::Constant, Beside::Obj, nullptr, mddSink},
+    ExportFormat{"_{frame}.obj", "Sequence of OBJ files", "A mesh for each frame; tears part it.",
+                 Of::Series, Topology::Free, Beside::Nothing, objMoment, nullptr},
+    ExportFormat{"_{frame}.ply", "Sequence of PLY files", "A mesh for each frame; tears part it.",
+                 Of::Series, Topology::Free, Beside::Nothing, plyMoment, nullptr},
+    ExportFormat{"_{frame}.stl", "Sequence of STL files", "The panels of each frame.", Of::Series,
+                 Topology::Free, Beside::Nothing, stlMoment, nullptr},
+    ExportFormat{".pvd", "Series for ParaView, PVD and VTP",
+                 "An index and a folder of VTP files with all that is measured.", Of::Series,
+                 Topology::Free, Beside::Folder, nullptr, pvdSink},
+    ExportFormat{".csv", "Table of the probes, CSV",
+                 "A row for each frame; units stand in the header.", Of::Series, Topology::Free,
+                 Beside::Nothing, nullptr, tableSink},
+};
+
+bool isNumbered(std::string_view name)
+{
+    return name.find(framePlaceholder) != std::string_view::npos;
+}
+
+std::string lowerCase(std::string text)
+{
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+} // namespace
+
+std::span<const ExportFormat> exportFormats() { return formats; }
+
+const ExportFormat* formatOf(const std::filesystem::path& target)
+{
+    const std::string name = target.filename().string();
+    const std::string extension = lowerCase(target.extension().string());
+    const auto found = std::ranges::find_if(formats, [&](const ExportFormat& format) {
+        return format.ending.substr(format.ending.rfind('.')) == extension
+               && isNumbered(format.ending) == isNumbered(name);
+    });
+    return found == formats.end() ? nullptr : &*found;
+}
+
+std::string knownEndings()
+{
+    std::string list;
+    for (const ExportFormat& format : formats) {
+        list += list.empty() ? "use " : &format == &formats.back() ? " or " : ", ";
+        list += format.ending;
+    }
+    return list;
+}
+
+Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
+                                            const std::filesystem::path& target, const Dress& dress)
+{
+    return format.open ? format.open(target, dress) : sequenceSink(target, dress, format.content);
+}
+
+std::vector<std::filesystem::path> filesOf(const ExportFormat& format,
+                                           const std::filesystem::path& target, std::size_t frames)
+{
+    std::vector<std::filesystem::path> files;
+    if (isNumbered(target.filename().string()))
+        for (std::size_t i = 0; i < frames; ++i)
+            files.push_back(fileOfFrame(target, i));
+    else
+        files.push_back(target);
+    if (format.beside == Beside::Obj)
+        files.push_back(std::filesystem::path(target).replace_extension(".obj"));
+    if (format.beside == Beside::Folder)
+        files.push_back(target.parent_path() / target.stem());
+    return files;
+}
+
+} // namespace ripstop

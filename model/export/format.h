@@ -1,0 +1,48 @@
+// The formats that other programs read. Command line, dialog and manual are made from this table.
+#pragma once
+
+#include "export/dress.h"
+#include "export/frame_sink.h"
+#include "export/series.h"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace ripstop {
+
+struct ExportFormat
+{
+    enum class Of { Moment, Series };
+    enum class Topology { Free, Constant };     // whether what tears can part the mesh in the file
+    enum class Beside { Nothing, Obj, Folder }; // what else is written, with the target's name
+
+    std::string_view ending; // of the target's name; says which format is meant
+    std::string_view label;  // on the screen
+    std::string_view note;   // one sentence: what is in it, and who reads it
+    Of of;
+    Topology topology;
+    Beside beside;
+    MomentContent content; // of a moment, and of each file of a sequence
+    Result<std::unique_ptr<FrameSink>> (*open)(const std::filesystem::path& target,
+                                               const Dress& dress); // of other series
+};
+
+std::span<const ExportFormat> exportFormats();
+
+// The first whose ending the name has; null for none. A name with {frame} means a sequence.
+const ExportFormat* formatOf(const std::filesystem::path& target);
+
+// "use .obj, .ply, ...": what to name a target.
+std::string knownEndings();
+
+Result<std::unique_ptr<FrameSink>>
+openSink(const ExportFormat& format, const std::filesystem::path& target, const Dress& dress);
+
+// What a series of so many frames becomes, the target first; a folder stands for what is in it.
+std::vector<std::filesystem::path> filesOf(const ExportFormat& format,
+                                           const std::filesystem::path& target, std::size_t frames);
+
+} // namespace ripstop

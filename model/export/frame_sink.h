@@ -1,0 +1,24 @@
+#pragma once
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "run/frame.h"
+
+#include <optional>
+
+namespace ripstop {
+
+// Takes the frames of a series, one after the other, and makes files of them. One that is given up
+// before finish() has succeeded leaves nothing behind.
+class FrameSink
+{
+public:
+    virtual ~FrameSink() = default;
+
+    virtual std::optional<Failure> add(const Frame& frame) = 0;
+    virtual std::optional<Failure> finish(const Progress& progress) = 0;
+};
+
+extern const Failure exportCancelled;
+
+} // namespace ripstop

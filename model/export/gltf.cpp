@@ -1,0 +1,327 @@
+#include "export/gltf.h"
+
+#include "export/constant_mesh.h"
+#include "export/moment.h"
+#include "export/output_files.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <sstream>
+
+namespace ripstop {
+namespace {
+
+// The lengths in a .glb are 32-bit numbers (glTF 2.0, 4.4); some of it is for the text.
+constexpr std::size_t largestBuffer = (std::size_t(1) << 32) - (std::size_t(1) << 26); // bytes
+
+// A model under construction, of which all arrays share one buffer.
+class Builder
+{
+public:
+    Builder() { m_model.buffers.emplace_back(); }
+
+    tinygltf::Model& model() { return m_model; }
+    std::size_t size() const { return m_model.buffers[0].data.size(); } // bytes
+
+    // Single precision, `width` numbers in an element.
+    int addNumbers(std::span<const float> values, std::size_t width, int target)
+    {
+        const int type = width == 1   ? TINYGLTF_TYPE_SCALAR
+                         : width == 2 ? TINYGLTF_TYPE_VEC2
+                                      : TINYGLTF_TYPE_VEC3;
+        const int index =
+            add(values, values.size() / width, type, TINYGLTF_COMPONENT_TYPE_FLOAT, target);
+        tinygltf::Accessor& accessor = m_model.accessors[std::size_t(index)];
+        accessor.minValues.assign(width, std::numeric_limits<double>::max());
+        accessor.maxValues.assign(width, std::numeric_limits<double>::lowest());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            double& least = accessor.minValues[i % width];
+            double& most = accessor.maxValues[i % width];
+            least = std::min(least, double(values[i]));
+            most = std::max(most, double(values[i]));
+        }
+        return index;
+    }
+
+    int addIndices(std::span<const std::uint32_t> values)
+    {
+        return add(values, values.size(), TINYGLTF_TYPE_SCALAR,
+                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    }
+
+private:
+    template <typename T>
+    int add(std::span<const T> values, std::size_t count, int type, int component, int target)
+    {
+        std::vector<unsigned char>& data = m_model.buffers[0].data;
+        tinygltf::BufferView view;
+        view.buffer = 0;
+        view.byteOffset = data.size();
+        view.byteLength = values.size_bytes();
+        view.target = target;
+        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+        data.insert(data.end(), bytes, bytes + values.size_bytes());
+        m_model.bufferViews.push_back(std::move(view));
+
+        tinygltf::Accessor accessor;
+        accessor.bufferView = int(m_model.bufferViews.size()) - 1;
+        accessor.componentType = component;
+        accessor.type = type;
+        accessor.count = count;
+        m_model.accessors.push_back(std::move(accessor));
+        return int(m_model.accessors.size()) - 1;
+    }
+
+    tinygltf::Model m_model;
+};
+
+// glTF has linear colours where screens have sRGB (IEC 61966-2-1).
+double linear(double shown)
+{
+    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+}
+
+std::vector<float> flat(std::span<const Eigen::Vector3f> vectors)
+{
+    std::vector<float> numbers;
+    numbers.reserve(3 * vectors.size());
+    for (const Eigen::Vector3f& v : vectors)
+        numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
+    return numbers;
+}
+
+std::vector<float> flat(const std::vector<Vec3>& vectors)
+{
+    std::vector<Eigen::Vector3f> single;
+    std::ranges::transform(vectors, std::back_inserter(single),
+                           [](const Vec3& v) -> Eigen::Vector3f { return v.cast<float>(); });
+    return flat(single);
+}
+
+void addMaterials(tinygltf::Model& model, const Surface& surface)
+{
+    for (const Dress::Fabric& fabric : surface.fabrics) {
+        tinygltf::Material material;
+        material.name = fabric.name;
+        material.doubleSided = true;
+        material.pbrMetallicRoughness.metallicFactor = 0.0;
+        material.pbrMetallicRoughness.roughnessFactor = 0.8;
+        material.pbrMetallicRoughness.baseColorFactor = {
+            linear(fabric.color[0]), linear(fabric.color[1]), linear(fabric.color[2]), 1.0};
+        model.materials.push_back(std::move(material));
+    }
+}
+
+enum class Normals { Given, Left };
+
+// One primitive for the panels of each fabric and one for the lines, all on the same vertices.
+tinygltf::Mesh meshOf(Builder& builder, const Surface& surface, Normals normals)
+{
+    constexpr int vertices = TINYGLTF_TARGET_ARRAY_BUFFER;
+    tinygltf::Primitive common;
+    common.attributes["POSITION"] = builder.addNumbers(flat(surface.position), 3, vertices);
+    if (normals == Normals::Given) {
+        std::vector<Vec3> up = normalsOf(surface);
+        std::ranges::replace(up, Vec3(Vec3::Zero()),
+                             Vec3(Vec3::UnitY())); // all must be of length 1
+        common.attributes["NORMAL"] = builder.addNumbers(flat(up), 3, vertices);
+    }
+    if (!surface.texture.empty()) {
+        std::vector<float> texture; // v points down here
+        for (const auto& [u, v] : surface.texture)
+            texture.insert(texture.end(), {float(u), float(1.0 - v)});
+        common.attributes["TEXCOORD_0"] = builder.addNumbers(texture, 2, vertices);
+    }
+
+    tinygltf::Mesh mesh;
+    mesh.name = surface.name;
+    for (std::size_t fabric = 0; fabric < surface.fabrics.size(); ++fabric) {
+        std::vector<std::uint32_t> corners;
+        for (std::size_t i = 0; i < surface.panels.size(); ++i)
+            if (surface.fabric[i] == fabric)
+                corners.insert(corners.end(), surface.panels[i].begin(), surface.panels[i].end());
+        if (corners.empty())
+            continue;
+        mesh.primitives.push_back(common);
+        mesh.primitives.back().mode = TINYGLTF_MODE_TRIANGLES;
+        mesh.primitives.back().indices = builder.addIndices(corners);
+        mesh.primitives.back().material = int(fabric);
+    }
+    if (!surface.lines.empty()) {
+        std::vector<std::uint32_t> ends;
+        for (const auto& line : surface.lines)
+            ends.insert(ends.end(), line.begin(), line.end());
+        mesh.primitives.push_back(common);
+        mesh.primitives.back().attributes.erase("NORMAL");
+        mesh.primitives.back().mode = TINYGLTF_MODE_LINE;
+        mesh.primitives.back().indices = builder.addIndices(ends);
+        mesh.primitives.back().material = 0;
+    }
+    return mesh;
+}
+
+// Each frame has its own target, fully on at its time and off at its neighbours'.
+void addAnimation(Builder& builder, const FrameSpool& spool)
+{
+    const std::size_t frames = spool.count();
+    std::vector<float> times;
+    std::vector<float> weights(frames * (frames - 1), 0.0f);
+    for (std::size_t i = 0; i < frames; ++i) {
+        times.push_back(float(spool.time(i) - spool.time(0)));
+        if (i > 0)
+            weights[i * (frames - 1) + i - 1] = 1.0f;
+    }
+    tinygltf::AnimationSampler sampler;
+    sampler.input = builder.addNumbers(times, 1, 0);
+    sampler.output = builder.addNumbers(weights, 1, 0);
+    sampler.interpolation = "LINEAR";
+    tinygltf::AnimationChannel channel;
+    channel.sampler = 0;
+    channel.target_node = 0;
+    channel.target_path = "weights";
+    tinygltf::Animation animation;
+    animation.name = "flight";
+    animation.samplers.push_back(std::move(sampler));
+    animation.channels.push_back(std::move(channel));
+    builder.model().animations.push_back(std::move(animation));
+}
+
+std::optional<Failure> addTargets(Builder& builder, tinygltf::Mesh& mesh, FrameSpool& spool,
+                                  ConstantMesh& shapes, const Progress& progress)
+{
+    const auto first = shapes.positions(spool, 0);
+    if (!first)
+        return first.failure();
+    const std::size_t frames = spool.count();
+    const std::size_t bytes = builder.size() + 12 * first->size() * frames + 4 * frames * frames;
+    if (bytes > largestBuffer)
+        return Failure{"The animation would have " + std::to_string(bytes >> 20)
+                       + " MB, and a glTF file holds 4096 at most; choose fewer frames, or a "
+                         "point cache (.pc2)."};
+    builder.model().buffers[0].data.reserve(bytes);
+    for (std::size_t i = 1; i < frames; ++i) {
+        if (!goesOn(progress, double(i) / double(frames)))
+            return exportCancelled;
+        auto moved = shapes.positions(spool, i);
+        if (!moved)
+            return moved.failure();
+        for (std::size_t k = 0; k < moved->size(); ++k)
+            (*moved)[k] -= (*first)[k];
+        const int target = builder.addNumbers(flat(std::span<const Eigen::Vector3f>(*moved)), 3,
+                                              TINYGLTF_TARGET_ARRAY_BUFFER);
+        for (tinygltf::Primitive& primitive : mesh.primitives)
+            primitive.targets.push_back({{"POSITION", target}});
+    }
+    mesh.weights.assign(frames - 1, 0.0);
+    return std::nullopt;
+}
+
+void complete(Builder& builder, tinygltf::Mesh mesh, const Surface& surface)
+{
+    tinygltf::Model& model = builder.model();
+    addMaterials(model, surface);
+    model.asset.version = "2.0";
+    model.asset.generator = "Ripstop " RIPSTOP_VERSION;
+    tinygltf::Node node;
+    node.name = surface.name;
+    node.mesh = 0;
+    model.meshes.push_back(std::move(mesh));
+    model.nodes.push_back(std::move(node));
+    tinygltf::Scene scene;
+    scene.nodes = {0};
+    model.scenes.push_back(std::move(scene));
+    model.defaultScene = 0;
+}
+
+enum class Container { Text, Binary };
+
+std::optional<Failure> write(tinygltf::Model& model, std::ostream& out, Container container)
+{
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, container == Container::Text,
+                                                     container == Container::Binary))
+        return Failure{"The glTF text cannot be written."};
+    return std::nullopt;
+}
+
+class Gltf final : public FrameSink
+{
+public:
+    Gltf(const std::filesystem::path& target, const Dress& dress)
+        : m_target(target)
+        , m_dress(dress)
+    {}
+
+    std::optional<Failure> open()
+    {
+        Result<FrameSpool> spool = FrameSpool::open(m_files, m_target);
+        if (!spool)
+            return spool.failure();
+        m_spool = std::move(*spool);
+        return std::nullopt;
+    }
+
+    std::optional<Failure> add(const Frame& frame) override { return m_spool.add(frame); }
+
+    std::optional<Failure> finish(const Progress& progress) override
+    {
+        Result<ConstantMesh> shapes = ConstantMesh::of(m_spool, m_dress);
+        if (!shapes)
+            return shapes.failure();
+        Builder builder;
+        const bool moves = m_spool.count() > 1;
+        tinygltf::Mesh mesh =
+            meshOf(builder, shapes->surface(), moves ? Normals::Left : Normals::Given);
+        if (moves) {
+            if (auto failure = addTargets(builder, mesh, m_spool, *shapes, progress))
+                return failure;
+            addAnimation(builder, m_spool);
+        }
+        complete(builder, std::move(mesh), shapes->surface());
+
+        Result<std::ofstream> out = m_files.open(m_target);
+        if (!out)
+            return out.failure();
+        if (auto failure =
+                write(builder.model(), *out,
+                      m_target.extension() == ".gltf" ? Container::Text : Container::Binary))
+            return failure;
+        if (auto failure = close(*out, m_target))
+            return failure;
+        return m_files.commit();
+    }
+
+private:
+    OutputFiles m_files;
+    std::filesystem::path m_target;
+    Dress m_dress;
+    FrameSpool m_spool;
+};
+
+} // namespace
+
+Result<std::unique_ptr<FrameSink>> gltfSink(const std::filesystem::path& target, const Dress& dress)
+{
+    auto sink = std::make_unique<Gltf>(target, dress);
+    if (auto failure = sink->open())
+        return *failure;
+    return std::unique_ptr<FrameSink>(std::move(sink));
+}
+
+Result<std::string> glbMoment(const Frame& frame, const Dress& dress)
+{
+    const Surface surface = surfaceOf(frame, dress);
+    if (surface.panels.empty() && surface.lines.empty())
+        return Failure{"There is neither fabric nor a line at this moment to make a mesh of."};
+    Builder builder;
+    complete(builder, meshOf(builder, surface, Normals::Given), surface);
+    std::ostringstream out;
+    if (auto failure = write(builder.model(), out, Container::Binary))
+        return *failure;
+    return std::move(out).str();
+}
+
+} // namespace ripstop

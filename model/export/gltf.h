@@ -1,0 +1,18 @@
+#pragma once
+
+#include "export/dress.h"
+#include "export/frame_sink.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace ripstop {
+
+// glTF 2.0, as .glb in one file or .gltf as text. The first frame is the mesh, each later one a
+// morph target, and an animation goes from one to the next in a straight line, in simulated time.
+// One frame alone is a mesh at rest, with normals; moving ones have none, since a viewer then
+// shades each face as it stands (glTF 2.0, 3.7.2.1).
+Result<std::unique_ptr<FrameSink>> gltfSink(const std::filesystem::path& target,
+                                            const Dress& dress);
+
+} // namespace ripstop

@@ -1,0 +1,33 @@
+// One moment as a file for other programs: its bytes, or why there are none.
+#pragma once
+
+#include "base/result.h"
+#include "export/surface.h"
+
+#include <string>
+
+namespace ripstop {
+
+// With texture points and normals. Vertices are particles, faces panels, lines links that are no
+// thread of the fabric.
+std::string objText(const Surface& surface);
+
+// Particles with velocities, panels, and all links with strain and tension; text, numbers exact.
+Result<std::string> plyMoment(const Frame& frame, const Dress& dress);
+
+// VTK PolyData: all links as lines and panels as triangles with strain, tension and load, and
+// velocity at the particles; binary, exact.
+Result<std::string> vtpMoment(const Frame& frame, const Dress& dress);
+
+Result<std::string> objMoment(const Frame& frame, const Dress& dress);
+
+// The panels alone, binary, in single precision: the format knows neither lines nor shared corners.
+Result<std::string> stlMoment(const Frame& frame, const Dress& dress);
+
+// Collada, with lines, normals, texture points and the colours of the fabrics; by assimp.
+Result<std::string> colladaMoment(const Frame& frame, const Dress& dress);
+
+// glTF 2.0 in one file, with the same.
+Result<std::string> glbMoment(const Frame& frame, const Dress& dress);
+
+} // namespace ripstop

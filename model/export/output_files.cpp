@@ -1,0 +1,109 @@
+#include "export/output_files.h"
+
+#include <cerrno>
+#include <system_error>
+
+namespace ripstop {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason()
+{
+    return errno ? std::generic_category().message(errno) : std::string("the disk does not answer");
+}
+
+} // namespace
+
+Failure notWritten(const fs::path& file, const std::string& why)
+{
+    return Failure{file.string() + " was not written: " + why
+                   + "; make room or choose another folder."};
+}
+
+std::optional<Failure> close(std::ofstream& out, const fs::path& file)
+{
+    errno = 0;
+    out.close();
+    if (!out)
+        return notWritten(file, reason());
+    return std::nullopt;
+}
+
+OutputFiles::~OutputFiles()
+{
+    std::error_code ignored;
+    for (const File& file : m_files)
+        fs::remove(file.written, ignored);
+    for (auto folder = m_newFolders.rbegin(); folder != m_newFolders.rend(); ++folder)
+        fs::remove(*folder, ignored); // only when it is empty
+}
+
+fs::path OutputFiles::nameFor(const fs::path& target) const
+{
+    fs::path written = target;
+    return written.concat(".").concat(std::to_string(m_files.size())).concat(".part");
+}
+
+std::optional<Failure> OutputFiles::makeFolder(const fs::path& folder)
+{
+    std::error_code error;
+    if (fs::create_directory(folder, error))
+        m_newFolders.push_back(folder);
+    if (fs::is_directory(folder))
+        return std::nullopt;
+    return Failure{"The folder " + folder.string()
+                   + " cannot be made: " + (error ? error.message() : "a file has that name")
+                   + "; choose another target."};
+}
+
+Result<std::ofstream> OutputFiles::open(const fs::path& target)
+{
+    std::error_code error;
+    if (fs::is_directory(target, error))
+        return Failure{target.string() + " is a folder; name a file in it."};
+    const fs::path written = nameFor(target);
+    errno = 0;
+    std::ofstream out(written, std::ios::binary | std::ios::trunc);
+    if (!out)
+        return notWritten(target, reason());
+    m_files.push_back({written, target});
+    return out;
+}
+
+std::optional<Failure> OutputFiles::write(const fs::path& target, std::string_view content)
+{
+    Result<std::ofstream> out = open(target);
+    if (!out)
+        return out.failure();
+    out->write(content.data(), std::streamsize(content.size()));
+    return close(*out, target);
+}
+
+Result<std::fstream> OutputFiles::scratch(const fs::path& besides)
+{
+    const fs::path written = nameFor(besides);
+    errno = 0;
+    std::fstream file(written, std::ios::binary | std::ios::in | std::ios::out | std::ios::trunc);
+    if (!file)
+        return notWritten(besides, reason());
+    m_files.push_back({written, {}});
+    return file;
+}
+
+std::optional<Failure> OutputFiles::commit()
+{
+    std::error_code error;
+    for (const File& file : m_files) {
+        if (file.target.empty())
+            continue;
+        fs::rename(file.written, file.target, error);
+        if (error)
+            return notWritten(file.target, error.message());
+    }
+    std::erase_if(m_files, [](const File& file) { return !file.target.empty(); });
+    m_newFolders.clear();
+    return std::nullopt;
+}
+
+} // namespace ripstop

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "base/result.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ripstop {
+
+// Files that come into their places together or not at all: they are written under other names
+// beside their targets, and renamed when all are whole. What was not committed is removed, with
+// the folders that were made for it.
+class OutputFiles
+{
+public:
+    OutputFiles() = default;
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles& operator=(const OutputFiles&) = delete;
+    ~OutputFiles();
+
+    // A folder for some of the targets, unless it is there.
+    std::optional<Failure> makeFolder(const std::filesystem::path& folder);
+
+    // For what will be `target`.
+    Result<std::ofstream> open(const std::filesystem::path& target);
+    std::optional<Failure> write(const std::filesystem::path& target, std::string_view content);
+
+    // For work on the way; it is removed in the end.
+    Result<std::fstream> scratch(const std::filesystem::path& besides);
+
+    std::optional<Failure> commit();
+
+private:
+    struct File
+    {
+        std::filesystem::path written;
+        std::filesystem::path target; // empty for scratch
+    };
+
+    std::filesystem::path nameFor(const std::filesystem::path& target) const;
+
+    std::vector<File> m_files;
+    std::vector<std::filesystem::path> m_newFolders;
+};
+
+// Why a stream could not be written, as the system says it.
+Failure notWritten(const std::filesystem::path& file, const std::string& why);
+
+// Closes it; the failure of any write, or nothing.
+std::optional<Failure> close(std::ofstream& out, const std::filesystem::path& file);
+
+} // namespace ripstop

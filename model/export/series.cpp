@@ -1,0 +1,172 @@
+#include "export/series.h"
+
+#include "export/moment.h"
+#include "export/output_files.h"
+#include "io/csv.h"
+#include "io/json_text.h"
+
+namespace ripstop {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Sequence final : public FrameSink
+{
+public:
+    Sequence(fs::path target, const Dress& dress, MomentContent content)
+        : m_target(std::move(target))
+        , m_dress(dress)
+        , m_content(content)
+    {}
+
+    std::optional<Failure> add(const Frame& frame) override
+    {
+        const auto content = m_content(frame, m_dress);
+        if (!content)
+            return content.failure();
+        return m_files.write(fileOfFrame(m_target, m_count++), *content);
+    }
+
+    std::optional<Failure> finish(const Progress&) override { return m_files.commit(); }
+
+private:
+    OutputFiles m_files;
+    fs::path m_target;
+    Dress m_dress;
+    MomentContent m_content;
+    std::size_t m_count = 0;
+};
+
+std::string xmlText(const std::string& text)
+{
+    std::string escaped;
+    for (const char c : text)
+        switch (c) {
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '"':
+            escaped += "&quot;";
+            break;
+        default:
+            escaped += c;
+        }
+    return escaped;
+}
+
+class Pvd final : public FrameSink
+{
+public:
+    Pvd(fs::path target, const Dress& dress)
+        : m_target(std::move(target))
+        , m_dress(dress)
+    {}
+
+    std::optional<Failure> add(const Frame& frame) override
+    {
+        const std::string stem = m_target.stem().string();
+        if (m_count == 0)
+            if (auto failure = m_files.makeFolder(m_target.parent_path() / stem))
+                return failure;
+        const fs::path name =
+            fileOfFrame(stem + "_" + std::string(framePlaceholder) + ".vtp", m_count++);
+        m_index += "<DataSet timestep=\"";
+        appendNumber(m_index, frame.time);
+        m_index += R"(" part="0" file=")" + xmlText(stem) + "/" + xmlText(name.string()) + "\"/>\n";
+        const auto content = vtpMoment(frame, m_dress);
+        if (!content)
+            return content.failure();
+        return m_files.write(m_target.parent_path() / stem / name, *content);
+    }
+
+    std::optional<Failure> finish(const Progress&) override
+    {
+        if (auto failure =
+                m_files.write(m_target, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
+                                        "version=\"0.1\">\n<Collection>\n"
+                                            + m_index + "</Collection>\n</VTKFile>\n"))
+            return failure;
+        return m_files.commit();
+    }
+
+private:
+    OutputFiles m_files;
+    fs::path m_target;
+    Dress m_dress;
+    std::string m_index;
+    std::size_t m_count = 0;
+};
+
+class Table final : public FrameSink
+{
+public:
+    explicit Table(fs::path target)
+        : m_target(std::move(target))
+    {}
+
+    std::optional<Failure> add(const Frame& frame) override
+    {
+        if (!m_out) {
+            if (frame.layout->probes.empty())
+                return Failure{"The scene has no probes, so there is nothing to put into "
+                               + m_target.string() + "; add a probe first."};
+            Result<std::ofstream> out = m_files.open(m_target);
+            if (!out)
+                return out.failure();
+            m_out = std::move(*out);
+            *m_out << csvHeader(frame);
+        }
+        *m_out << csvRow(frame);
+        m_end = csvEnd(frame);
+        return std::nullopt;
+    }
+
+    std::optional<Failure> finish(const Progress&) override
+    {
+        if (!m_out)
+            return std::nullopt;
+        *m_out << m_end;
+        if (auto failure = close(*m_out, m_target))
+            return failure;
+        return m_files.commit();
+    }
+
+private:
+    OutputFiles m_files;
+    fs::path m_target;
+    std::optional<std::ofstream> m_out;
+    std::string m_end;
+};
+
+} // namespace
+
+fs::path fileOfFrame(const fs::path& target, std::size_t number)
+{
+    std::string digits = std::to_string(number);
+    digits.insert(0, std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0'));
+    std::string name = target.filename().string();
+    if (const auto place = name.find(framePlaceholder); place != std::string::npos)
+        name.replace(place, framePlaceholder.size(), digits);
+    return target.parent_path() / name;
+}
+
+Result<std::unique_ptr<FrameSink>> sequenceSink(const fs::path& target, const Dress& dress,
+                                                MomentContent content)
+{
+    return std::unique_ptr<FrameSink>(std::make_unique<Sequence>(target, dress, content));
+}
+
+Result<std::unique_ptr<FrameSink>> pvdSink(const fs::path& target, const Dress& dress)
+{
+    return std::unique_ptr<FrameSink>(std::make_unique<Pvd>(target, dress));
+}
+
+Result<std::unique_ptr<FrameSink>> tableSink(const fs::path& target, const Dress&)
+{
+    return std::unique_ptr<FrameSink>(std::make_unique<Table>(target));
+}
+
+} // namespace ripstop

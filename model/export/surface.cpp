@@ -1,0 +1,49 @@
+#include "export/surface.h"
+
+#include "export/standing.h"
+
+#include <Eigen/Geometry>
+
+namespace ripstop {
+
+Surface surfaceOf(const Frame& frame, const Dress& dress)
+{
+    const Layout& layout = *frame.layout;
+    const Standing whole = standing(frame);
+
+    Surface surface;
+    surface.name = dress.name();
+    surface.fabrics = dress.fabrics();
+    surface.position = frame.position;
+    if (dress.isTextured())
+        for (const std::uint32_t id : layout.particleId)
+            surface.texture.push_back(dress.textureOf(id));
+    for (const std::size_t i : whole.panels) {
+        surface.panels.push_back(layout.panelCorners[i]);
+        surface.fabric.push_back(dress.fabricOf(layout.panelId[i]));
+    }
+    for (const std::size_t i : whole.links) {
+        const Layout::Link& link = layout.links[i];
+        if (dress.isLine(link.id))
+            surface.lines.push_back({link.a, link.b});
+    }
+    return surface;
+}
+
+std::vector<Vec3> normalsOf(const Surface& surface)
+{
+    std::vector<Vec3> normals(surface.position.size(), Vec3::Zero());
+    for (const auto& [a, b, c] : surface.panels) {
+        const Vec3& corner = surface.position[std::size_t(a)];
+        const Vec3 twiceArea = (surface.position[std::size_t(b)] - corner)
+                                   .cross(surface.position[std::size_t(c)] - corner);
+        for (const int i : {a, b, c})
+            normals[std::size_t(i)] += twiceArea;
+    }
+    for (Vec3& normal : normals)
+        if (const double length = normal.norm(); length > 0.0)
+            normal /= length;
+    return normals;
+}
+
+} // namespace ripstop

@@ -1,0 +1,315 @@
+// Meshes and animations for other programs, read back by other means than ours where there are any.
+#include "compile/compile.h"
+#include "export/export_run.h"
+#include "export/format.h"
+#include "model/meshes.h"
+#include "shapes/mesh_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtEndian>
+#include <QtTest>
+
+#include <cstring>
+
+using namespace ripstop;
+
+namespace {
+
+// Two panels with a place each in the picture on the fabric, and a line below.
+//
+//     3---2
+//     | / |      4: hangs on 0
+//     0---1
+Scene kite()
+{
+    Part part;
+    const auto particle = [](unsigned id, Vec3 position, double u, double v) {
+        return Particle{.id = Id{id}, .position = position, .textureU = u, .textureV = v};
+    };
+    part.particles = {particle(11, {0, 0, 0.125}, 0.25, 0.25), particle(12, {1, 0, 0}, 0.75, 0.25),
+                      particle(13, {1, 1, 0.5}, 0.75, 1.0), particle(14, {0, 1, 0}, 0.25, 1.0),
+                      particle(15, {0, -1, 0}, 0.0, 0.0)};
+    part.particles[0].pinned = true;
+    part.links = {{.id = Id{21}, .from = Id{11}, .to = Id{13}},
+                  {.id = Id{22}, .from = Id{11}, .to = Id{15}}};
+    part.panels = {{Id{31}, Id{11}, Id{12}, Id{13}}, {Id{32}, Id{11}, Id{13}, Id{14}}};
+    Scene scene;
+    scene.settings.timeStep = 0.01;
+    scene.items = {{Id{1}, part}};
+    scene.nextId = Id{40};
+    return scene;
+}
+
+std::shared_ptr<Frame> startOf(const Scene& scene) { return Simulation(*compile(scene)).frame(); }
+
+using Triangle = std::array<std::array<double, 3>, 3>;
+
+// The faces as sets of places, with the corner that sorts first in front and the sense kept; so
+// compare meshes whose vertices have other numbers.
+std::vector<Triangle> trianglesOf(const PolygonMesh& mesh)
+{
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i < mesh.faceCount(); ++i) {
+        Triangle triangle;
+        for (std::size_t k = 0; k < 3; ++k)
+            for (Eigen::Index x = 0; x < 3; ++x)
+                triangle[k][std::size_t(x)] = mesh.points[std::size_t(mesh.face(i)[k])][x];
+        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        triangles.push_back(triangle);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+}
+
+template <typename T>
+T numberAt(const QByteArray& bytes, qsizetype at, QSysInfo::Endian order)
+{
+    using Raw = std::conditional_t<sizeof(T) == 4, quint32, quint64>;
+    const Raw raw = order == QSysInfo::BigEndian ? qFromBigEndian<Raw>(bytes.constData() + at)
+                                                 : qFromLittleEndian<Raw>(bytes.constData() + at);
+    T value;
+    std::memcpy(&value, &raw, sizeof value);
+    return value;
+}
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
+}
+
+// The design as it stands, and 1/25 s later lifted by 2 m, with the diagonal torn and the panel
+// beside it gone.
+std::array<Frame, 2> tearing(const Scene& scene)
+{
+    const Frame before = *startOf(scene);
+    Frame after = before;
+    after.time = 0.04;
+    for (Vec3& place : after.position)
+        place.y() += 2.0;
+    after.torn[0] = 1;
+    after.gone[1] = 1;
+    return {before, after};
+}
+
+std::optional<Failure> writeSeries(std::span<const Frame> frames, const Dress& dress,
+                                   const std::string& target)
+{
+    auto sink = openSink(*formatOf(target), target, dress);
+    if (!sink)
+        return sink.failure();
+    for (const Frame& frame : frames)
+        if (auto failure = (*sink)->add(frame))
+            return failure;
+    return (*sink)->finish({});
+}
+
+} // namespace
+
+class TestExportSeries : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void comesBack_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<bool>("hasTexture");
+        QTest::newRow("OBJ") << "kite.obj" << true;
+        QTest::newRow("PLY") << "kite.ply" << false;
+        QTest::newRow("STL") << "kite.stl" << false;
+        QTest::newRow("glTF") << "kite.glb" << true;
+        QTest::newRow("Collada") << "kite.dae" << true;
+    }
+
+    // The numbers of the scene are exact in single precision.
+    void comesBack()
+    {
+        QFETCH(QString, file);
+        QFETCH(bool, hasTexture);
+        QTemporaryDir folder;
+        const std::string path = folder.filePath(file).toStdString();
+        const Scene scene = kite();
+        const auto failure = writeMoment(*startOf(scene), Dress(scene), path);
+        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+
+        const Result<PolygonMesh> mesh = readPolygonFile(path, {});
+        QVERIFY2(bool(mesh), mesh ? "" : mesh.message().c_str());
+        const std::vector<Triangle> expected{{{{0, 0, 0.125}, {1, 0, 0}, {1, 1, 0.5}}},
+                                             {{{0, 0, 0.125}, {1, 1, 0.5}, {0, 1, 0}}}};
+        QVERIFY(trianglesOf(*mesh) == expected);
+        QCOMPARE(!mesh->texture.empty(), hasTexture);
+        for (std::size_t i = 0; i < mesh->texture.size(); ++i) {
+            const Vec3& place = mesh->points[std::size_t(mesh->corners[i])];
+            QCOMPARE(mesh->texture[i][0], place.x() == 0.0 ? 0.25 : 0.75);
+            QCOMPARE(mesh->texture[i][1], place.y() == 0.0 ? 0.25 : 1.0);
+        }
+    }
+
+    void caches_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<int>("order");
+        QTest::addColumn<qsizetype>("header");
+        QTest::addColumn<qsizetype>("points"); // where the number of points stands
+        QTest::addColumn<qsizetype>("frames"); // and that of frames
+        QTest::newRow("PC2") << "pc2" << int(QSysInfo::LittleEndian) << qsizetype(32)
+                             << qsizetype(16) << qsizetype(28);
+        QTest::newRow("MDD") << "mdd" << int(QSysInfo::BigEndian) << qsizetype(8 + 2 * 4)
+                             << qsizetype(4) << qsizetype(0);
+    }
+
+    // The panel that goes has three corners of its own and the line that breaks two ends, beside
+    // the three corners of the panel that stays and the end of the other line.
+    void caches()
+    {
+        QFETCH(QString, ending);
+        QFETCH(int, order);
+        QFETCH(qsizetype, header);
+        QFETCH(qsizetype, points);
+        QFETCH(qsizetype, frames);
+        const auto byteOrder = QSysInfo::Endian(order);
+        QTemporaryDir folder;
+        const Scene scene = kite();
+        const auto failure = writeSeries(tearing(scene), Dress(scene),
+                                         folder.filePath("kite." + ending).toStdString());
+        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
+                 (ending < "obj" ? QStringList{"kite." + ending, "kite.obj"}
+                                 : QStringList{"kite.obj", "kite." + ending}));
+
+        const QByteArray bytes = contentOf(folder.filePath("kite." + ending));
+        constexpr qsizetype vertices = 3 + 3 + 2 + 1;
+        QCOMPARE(numberAt<qint32>(bytes, points, byteOrder), qint32(vertices));
+        QCOMPARE(numberAt<qint32>(bytes, frames, byteOrder), 2);
+        QCOMPARE(bytes.size(), header + 2 * vertices * 12);
+        if (ending == "mdd")
+            QCOMPARE(numberAt<float>(bytes, 12, byteOrder), 0.04f);
+
+        const auto place = [&](qsizetype frame, qsizetype vertex) {
+            Vec3 x;
+            for (qsizetype i = 0; i < 3; ++i)
+                x[i] = double(numberAt<float>(
+                    bytes, header + (frame * vertices + vertex) * 12 + 4 * i, byteOrder));
+            return x;
+        };
+        const Result<PolygonMesh> mesh =
+            readPolygonFile(folder.filePath("kite.obj").toStdString(), {});
+        QVERIFY(mesh);
+        QCOMPARE(mesh->faceCount(), std::size_t(2));
+        for (qsizetype i = 0; i < vertices; ++i)
+            QCOMPARE(place(0, i), mesh->points[std::size_t(i)]);
+
+        // what stays has moved, what went is a point: the mean of its corners
+        const Vec3 up(0.0, 2.0, 0.0);
+        const Vec3 mean = (Vec3(0, 0, 0.125) + Vec3(1, 1, 0.5) + Vec3(0, 1, 0)) / 3.0 + up;
+        for (const int i : mesh->face(0))
+            QCOMPARE(place(1, i), Vec3(place(0, i) + up));
+        for (const int i : mesh->face(1))
+            QVERIFY((place(1, i) - mean).norm() < 1e-6);
+    }
+
+    // Fabric that a tear has split has both sides from the start, in one place.
+    void splitFromTheStart()
+    {
+        QTemporaryDir folder;
+        const Scene scene = kite();
+        Frame before = *startOf(scene);
+        Frame after = before;
+        auto layout = std::make_shared<Layout>(*before.layout);
+        for (const std::size_t i : {0u, 2u}) { // twins of the ends of the diagonal
+            layout->particleId.push_back(layout->particleId[i]);
+            after.position.push_back(after.position[i] - Vec3(3.0, 0.0, 0.0));
+            after.velocity.push_back(Vec3::Zero());
+        }
+        layout->particleKey = {11, 12, 13, 14, 15, 101, 102};
+        layout->panelCorners[1] = {5, 6, 3};
+        after.layout = layout;
+        after.time = 0.04;
+        const std::array frames{before, after};
+        const auto failure =
+            writeSeries(frames, Dress(scene), folder.filePath("a.pc2").toStdString());
+        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+        const Result<PolygonMesh> mesh =
+            readPolygonFile(folder.filePath("a.obj").toStdString(), {});
+        QVERIFY(mesh);
+        QCOMPARE(mesh->points.size(), std::size_t(7));
+        const std::vector<Triangle> expected{{{{0, 0, 0.125}, {1, 0, 0}, {1, 1, 0.5}}},
+                                             {{{0, 0, 0.125}, {1, 1, 0.5}, {0, 1, 0}}}};
+        QVERIFY(trianglesOf(*mesh) == expected); // the first frame, whole
+    }
+
+    void anotherDesignOnTheWay()
+    {
+        QTemporaryDir folder;
+        const Scene scene = kite();
+        Scene larger = scene;
+        std::get<Part>(larger.items[0].item).panels.pop_back();
+        const std::array frames{*startOf(scene), *startOf(larger)};
+        const auto failure =
+            writeSeries(frames, Dress(scene), folder.filePath("a.glb").toStdString());
+        QVERIFY(failure);
+        QVERIFY2(failure->message.find("sequence") != std::string::npos, failure->message.c_str());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void nothingToShow()
+    {
+        QTemporaryDir folder;
+        Frame frame;
+        frame.layout = std::make_shared<Layout>();
+        for (const char* name : {"a.glb", "a.pc2", "a.mdd", "a.gltf"})
+            QVERIFY(writeSeries(std::array{frame}, Dress(), folder.filePath(name).toStdString()));
+        for (const char* name : {"a.glb", "a.stl", "a.dae"})
+            QVERIFY(writeMoment(frame, Dress(), folder.filePath(name).toStdString()));
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    // What was there stays until the new one is whole.
+    void theOldFileStays()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("kite.glb");
+        QFile old(path);
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        old.write("old");
+        old.close();
+        Simulation simulation(*compile(kite()));
+        QVERIFY(exportRun(simulation, Dress(), {.to = 1.0}, path.toStdString(),
+                          [](double done) { return done < 0.9; }));
+        QCOMPARE(contentOf(path), QByteArray("old"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    }
+
+    void sequence()
+    {
+        QTemporaryDir folder;
+        const Scene scene = kite();
+        const std::string target = folder.filePath("sail_{frame}.obj").toStdString();
+        QVERIFY(!writeSeries(tearing(scene), Dress(scene), target));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
+                 (QStringList{"sail_0000.obj", "sail_0001.obj"}));
+        const auto first = readPolygonFile(folder.filePath("sail_0000.obj").toStdString(), {});
+        const auto second = readPolygonFile(folder.filePath("sail_0001.obj").toStdString(), {});
+        QVERIFY(first && second);
+        QCOMPARE(first->faceCount(), std::size_t(2));
+        QCOMPARE(second->faceCount(), std::size_t(1));
+    }
+
+    // Each name is known by its own row only, so that dialog and command line mean the same.
+    void formatsAreToldByTheirNames()
+    {
+        for (const ExportFormat& format : exportFormats()) {
+            const ExportFormat* found = formatOf("kite" + std::string(format.ending));
+            QVERIFY2(found == &format, format.ending.data());
+        }
+        QCOMPARE(formatOf("KITE.STL"), formatOf("kite.stl"));
+        QVERIFY(!formatOf("kite.abc"));
+        QVERIFY(!formatOf("kite"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExportSeries)
+#include "test_export_series.moc"
