@@ -21,6 +21,7 @@ struct Options
     double fps = 25.0;
     double from = 0.0;
     std::optional<double> to;
+    std::string controls;
     int threads = 1;
 };
 
@@ -43,6 +44,12 @@ int exportScene(const Options& options)
     ExportRange range{options.from, 0.0, options.fps};
     range.to = options.to.value_or(isOneMoment(options.output) ? options.from
                                                                : options.from + seriesSeconds);
+    if (!options.controls.empty()) {
+        Result<ControlTrack> track = readControlTrack(options.controls, *loaded.scene);
+        if (!track)
+            return fail(BadInput, track.message());
+        range.controls = std::move(*track);
+    }
     catchInterrupt();
     ProgressLine progress(options.output);
     const auto failure =
@@ -95,6 +102,10 @@ void addExport(CLI::App& app, Command& chosen)
                      "for one moment the first itself")
         ->check(numberBetween(0.0, 1e9))
         ->type_name("T1");
+    command
+        ->add_option("--controls", options->controls,
+                     "What pilot and hands do: a control track, as of run --controls")
+        ->type_name("FILE");
     addSetOption(*command, options->scene.assignments);
     command->add_option("--threads", options->threads, "Threads; the result is the same for all")
         ->check(CLI::Range(1, 1024))

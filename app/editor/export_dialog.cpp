@@ -2,16 +2,14 @@
 
 #include "compile/compile.h"
 #include "editor/ask_file.h"
-#include "export/export_run.h"
-#include "io/control_track.h"
 #include "io/tear_table.h"
-#include "run/tear_report.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,80 +22,6 @@
 namespace ripstop {
 namespace {
 
-enum class Content { Mesh, Tears, Controls, Series }; // of now, until now twice, of another run
-
-struct Format
-{
-    const char* ending; // after the name of the scene
-    const char* label;
-    Content content;
-};
-
-constexpr Format formats[]{
-    {".obj", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, OBJ"), Content::Mesh},
-    {".ply", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment, PLY"), Content::Mesh},
-    {".vtp", QT_TRANSLATE_NOOP("ExportDialog", "Mesh of this moment with strains and loads, VTP"),
-     Content::Mesh},
-    {".pvd", QT_TRANSLATE_NOOP("ExportDialog", "Series for ParaView, PVD and VTP"),
-     Content::Series},
-    {".csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of the probes, CSV"), Content::Series},
-    {"_tears.csv", QT_TRANSLATE_NOOP("ExportDialog", "Table of what has torn, CSV"),
-     Content::Tears},
-    {"_controls.csv", QT_TRANSLATE_NOOP("ExportDialog", "Control track of this run, CSV"),
-     Content::Controls}};
-
-QString extensionOf(const Format& format)
-{
-    return QString(format.ending).mid(QString(format.ending).indexOf('.'));
-}
-
-QString tearsInWords(const Frame* frame)
-{
-    if (!frame || frame->tears.empty())
-        return ExportDialog::tr("Nothing has torn in the run on the screen: the table will be "
-                                "empty.");
-    const TearReport report = tearReport(frame->tears);
-    const auto rounded = [](double value) { return QString::number(value, 'g', 4); };
-    return ExportDialog::tr("Links that broke in the run on the screen: %1, the first at %2 s. The "
-                            "tear went %3 m far and released %4 J.")
-        .arg(report.count)
-        .arg(rounded(frame->tears.front().time), rounded(report.front.back().distance),
-             rounded(report.energy));
-}
-
-QString inWords(Content content, const Frame* now)
-{
-    switch (content) {
-    case Content::Mesh:
-        return ExportDialog::tr("The shape that the view shows now.");
-    case Content::Tears:
-        return tearsInWords(now);
-    case Content::Controls:
-        return now && !(now->commands.empty() && now->hands.empty())
-                   ? ExportDialog::tr(
-                         "What the pilot and your hands did in this run: %1 commands, %2 moves of "
-                         "the hand. ripstop-cli run --controls does them again, in this or "
-                         "another design.")
-                         .arg(now->commands.size())
-                         .arg(now->hands.size())
-                   : ExportDialog::tr("No control and no hand has moved anything in this run.");
-    case Content::Series:
-        break;
-    }
-    return ExportDialog::tr("The scene is simulated anew from its start, without what was changed "
-                            "by hand during the run on the screen.");
-}
-
-std::optional<Failure> writeNow(Content content, const Scene& scene, const Frame& now,
-                                const std::filesystem::path& file)
-{
-    if (content == Content::Tears)
-        return writeTears(scene, now.tears, file);
-    if (content == Content::Controls)
-        return writeControlTrack(scene, trackOf(now), file);
-    return writeMoment(now, Dress(scene), file);
-}
-
 QDoubleSpinBox* seconds(double value)
 {
     auto* box = new QDoubleSpinBox;
@@ -108,88 +32,240 @@ QDoubleSpinBox* seconds(double value)
     return box;
 }
 
+QSpinBox* pixels(int value)
+{
+    auto* box = new QSpinBox;
+    box->setRange(16, 16384);
+    box->setValue(value);
+    return box;
+}
+
+QWidget* inOneRow(std::initializer_list<QWidget*> widgets)
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins({});
+    for (QWidget* widget : widgets)
+        layout->addWidget(widget);
+    layout->addStretch();
+    return row;
+}
+
+bool wasDoneByHand(const Frame* frame)
+{
+    return frame && !(frame->commands.empty() && frame->hands.empty());
+}
+
+// Calls `draw` on the thread of the window and waits for it.
+DrawFrame drawnBy(QObject* window, const ExportDialog::Draw& draw, const FilmLook& look)
+{
+    return [window, &draw, look](const std::shared_ptr<const Frame>& frame) {
+        QImage picture;
+        QMetaObject::invokeMethod(
+            window,
+            [&] {
+                picture = draw(frame, look);
+                paintCaption(picture, *frame, look);
+            },
+            Qt::BlockingQueuedConnection);
+        return picture;
+    };
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now,
-                           const QString& stem, QWidget* parent)
+                           const QString& stem, Draw draw, QSize view, QWidget* parent)
     : QDialog(parent)
     , m_scene(scene)
     , m_now(std::move(now))
     , m_stem(stem)
+    , m_draw(std::move(draw))
+    , m_choices(exportChoices())
+    , m_fields(new QWidget)
+    , m_form(new QFormLayout(m_fields))
     , m_format(new QComboBox)
     , m_target(new QLineEdit)
     , m_from(seconds(0.0))
     , m_to(seconds(m_now && m_now->time > 0.0 ? m_now->time : 10.0))
     , m_fps(new QDoubleSpinBox)
+    , m_speed(new QDoubleSpinBox)
+    , m_again(new QCheckBox(tr("Do again what the pilot and your hands did")))
+    , m_width(pixels(view.width()))
+    , m_height(pixels(view.height()))
+    , m_size(inOneRow({m_width, new QLabel(tr("×")), m_height, new QLabel(tr("pixels"))}))
+    , m_overlays(new QCheckBox(tr("&Legend and compass")))
+    , m_time(new QCheckBox(tr("T&ime")))
+    , m_probes(new QCheckBox(tr("&Probes that are plotted")))
+    , m_shown(inOneRow({m_time, m_probes, m_overlays}))
+    , m_transparent(new QCheckBox(tr("Transparent &background")))
+    , m_note(new QLabel)
     , m_message(new QLabel)
     , m_progress(new QProgressBar)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Export"));
-    for (const Format& format : formats)
-        m_format->addItem(tr(format.label));
-    m_fps->setRange(0.1, 10000.0);
-    m_fps->setValue(25.0);
-    m_fps->setSuffix(tr(" per s"));
-    m_fps->setToolTip(tr("Pictures per second of simulated time; a table has a row for each."));
-
-    auto* browse = new QToolButton;
-    browse->setText(tr("…"));
-    browse->setToolTip(tr("Choose the file"));
-    auto* file = new QHBoxLayout;
-    file->addWidget(m_target);
-    file->addWidget(browse);
-
-    auto* form = new QFormLayout;
-    form->addRow(tr("Format"), m_format);
-    form->addRow(tr("File"), file);
-    form->addRow(tr("From"), m_from);
-    form->addRow(tr("To"), m_to);
-    form->addRow(tr("Rate"), m_fps);
-
-    m_message->setWordWrap(true);
-    m_progress->setRange(0, 1000);
-    m_progress->hide();
-    QPushButton* go = m_buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-    go->setDefault(true);
-
-    auto* layout = new QVBoxLayout(this);
-    layout->addLayout(form);
-    layout->addWidget(m_message);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_buttons);
-    setMinimumWidth(520);
-
+    layOut();
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseFormat);
-    connect(browse, &QToolButton::clicked, this, &ExportDialog::browse);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportDialog::start);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::showPreview);
+    for (QDoubleSpinBox* box : {m_from, m_to, m_fps, m_speed})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showPreview);
+    for (QSpinBox* box : {m_width, m_height})
+        connect(box, &QSpinBox::valueChanged, this, &ExportDialog::showPreview);
     connect(&m_watch, &QTimer::timeout, this, &ExportDialog::watch);
     chooseFormat();
 }
 
+// A thread that draws waits for this one.
 ExportDialog::~ExportDialog()
 {
     m_cancelled = true;
-    if (m_work.valid())
-        m_work.wait();
+    while (m_work.valid()
+           && m_work.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready)
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
 }
 
-QString ExportDialog::target() const { return m_target->text(); }
+void ExportDialog::layOut()
+{
+    for (const ExportChoice& choice : m_choices)
+        m_format->addItem(choice.label);
+    m_format->setMaxVisibleItems(int(m_choices.size()));
+    m_fps->setRange(0.1, 10000.0);
+    m_fps->setValue(25.0);
+    m_fps->setSuffix(tr(" per s"));
+    m_fps->setToolTip(tr("Frames per second: of simulated time for meshes and tables, of the film "
+                         "for films."));
+    m_speed->setRange(0.001, 1000.0);
+    m_speed->setDecimals(3);
+    m_speed->setValue(1.0);
+    m_speed->setPrefix(tr("× "));
+    m_speed->setToolTip(tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
+    m_again->setChecked(true);
+    const std::pair<QWidget*, const char*> names[]{
+        {m_to, "to"},         {m_fps, "rate"},      {m_speed, "speed"},
+        {m_width, "width"},   {m_height, "height"}, {m_transparent, "transparent"},
+        {m_message, "message"}};
+    for (const auto& [field, name] : names)
+        field->setObjectName(name);
+    m_overlays->setChecked(true);
+    m_time->setChecked(true);
 
+    auto* browse = new QToolButton;
+    browse->setText(tr("…"));
+    browse->setToolTip(tr("Choose the file"));
+    connect(browse, &QToolButton::clicked, this, &ExportDialog::browse);
+    auto* file = new QWidget;
+    auto* fileRow = new QHBoxLayout(file);
+    fileRow->setContentsMargins({});
+    fileRow->addWidget(m_target);
+    fileRow->addWidget(browse);
+    file->setFocusProxy(m_target);
+
+    m_form->addRow(tr("F&ormat"), m_format);
+    m_note->setWordWrap(true);
+    m_note->setForegroundRole(QPalette::PlaceholderText);
+    m_form->addRow(QString(), m_note);
+    m_form->addRow(tr("Fi&le"), file);
+    m_form->addRow(tr("F&rom"), m_from);
+    m_form->addRow(tr("&To"), m_to);
+    m_form->addRow(tr("R&ate"), m_fps);
+    m_form->addRow(tr("&Speed"), m_speed);
+    m_form->addRow(tr("Si&ze"), m_size);
+    m_form->addRow(tr("Show"), m_shown);
+    m_form->addRow(QString(), m_transparent);
+    m_form->addRow(QString(), m_again);
+
+    m_message->setWordWrap(true);
+    m_message->setMinimumHeight(3 * fontMetrics().lineSpacing());
+    m_message->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_progress->setRange(0, 1000);
+    QSizePolicy policy = m_progress->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(policy);
+    m_progress->hide();
+    m_go = m_buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    m_go->setDefault(true);
+
+    auto* layout = new QVBoxLayout(this);
+    m_form->setContentsMargins({});
+    layout->addWidget(m_fields);
+    layout->addWidget(m_message);
+    layout->addStretch();
+    layout->addWidget(m_progress);
+    layout->addWidget(m_buttons);
+    setMinimumWidth(560);
+    m_format->setFocus();
+}
+
+// With the ending of the format, which says what is meant.
+QString ExportDialog::target() const
+{
+    const QString ending = choice().ending;
+    const QString extension = ending.mid(ending.lastIndexOf('.'));
+    const QString typed = m_target->text();
+    return typed.endsWith(extension, Qt::CaseInsensitive) ? typed : typed + extension;
+}
+
+const ExportChoice& ExportDialog::choice() const
+{
+    return m_choices[std::size_t(m_format->currentIndex())];
+}
+
+ExportRange ExportDialog::range() const
+{
+    const double perSecond = choice().film() ? m_fps->value() / m_speed->value() : m_fps->value();
+    ExportRange range{m_from->value(), std::max(m_to->value(), m_from->value()), perSecond};
+    if (m_now && m_again->isChecked())
+        range.controls = trackOf(*m_now);
+    return range;
+}
+
+ExportDialog::Job ExportDialog::job() const
+{
+    return {choice(), target(), range(), m_fps->value(),
+            {.size = QSize(m_width->value(), m_height->value()),
+             .overlays = m_overlays->isChecked(),
+             .time = m_time->isChecked(),
+             .probes = m_probes->isChecked(),
+             .transparent = m_transparent->isChecked()}};
+}
+
+// QFormLayout of Qt 6.4 can hide whole rows.
 void ExportDialog::chooseFormat()
 {
-    const Format& format = formats[m_format->currentIndex()];
-    m_target->setText(m_stem + format.ending);
-    for (QWidget* field :
-         {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_fps)})
-        field->setEnabled(format.content == Content::Series);
-    m_message->setText(inWords(format.content, m_now.get()));
+    const ExportChoice& chosen = choice();
+    m_target->setText(m_stem + chosen.ending);
+    m_note->setText(chosen.note);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_from, m_to, m_fps})
+        m_form->setRowVisible(field, chosen.isSeries());
+    m_form->setRowVisible(m_again, chosen.isSeries() && wasDoneByHand(m_now.get()));
+    for (QWidget* field : std::initializer_list<QWidget*>{m_speed, m_size, m_shown})
+        m_form->setRowVisible(field, chosen.film() != nullptr);
+    m_form->setRowVisible(m_transparent,
+                          chosen.film() && chosen.film()->alpha == FilmFormat::Alpha::Kept);
+    showPreview();
+}
+
+void ExportDialog::showPreview()
+{
+    if (m_work.valid())
+        return;
+    if (const FilmFormat* film = choice().film())
+        if (const QString why = whyNoFilm(*film); !why.isEmpty())
+            return m_message->setText(why);
+    QString text = previewOf(choice(), target(), range(), m_now.get(),
+                             QSize(m_width->value(), m_height->value()));
+    if (choice().isSeries())
+        text += ' ' + tr("The scene is simulated anew from its start.");
+    m_message->setText(text);
 }
 
 void ExportDialog::browse()
 {
-    const QString extension = extensionOf(formats[m_format->currentIndex()]);
+    const QString ending = choice().ending;
+    const QString extension = ending.mid(ending.lastIndexOf('.'));
     const QString file =
         askWhereToSave(this, tr("Export as"), m_target->text(), "*" + extension, extension.mid(1));
     if (file.isEmpty())
@@ -200,17 +276,11 @@ void ExportDialog::browse()
 
 void ExportDialog::start()
 {
-    if (m_work.valid())
+    if (m_work.valid() || !mayWrite())
         return;
-    if (!mayWrite())
-        return;
-    const std::filesystem::path file = m_target->text().toStdString();
-    const Content content = formats[m_format->currentIndex()].content;
-    if (content != Content::Series) {
-        if (!m_now)
-            return end(tr("There is nothing on the screen to export; see the list of problems."));
-        const auto failure = writeNow(content, m_scene, *m_now, file);
-        return failure ? end(QString::fromStdString(failure->message)) : accept();
+    if (!choice().isSeries()) {
+        const QString failure = writeNow();
+        return failure.isEmpty() ? accept() : end(failure);
     }
     if (m_to->value() <= m_from->value())
         return end(tr("The series ends before it begins: make To later than From."));
@@ -219,30 +289,63 @@ void ExportDialog::start()
     m_done = 0.0;
     m_progress->show();
     m_progress->setValue(0);
-    const ExportRange range{m_from->value(), m_to->value(), m_fps->value()};
-    m_work = std::async(std::launch::async, [this, file, range]() -> QString {
-        const auto system = compile(m_scene);
-        if (!system)
-            return QString::fromStdString(system.message());
-        Simulation simulation(*system);
-        const auto failure = ripstop::exportRun(simulation, Dress(m_scene), range, file, [this](double done) {
-            m_done = done;
-            return !m_cancelled;
-        });
-        return failure ? QString::fromStdString(failure->message) : QString();
-    });
+    setBusy(true);
+    m_work = std::async(std::launch::async, [this, job = job()] { return write(job); });
     m_watch.start(50);
+}
+
+QString ExportDialog::writeNow() const
+{
+    if (!m_now)
+        return tr("There is nothing on the screen to export; see the list of problems.");
+    const std::filesystem::path file = target().toStdString();
+    const auto* table = std::get_if<RunTable>(&choice().what);
+    const auto failure = !table ? writeMoment(*m_now, Dress(m_scene), file)
+                         : *table == RunTable::Tears
+                             ? writeTears(m_scene, m_now->tears, file)
+                             : writeControlTrack(m_scene, trackOf(*m_now), file);
+    return failure ? QString::fromStdString(failure->message) : QString();
+}
+
+Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
+{
+    if (const FilmFormat* film = job.choice.film())
+        return openFilm(*film, job.target, job.picturesPerSecond,
+                        drawnBy(this, m_draw, job.look));
+    return openSink(*job.choice.mesh(), job.target.toStdString(), Dress(m_scene));
+}
+
+QString ExportDialog::write(const Job& job)
+{
+    const auto system = compile(m_scene);
+    if (!system)
+        return QString::fromStdString(system.message());
+    Simulation simulation(*system);
+    const auto sink = open(job);
+    if (!sink)
+        return QString::fromStdString(sink.message());
+    const auto failure = exportSeries(simulation, job.range, **sink, [this](double done) {
+        m_done = done;
+        return !m_cancelled;
+    });
+    return failure ? QString::fromStdString(failure->message) : QString();
 }
 
 bool ExportDialog::mayWrite()
 {
-    const QString file = m_target->text();
-    if (!QFileInfo::exists(file) || file == m_mayReplace)
+    const QString file = target();
+    const QStringList there =
+        replacedBy(choice(), file, choice().isSeries() ? frameCount(range()) : 1);
+    if (there.isEmpty() || (there == QStringList{file} && file == m_mayReplace))
         return true;
-    const auto answer = QMessageBox::question(
-        this, tr("Replace the file?"),
-        tr("%1 exists already. Replace it?").arg(QDir::toNativeSeparators(file)));
-    return answer == QMessageBox::Yes;
+    const QString question =
+        there.size() == 1
+            ? tr("%1 exists already. Replace it?").arg(QDir::toNativeSeparators(there[0]))
+            : tr("%1 and %2 more exist already. Replace them?")
+                  .arg(QDir::toNativeSeparators(there[0]))
+                  .arg(there.size() - 1);
+    return QMessageBox::question(this, tr("Replace what is there?"), question)
+           == QMessageBox::Yes;
 }
 
 void ExportDialog::watch()
@@ -258,8 +361,15 @@ void ExportDialog::watch()
         end(m_cancelled ? tr("Cancelled; nothing was kept.") : failure);
 }
 
+void ExportDialog::setBusy(bool busy)
+{
+    m_fields->setEnabled(!busy);
+    m_go->setEnabled(!busy);
+}
+
 void ExportDialog::end(const QString& failure)
 {
+    setBusy(false);
     m_progress->hide();
     m_message->setText(failure);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "editor/export_choice.h"
+#include "editor/film_look.h"
 #include "run/frame.h"
 #include "scene/scene.h"
 
@@ -9,27 +11,33 @@
 #include <atomic>
 #include <future>
 #include <memory>
-#include <optional>
 
+class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
+class QPushButton;
+class QSpinBox;
 
 namespace ripstop {
 
-// Writes meshes, series and tables for other programs. The moment on the screen is written as it
-// is; anything else is simulated from the start, on a thread, with progress and cancel.
+// Writes meshes, series, films and tables for other programs. The moment on the screen is written as
+// it is; anything else is simulated from the start, on a thread, with progress and cancel.
 class ExportDialog final : public QDialog
 {
     Q_OBJECT
 
 public:
-    // `stem` is the suggested file without its extension.
+    using Draw = std::function<QImage(const std::shared_ptr<const Frame>&, const FilmLook&)>;
+
+    // `stem` is the suggested file without its extension. `draw` makes pictures of frames, in the
+    // size `view` unless asked for another.
     ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now, const QString& stem,
-                 QWidget* parent);
+                 Draw draw, QSize view, QWidget* parent);
     ~ExportDialog() override;
 
     QString target() const;
@@ -37,26 +45,63 @@ public:
     void reject() override; // first cancels what runs
 
 private:
+    // What a thread needs to know of the fields.
+    struct Job
+    {
+        ExportChoice choice;
+        QString target;
+        ExportRange range;
+        double picturesPerSecond; // of the film
+        FilmLook look;
+    };
+
+    void layOut();
     void chooseFormat();
+    void showPreview();
     void browse();
     void start();
     bool mayWrite(); // asks before it replaces a file
+    QString writeNow() const;       // the failure, or empty
+    QString write(const Job& job);  // the same, on a thread
+    Result<std::unique_ptr<FrameSink>> open(const Job& job);
     void watch();
+    void setBusy(bool busy);
     void end(const QString& failure);
+
+    const ExportChoice& choice() const;
+    ExportRange range() const;
+    Job job() const;
 
     const Scene m_scene;
     const std::shared_ptr<const Frame> m_now;
     const QString m_stem;
+    const Draw m_draw;
+    const QSize m_view;
+    const std::vector<ExportChoice> m_choices;
     QString m_mayReplace; // a file that the user has agreed to lose
 
+    QWidget* m_fields;
+    QFormLayout* m_form;
     QComboBox* m_format;
     QLineEdit* m_target;
     QDoubleSpinBox* m_from;
     QDoubleSpinBox* m_to;
     QDoubleSpinBox* m_fps;
+    QDoubleSpinBox* m_speed;
+    QCheckBox* m_again;
+    QSpinBox* m_width;
+    QSpinBox* m_height;
+    QWidget* m_size;
+    QCheckBox* m_overlays;
+    QCheckBox* m_time;
+    QCheckBox* m_probes;
+    QWidget* m_shown; // the three of them
+    QCheckBox* m_transparent;
+    QLabel* m_note;
     QLabel* m_message;
     QProgressBar* m_progress;
     QDialogButtonBox* m_buttons;
+    QPushButton* m_go = nullptr;
     QTimer m_watch;
 
     std::atomic<double> m_done = 0.0;

@@ -204,8 +204,19 @@ bool Files::write(const QString& file)
 
 void Files::exportRun()
 {
-    ExportDialog dialog(m_document.scene(), m_player.frame(), suggestedFile(""), &m_window);
-    if (dialog.exec() == QDialog::Accepted)
+    const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
+        m_viewport.show(frame);
+        return m_viewport.image(Viewport::Shot{look.size,
+                                               look.overlays ? Viewport::Overlays::With
+                                                             : Viewport::Overlays::Without,
+                                               look.transparent});
+    };
+    ExportDialog dialog(m_document.scene(), m_player.frame(), suggestedFile(""), draw,
+                        m_viewport.size() * m_viewport.devicePixelRatioF(), &m_window);
+    const int answer = dialog.exec();
+    if (m_player.frame())
+        m_viewport.show(m_player.frame()); // a film has left its last picture
+    if (answer == QDialog::Accepted)
         emit said(tr("Exported %1").arg(QDir::toNativeSeparators(dialog.target())));
 }
 

@@ -34,14 +34,15 @@ double shareDone(const Simulation& simulation, double begin, double end)
 }
 
 // Steps to `time`, like Simulation::runUntil(), and tells of progress on the way.
-Arrival advance(Simulation& simulation, double time, double begin, double end,
-                const Progress& progress)
+Arrival advance(Simulation& simulation, ControlPlayer& controls, double time, double begin,
+                double end, const Progress& progress)
 {
     constexpr int stepsBetweenReports = 50;
     const double timeStep = simulation.system().timeStep;
     for (int i = 0; !hasReached(simulation.state().time, time, timeStep); ++i) {
         if (i % stepsBetweenReports == 0 && !goesOn(progress, shareDone(simulation, begin, end)))
             return Arrival::Cancelled;
+        controls.giveTo(simulation);
         if (!simulation.step())
             return Arrival::Stopped;
     }
@@ -53,7 +54,8 @@ std::optional<Failure> exportMoment(Simulation& simulation, const Dress& dress,
                                     const Progress& progress)
 {
     const double begin = simulation.state().time;
-    switch (advance(simulation, range.to, begin, range.to, progress)) {
+    ControlPlayer controls(range.controls);
+    switch (advance(simulation, controls, range.to, begin, range.to, progress)) {
     case Arrival::Cancelled:
         return Failure{"The export was cancelled; nothing was written."};
     case Arrival::Stopped:
@@ -68,16 +70,33 @@ std::optional<Failure> exportMoment(Simulation& simulation, const Dress& dress,
     return std::nullopt;
 }
 
-std::optional<Failure> exportSeries(Simulation& simulation, FrameSink& sink,
-                                    const ExportRange& range, const Progress& progress)
+std::optional<Failure> wrongRange(const Simulation& simulation, const ExportRange& range)
 {
+    if (!(range.fps > 0.0) || !std::isfinite(range.fps))
+        return Failure{"The number of frames per second must be above 0."};
+    if (!std::isfinite(range.from) || !std::isfinite(range.to) || range.to < range.from)
+        return Failure{"The end of the range must not lie before its start."};
+    const double halfStep = 0.5 * simulation.system().timeStep;
+    if (range.from < simulation.state().time - halfStep)
+        return Failure{"The range starts before the present time of the simulation; reset it."};
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Failure> exportSeries(Simulation& simulation, const ExportRange& range,
+                                    FrameSink& sink, const Progress& progress)
+{
+    if (auto failure = wrongRange(simulation, range))
+        return failure;
+    ControlPlayer controls(range.controls);
     const Progress flight = stageOf(progress, 0.0, shareOfFlight);
     const double begin = simulation.state().time;
     const std::size_t count = frameCount(range);
     std::int64_t last = -1; // step; a rate above that of the steps must not repeat frames
     for (std::size_t i = 0; i < count; ++i) {
-        const Arrival arrival =
-            advance(simulation, range.from + double(i) / range.fps, begin, range.to, flight);
+        const Arrival arrival = advance(simulation, controls, range.from + double(i) / range.fps,
+                                        begin, range.to, flight);
         if (arrival == Arrival::Cancelled
             || !goesOn(flight, shareDone(simulation, begin, range.to)))
             return exportCancelled;
@@ -96,20 +115,6 @@ std::optional<Failure> exportSeries(Simulation& simulation, FrameSink& sink,
         return stopped(simulation, "What was written ends there.");
     return std::nullopt;
 }
-
-std::optional<Failure> wrongRange(const Simulation& simulation, const ExportRange& range)
-{
-    if (!(range.fps > 0.0) || !std::isfinite(range.fps))
-        return Failure{"The number of frames per second must be above 0."};
-    if (!std::isfinite(range.from) || !std::isfinite(range.to) || range.to < range.from)
-        return Failure{"The end of the range must not lie before its start."};
-    const double halfStep = 0.5 * simulation.system().timeStep;
-    if (range.from < simulation.state().time - halfStep)
-        return Failure{"The range starts before the present time of the simulation; reset it."};
-    return std::nullopt;
-}
-
-} // namespace
 
 std::size_t frameCount(const ExportRange& range)
 {
@@ -145,7 +150,7 @@ std::optional<Failure> exportRun(Simulation& simulation, const Dress& dress,
     if (isMoment)
         return exportMoment(simulation, dress, whole, target, progress);
     Result<std::unique_ptr<FrameSink>> sink = openSink(*format, target, dress);
-    return sink ? exportSeries(simulation, **sink, whole, progress) : sink.failure();
+    return sink ? exportSeries(simulation, whole, **sink, progress) : sink.failure();
 }
 
 } // namespace ripstop

@@ -4,6 +4,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "export/dress.h"
+#include "export/frame_sink.h"
+#include "io/control_track.h"
 #include "run/simulation.h"
 
 #include <filesystem>
@@ -13,9 +15,10 @@ namespace ripstop {
 
 struct ExportRange
 {
-    double from = 0.0; // s
-    double to = 0.0;   // s; a format of one moment is taken at this time
-    double fps = 25.0; // frames per simulated second
+    double from = 0.0;          // s
+    double to = 0.0;            // s; a format of one moment is taken at this time
+    double fps = 25.0;          // frames per simulated second
+    ControlTrack controls = {}; // what pilot and hands do on the way
 };
 
 // How many frames the range asks for; there are fewer where it asks for more than there are steps.
@@ -32,5 +35,9 @@ std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress,
 std::optional<Failure> exportRun(Simulation& simulation, const Dress& dress,
                                  const ExportRange& range, const std::filesystem::path& target,
                                  const Progress& progress = {});
+
+// The same for any series.
+std::optional<Failure> exportSeries(Simulation& simulation, const ExportRange& range,
+                                    FrameSink& sink, const Progress& progress = {});
 
 } // namespace ripstop

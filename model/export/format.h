@@ -18,6 +18,12 @@ struct ExportFormat
     enum class Of { Moment, Series };
     enum class Topology { Free, Constant };     // whether what tears can part the mesh in the file
     enum class Beside { Nothing, Obj, Folder }; // what else is written, with the target's name
+    struct Bytes                                // about, for each frame
+    {
+        int particle;
+        int panel;
+        int link;
+    };
 
     std::string_view ending; // of the target's name; says which format is meant
     std::string_view label;  // on the screen
@@ -25,6 +31,7 @@ struct ExportFormat
     Of of;
     Topology topology;
     Beside beside;
+    Bytes bytes;
     MomentContent content; // of a moment, and of each file of a sequence
     Result<std::unique_ptr<FrameSink>> (*open)(const std::filesystem::path& target,
                                                const Dress& dress); // of other series
@@ -40,6 +47,9 @@ std::string knownEndings();
 
 Result<std::unique_ptr<FrameSink>>
 openSink(const ExportFormat& format, const std::filesystem::path& target, const Dress& dress);
+
+// Bytes, about, for as many frames like this one.
+double expectedSize(const ExportFormat& format, const Layout& layout, std::size_t frames);
 
 // What a series of so many frames becomes, the target first; a folder stands for what is in it.
 std::vector<std::filesystem::path> filesOf(const ExportFormat& format,

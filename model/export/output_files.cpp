@@ -80,6 +80,12 @@ std::optional<Failure> OutputFiles::write(const fs::path& target, std::string_vi
     return close(*out, target);
 }
 
+fs::path OutputFiles::reserve(const fs::path& target)
+{
+    m_files.push_back({nameFor(target), target});
+    return m_files.back().written;
+}
+
 Result<std::fstream> OutputFiles::scratch(const fs::path& besides)
 {
     const fs::path written = nameFor(besides);

@@ -28,6 +28,9 @@ public:
     Result<std::ofstream> open(const std::filesystem::path& target);
     std::optional<Failure> write(const std::filesystem::path& target, std::string_view content);
 
+    // Where another program is to write what will be `target`.
+    std::filesystem::path reserve(const std::filesystem::path& target);
+
     // For work on the way; it is removed in the end.
     Result<std::fstream> scratch(const std::filesystem::path& besides);
 

@@ -18,7 +18,6 @@ Stage::Stage(vtkRenderWindow& window)
     m_coordinates->SetNumberOfComponents(3);
     m_points->SetData(m_coordinates);
     window.AddRenderer(m_renderer);
-    m_renderer->GradientBackgroundOn();
     m_renderer->GetCullers()->RemoveAllItems(); // they walk over all cells to save a few actors
     light();
     for (Layer* layer : layers())
@@ -56,10 +55,17 @@ void Stage::show(std::shared_ptr<const Frame> frame) { m_frame = std::move(frame
 void Stage::setTheme(const Theme& theme)
 {
     m_theme = theme;
-    m_renderer->SetBackground(theme.skyBottom.redF(), theme.skyBottom.greenF(),
-                              theme.skyBottom.blueF());
-    m_renderer->SetBackground2(theme.skyTop.redF(), theme.skyTop.greenF(), theme.skyTop.blueF());
+    setBackdropShown(true);
     m_layersAreOld = true;
+}
+
+void Stage::setBackdropShown(bool shown)
+{
+    const QColor bottom = shown ? m_theme.skyBottom : QColor(Qt::black); // what is left adds nothing
+    m_renderer->SetGradientBackground(shown);
+    m_renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
+    m_renderer->SetBackground2(m_theme.skyTop.redF(), m_theme.skyTop.greenF(),
+                               m_theme.skyTop.blueF());
 }
 
 void Stage::setColorBy(ColorBy colorBy)

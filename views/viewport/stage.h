@@ -34,6 +34,7 @@ public:
     void setColorBy(ColorBy colorBy);
     void setFixedRange(std::optional<ValueRange> range);
     void setSelected(std::vector<Id> ids);
+    void setBackdropShown(bool shown); // the sky; on at first
     void setPixelRatio(double ratio);
     void sceneChanged() { m_lookIsOld = true; } // what it says about looks
 

@@ -78,6 +78,7 @@ public:
     CentreMark centre;
     GizmoOverlay gizmo;
 
+    std::optional<double> shotRatio; // pixels for one of the view, while a picture is taken
     bool untouched = true;   // the camera still shows all it should, as nobody has moved it
     bool wholeScene = false; // should show: everything, or the fabric and what it carries
     Chase chase;
@@ -116,7 +117,7 @@ void Viewport::Private::sceneChanged(const Edit& edit)
 
 void Viewport::Private::prepare()
 {
-    stage.setPixelRatio(screen.devicePixelRatioF());
+    stage.setPixelRatio(shotRatio.value_or(screen.devicePixelRatioF()));
     stage.prepare(document.scene());
     compass.setWind(stage.windAtDesign(document.scene()));
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
@@ -308,6 +309,31 @@ QImage Viewport::image(Overlays overlays)
          std::initializer_list<QWidget*>{&d->centre, &d->gizmo, &d->legend, &d->compass})
         if (!overlay->isHidden())
             overlay->render(&painter, overlay->pos(), {}, QWidget::RenderFlags{});
+    return picture;
+}
+
+QImage Viewport::image(const Shot& shot)
+{
+    const double scale = double(shot.size.height()) / std::max(height(), 1);
+    d->shotRatio = scale;
+    d->stage.setBackdropShown(!shot.transparent);
+    QImage picture = d->screen.picture(shot.size, shot.transparent
+                                                      ? VtkWidget::Backdrop::Transparent
+                                                      : VtkWidget::Backdrop::Shown);
+    d->stage.setBackdropShown(true);
+    d->shotRatio.reset();
+    if (shot.overlays == Overlays::Without)
+        return picture;
+
+    QPainter painter(&picture);
+    painter.scale(scale, scale);
+    const double wider = shot.size.width() / scale - width(); // than the view
+    for (QWidget* overlay : std::initializer_list<QWidget*>{&d->legend, &d->compass})
+        if (!overlay->isHidden()) {
+            const bool isRight = overlay->geometry().center().x() > width() / 2;
+            overlay->render(&painter, overlay->pos() + QPoint(isRight ? int(wider) : 0, 0), {},
+                            QWidget::RenderFlags{});
+        }
     return picture;
 }
 

@@ -73,6 +73,16 @@ public:
     enum class Overlays { With, Without }; // legend and compass
     QImage image(Overlays overlays = Overlays::With);
 
+    // The same in another size, in pixels, with the overlays as large as they are in the view.
+    // A transparent one has no sky.
+    struct Shot
+    {
+        QSize size;
+        Overlays overlays = Overlays::With;
+        bool transparent = false;
+    };
+    QImage image(const Shot& shot);
+
     TransformTool& transformTool();
     HandSettings& hands(); // how hard they pull and blow
 

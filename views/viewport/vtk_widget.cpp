@@ -7,6 +7,7 @@
 #include <vtkCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <utility>
 
@@ -111,6 +112,32 @@ QImage VtkWidget::picture()
     m_isOld |= !m_isFine;
     m_isFine = true;
     return grabFramebuffer(); // paints
+}
+
+QImage VtkWidget::picture(QSize size, Backdrop backdrop)
+{
+    makeCurrent();
+    if (beforePainting)
+        beforePainting();
+    const int* const old = m_window->GetSize();
+    const QSize before(old[0], old[1]);
+    m_window->SetSize(size.width(), size.height());
+    m_window->SetMultiSamples(samples);
+    m_window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    constexpr int front = 0;
+    m_window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, front, pixels);
+    m_window->SetSize(before.width(), before.height());
+    doneCurrent();
+    m_isOld = true; // at the next paint, not now: a film takes one picture after the other
+
+    const QImage upsideDown(pixels->GetPointer(0), size.width(), size.height(),
+                            QImage::Format_RGBA8888_Premultiplied);
+    QImage picture = upsideDown.mirrored();
+    if (backdrop == Backdrop::Transparent)
+        return picture;
+    picture.reinterpretAsFormat(QImage::Format_RGBX8888); // VTK leaves alpha 0 in the background
+    return picture;
 }
 
 void VtkWidget::paintGL()

@@ -31,6 +31,10 @@ public:
     // As it is seen when nothing moves, with smooth edges.
     QImage picture();
 
+    // The same in another size, in pixels; with nothing behind things if wanted.
+    enum class Backdrop { Shown, Transparent };
+    QImage picture(QSize size, Backdrop backdrop);
+
     // Called before each new picture, so that many changes between two pictures cost one.
     std::function<void()> beforePainting;
 

@@ -1,0 +1,183 @@
+// Films and pictures that the export dialog makes, looked at by other programs and by their pixels.
+#include "app/window_shop.h"
+#include "editor/export_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QProcess>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+using namespace ripstop;
+
+namespace {
+
+// The export dialog over a kite, with its fields in reach.
+struct FilmShop : WindowShop
+{
+    QTemporaryDir folder;
+    std::unique_ptr<ExportDialog> dialog;
+
+    FilmShop()
+    {
+        window.files().open(SOURCE_DIR "/scenes/delta_kite.ripstop.json");
+        window.resize(900, 700);
+        window.show();
+        for (int i = 0; i < 500 && !player.frame(); ++i)
+            QTest::qWait(10);
+        const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
+            viewport.show(frame);
+            return viewport.image(
+                Viewport::Shot{look.size, Viewport::Overlays::With, look.transparent});
+        };
+        dialog = std::make_unique<ExportDialog>(document.scene(), player.frame(),
+                                                folder.filePath("kite"), draw, viewport.size(),
+                                                &window);
+        dialog->show();
+    }
+
+    void choose(const QString& format)
+    {
+        auto* box = dialog->findChild<QComboBox*>();
+        box->setCurrentIndex(box->findText(format));
+    }
+
+    // 0 to 0.4 s at 10 per second: five pictures of 320 x 240
+    void makeItSmall()
+    {
+        set<QDoubleSpinBox>("to", 0.4);
+        set<QDoubleSpinBox>("rate", 10.0);
+        set<QSpinBox>("width", 320);
+        set<QSpinBox>("height", 240);
+    }
+
+    template <typename Box>
+    void set(const char* name, double value)
+    {
+        dialog->findChild<Box*>(name)->setValue(int(value) == value ? int(value) : value);
+    }
+
+    QStringList files() const { return QDir(folder.path()).entryList(QDir::Files, QDir::Name); }
+};
+
+QByteArray probed(const QString& file, const QString& entries)
+{
+    QProcess process;
+    process.start("ffprobe", {"-v", "error", "-count_frames", "-select_streams", "v:0",
+                              "-show_entries", "stream=" + entries, "-of", "csv=p=0", file});
+    process.waitForFinished(-1);
+    return process.readAllStandardOutput().trimmed();
+}
+
+} // namespace
+
+class TestFilm : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void films_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QString>("file");
+        QTest::newRow("MP4") << "Film, MP4" << "kite.mp4";
+        QTest::newRow("WebM") << "Film, WebM" << "kite.webm";
+        QTest::newRow("GIF") << "Moving picture, GIF" << "kite.gif";
+    }
+
+    void films()
+    {
+        QFETCH(QString, format);
+        QFETCH(QString, file);
+        if (QStandardPaths::findExecutable("ffmpeg").isEmpty())
+            QSKIP("ffmpeg is not installed, so that no film can be made");
+        FilmShop shop;
+        shop.choose(format);
+        shop.makeItSmall();
+        shop.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.dialog->result() == QDialog::Accepted, 60000);
+        QCOMPARE(shop.files(), QStringList{file});
+        QCOMPARE(probed(shop.folder.filePath(file), "width,height,r_frame_rate,nb_read_frames"),
+                 QByteArray("320,240,10/1,5"));
+    }
+
+    // Slowed down ten times, a film of 10 pictures a second has 100 for each second of the flight.
+    void slowMotion()
+    {
+        FilmShop shop;
+        shop.choose("Pictures, PNG");
+        shop.makeItSmall();
+        shop.set<QDoubleSpinBox>("to", 0.05);
+        shop.set<QDoubleSpinBox>("speed", 0.1);
+        shop.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.dialog->result() == QDialog::Accepted, 60000);
+        QCOMPARE(shop.files().size(), 6);
+    }
+
+    // Sky where nothing is; nothing there when that is asked for. The kite is in both.
+    void pictures_data()
+    {
+        QTest::addColumn<bool>("transparent");
+        QTest::newRow("with the sky") << false;
+        QTest::newRow("transparent") << true;
+    }
+
+    void pictures()
+    {
+        QFETCH(bool, transparent);
+        FilmShop shop;
+        shop.choose("Pictures, PNG");
+        shop.makeItSmall();
+        shop.dialog->findChild<QCheckBox*>("transparent")->setChecked(transparent);
+        shop.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY_WITH_TIMEOUT(shop.dialog->result() == QDialog::Accepted, 60000);
+        QCOMPARE(shop.files(), (QStringList{"kite_0000.png", "kite_0001.png", "kite_0002.png",
+                                            "kite_0003.png", "kite_0004.png"}));
+        const QImage picture(shop.folder.filePath("kite_0000.png"));
+        QCOMPARE(picture.size(), QSize(320, 240));
+        QCOMPARE(qAlpha(picture.pixel(319, 2)), transparent ? 0 : 255);
+        int sail = 0; // orange and red
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) {
+                const QColor color = picture.pixelColor(x, y);
+                sail += color.alpha() == 255 && color.red() > color.blue() + 60;
+            }
+        QVERIFY2(sail > 320 * 240 / 50, qPrintable(QString::number(sail)));
+    }
+
+    void cancelled()
+    {
+        FilmShop shop;
+        shop.choose("Pictures, PNG");
+        shop.makeItSmall();
+        shop.set<QDoubleSpinBox>("to", 1000.0);
+        shop.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY(!shop.files().isEmpty());
+        shop.dialog->reject();
+        QTRY_VERIFY(shop.files().isEmpty());
+        QTRY_VERIFY(shop.dialog->findChild<QLabel*>("message")->text().contains("Cancelled"));
+        QVERIFY(shop.dialog->isVisible());
+    }
+
+    // The window is closed with the dialog at work.
+    void closedWhileItWorks()
+    {
+        FilmShop shop;
+        shop.choose("Pictures, PNG");
+        shop.makeItSmall();
+        shop.set<QDoubleSpinBox>("to", 1000.0);
+        shop.dialog->findChild<QDialogButtonBox*>()->accepted();
+        QTRY_VERIFY(!shop.files().isEmpty());
+        shop.dialog.reset();
+        QVERIFY(shop.files().isEmpty());
+    }
+};
+
+int main(int argc, char** argv) { return ripstop::runWithView<TestFilm>(argc, argv); }
+
+#include "test_film.moc"
