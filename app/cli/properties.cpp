@@ -1,4 +1,5 @@
 // ripstop-cli properties: the manual of all properties, made from their table.
+#include "base/quantity.h"
 #include "scene/property.h"
 
 #include "cli/commands.h"
@@ -81,6 +82,37 @@ void addKind(std::string& text, Kind kind)
     }
 }
 
+void addQuantities(std::string& text)
+{
+    const auto measuredOn = [](const QuantityRow& row) -> std::string_view {
+        if (row.points > 1)
+            return row.points == 2 ? "two particles" : "three particles";
+        switch (row.of) {
+        case QuantityRow::Of::Particles:
+            return "particles";
+        case QuantityRow::Of::Links:
+            return "links";
+        case QuantityRow::Of::Panels:
+            return "panels";
+        case QuantityRow::Of::Canopy:
+            return "a canopy";
+        case QuantityRow::Of::Whole:
+            return "the scene";
+        case QuantityRow::Of::Probes:
+            return "other probes";
+        }
+        return {};
+    };
+    text += "\n## What probes measure\n\n"
+            "| quantity | unit | on | meaning |\n"
+            "|---|---|---|---|\n";
+    for (std::size_t i = 0; i < choiceNames<Quantity>.size(); ++i) {
+        const QuantityRow& row = rowOf(Quantity(i));
+        text.append("| `").append(choiceNames<Quantity>[i]).append("` | ").append(row.unit);
+        text.append(" | ").append(measuredOn(row)).append(" | ").append(row.help).append(" |\n");
+    }
+}
+
 std::string manual()
 {
     std::string text =
@@ -96,6 +128,7 @@ std::string manual()
         "| `kite.particles.mass` | a property of all particles (or links, or panels) of a part |\n";
     for (int i = 0; i < kindCount; ++i)
         addKind(text, Kind(i));
+    addQuantities(text);
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "editor/files.h"
 #include "editor/group_menus.h"
 #include "editor/insert_rows.h"
+#include "editor/measure_rows.h"
 #include "editor/run_rows.h"
 #include "editor/select_rows.h"
 #include "editor/templates.h"
@@ -117,6 +118,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&View", "wind",       tr("Show &wind"),          "wind",    {},                   tr("Draw an arrow for the wind."), showing("wind", &Viewport::setWindShown), Toggle::On},
         {"&View", "windField",  tr("Show wind fiel&d"),    nullptr,   QKeySequence("Shift+W"), tr("Draw arrows for the wind all around the design."), showing("windField", &Viewport::setWindFieldShown), Toggle::Off},
         {"&View", "centre",     tr("Show centre of &gravity"), nullptr, QKeySequence("Shift+G"), tr("Mark the centre of gravity of what is selected, or of the whole design, with its mass."), showing("centre", &Viewport::setCentreShown), Toggle::Off},
+        {"&View", "probeValues", tr("Show what &probes read"), nullptr, QKeySequence("Shift+V"), tr("Write the values of probes beside what they look at."), showing("probeValues", &Viewport::setProbesShown), Toggle::Off},
 
         {"&Run", "play",        tr("&Play"),               "play",    QKeySequence("Space"), tr("Run the simulation, or hold it."), [&player] { player.toggle(); }},
         {"&Run", "step",        tr("&Step"),               "step",    QKeySequence("."),    tr("One time step."), [&player] { player.step(); }},
@@ -139,6 +141,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
     insertBefore("&View", selectRows(bench, actions));
     insertBefore("&Tools", handRows(bench, actions));
     insertBefore("&Tools", tuningActionRows(bench));
+    insertBefore("&Help", measureRows(bench, actions));
     return rows;
 }
 
@@ -155,6 +158,8 @@ Actions::Actions(const Workbench& bench, KeyMap::Memory keys)
     connect(&m_bench.player, &Player::stateChanged, this, &Actions::keepCurrent);
     connect(&m_bench.viewport.transformTool(), &TransformTool::changed, this,
             &Actions::keepCurrent);
+    connect(&m_bench.viewport, &Viewport::menuWanted, this,
+            [this](const QPoint& place) { showViewMenu(m_bench, *this, place); });
     connect(&m_bench.files, &Files::recentChanged, this, &Actions::fillRecent);
     connect(&m_bench.viewport.pointing(), &Pointing::toolLeft, this,
             [this] { m_byId["toolPointer"]->setChecked(true); });
@@ -168,12 +173,13 @@ void Actions::build()
     std::map<QString, QMenu*> menus;
     std::map<QString, QActionGroup*> groups;
     QMenu* menu = nullptr;
-    const auto open = [&](const QString& path) {
+    const std::function<QMenu*(const QString&)> open = [&](const QString& path) {
         QMenu*& place = menus[path];
+        const QString name = path.section('/', -1);
         if (!place && path.contains('/'))
-            place = menus[path.section('/', 0, 0)]->addMenu(tr(qPrintable(path.section('/', 1))));
+            place = open(path.section('/', 0, -2))->addMenu(tr(qPrintable(name)));
         else if (!place)
-            place = m_bench.window.menuBar()->addMenu(tr(qPrintable(path)));
+            place = m_bench.window.menuBar()->addMenu(tr(qPrintable(name)));
         return place;
     };
     std::vector<MenuRow> rows = rowsOf(m_bench, *this);

@@ -60,7 +60,31 @@ enum class Quantity {
     TotalEnergy,
     TornLinks,
     CanopyPressure,
-    CanopyVolume
+    CanopyVolume,
+    VelocityX,
+    VelocityY,
+    VelocityZ,
+    Acceleration,
+    Airspeed,
+    MeanStrain,
+    HighStrain, // that 95 of 100 links stay below
+    Length,
+    Area,
+    Reaction,
+    Lift,
+    Drag,
+    LiftToDrag,
+    DragArea,
+    PressureX, // centre of it
+    PressureY,
+    PressureZ,
+    AngleOfAttack,
+    Pitch,
+    Roll,
+    Heading,
+    Momentum,
+    EnergyChange,
+    Formula
 };
 
 template <typename E>
@@ -98,11 +122,15 @@ inline constexpr std::array<std::string_view, 3> choiceNames<Response>{"stop", "
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<ControlKind>{"move", "weight_shift"};
 template <>
-inline constexpr std::array<std::string_view, 21> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 45> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
     "potential_energy", "elastic_energy", "total_energy",     "torn_links",  "canopy_pressure",
-    "canopy_volume"};
+    "canopy_volume",    "velocity_x",     "velocity_y",       "velocity_z",  "acceleration",
+    "airspeed",         "mean_strain",    "high_strain",      "length",      "area",
+    "reaction",         "lift",           "drag",             "lift_to_drag", "drag_area",
+    "pressure_x",       "pressure_y",     "pressure_z",       "angle_of_attack", "pitch",
+    "roll",             "heading",        "momentum",         "energy_change", "formula"};
 
 } // namespace ripstop

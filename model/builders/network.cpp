@@ -29,7 +29,12 @@ Id addWind(Scene& scene, const Vec3& velocity) { return addItem(scene, Wind{"win
 
 Id addProbe(Scene& scene, std::string name, Quantity quantity, Id target, Id from)
 {
-    return addItem(scene, Probe{std::move(name), quantity, target, from});
+    Probe probe;
+    probe.name = std::move(name);
+    probe.quantity = quantity;
+    probe.target = target;
+    probe.from = from;
+    return addItem(scene, std::move(probe));
 }
 
 Network::Network(Scene& scene, std::string name)

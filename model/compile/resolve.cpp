@@ -1,7 +1,9 @@
 #include "compile/resolve.h"
 
+#include "base/quantity.h"
 #include "scene/collider_path.h"
 #include "scene/collider_shape.h"
+#include "scene/formula.h"
 #include "scene/link_stiffness.h"
 #include "scene/wind.h"
 #include "sim/gusts.h"
@@ -340,15 +342,26 @@ std::vector<Input> inputsOf(const Scene& scene, const ElementIndex& index)
 std::vector<ProbeSpec> probesOf(const Scene& scene, const ElementIndex& index)
 {
     const Collector collector(scene, index);
+    const std::vector<ProbeFormula> formulas = formulasOf(scene);
     std::vector<ProbeSpec> probes;
     forEachItem<Probe>(scene, [&](Id id, const Probe& probe) {
-        ProbeSpec spec{Key(id), probe.name, probe.quantity, {}, {}, {}, -1, probe.plotted};
+        ProbeSpec spec{Key(id), probe.name, probe.quantity, {}, {}, {}, -1, -1, probe.plotted,
+                       std::string(unitOf(probe.quantity)), {}};
+        if (probe.quantity == Quantity::Formula) {
+            const auto found = std::ranges::find(formulas, id, &ProbeFormula::probe);
+            if (const auto& formula = found->formula) {
+                spec.formula = probe.formula;
+                spec.unit = formula->unit();
+            }
+        }
         if (probe.target == noId)
             collector.addAll(spec);
         else
             collector.add(probe.target, spec);
         if (probe.from != noId)
             spec.from = index.particle(probe.from);
+        if (probe.side != noId)
+            spec.side = index.particle(probe.side);
         probes.push_back(std::move(spec));
     });
     return probes;

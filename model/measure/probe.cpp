@@ -1,5 +1,9 @@
 #include "measure/probe.h"
 
+#include "measure/attitude.h"
+#include "measure/motion.h"
+#include "measure/wing_forces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,23 +14,6 @@ namespace ripstop {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-// Mean over the particles of the probe, weighted by mass; the plain mean when nothing has mass.
-Vec3 mean(const ProbeSpec& probe, const System& system, const std::vector<PaddedVec3>& values)
-{
-    if (probe.particles.empty())
-        return Vec3::Constant(nothing);
-    Vec3 weighted = Vec3::Zero();
-    Vec3 plain = Vec3::Zero();
-    double mass = 0.0;
-    for (const int particle : probe.particles) {
-        const auto i = std::size_t(particle);
-        weighted += system.mass[i] * values[i];
-        plain += values[i];
-        mass += system.mass[i];
-    }
-    return mass > 0.0 ? Vec3(weighted / mass) : Vec3(plain / double(probe.particles.size()));
-}
 
 double ofLinks(const ProbeSpec& probe, const std::vector<double>& values)
 {
@@ -63,42 +50,6 @@ double tornCount(const ProbeSpec& probe, const System& system, const State& stat
 }
 
 } // namespace
-
-std::string_view unitOf(Quantity quantity)
-{
-    switch (quantity) {
-    case Quantity::PositionX:
-    case Quantity::PositionY:
-    case Quantity::PositionZ:
-    case Quantity::Distance:
-        return "m";
-    case Quantity::Speed:
-    case Quantity::SinkRate:
-        return "m/s";
-    case Quantity::Tension:
-    case Quantity::MaxTension:
-    case Quantity::AirForce:
-        return "N";
-    case Quantity::Elevation:
-        return "deg";
-    case Quantity::KineticEnergy:
-    case Quantity::PotentialEnergy:
-    case Quantity::ElasticEnergy:
-    case Quantity::TotalEnergy:
-        return "J";
-    case Quantity::CanopyPressure:
-        return "Pa";
-    case Quantity::CanopyVolume:
-        return "m\u00b3";
-    case Quantity::Strain:
-    case Quantity::MaxStrain:
-    case Quantity::GlideRatio:
-    case Quantity::MeanGlideRatio:
-    case Quantity::TornLinks:
-        break;
-    }
-    return "";
-}
 
 const std::vector<double>& Readings::strain()
 {
@@ -145,12 +96,20 @@ Vec3 Readings::lineDragOf(const ProbeSpec& probe)
     return sum;
 }
 
+Vec3 Readings::airForceOf(const ProbeSpec& probe)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const int panel : probe.panels)
+        sum += panelLoad()[std::size_t(panel)];
+    return sum + lineDragOf(probe);
+}
+
 double Readings::value(const ProbeSpec& probe)
 {
     const System& system = m_system;
     const State& state = m_state;
-    const auto position = [&] { return mean(probe, system, state.position); };
-    const auto velocity = [&] { return mean(probe, system, state.velocity); };
+    const auto position = [&] { return meanOf(probe, system, state.position); };
+    const auto velocity = [&] { return meanOf(probe, system, state.velocity); };
     const auto line = [&]() -> Vec3 {
         return probe.from < 0 ? Vec3(Vec3::Constant(nothing))
                               : Vec3(position() - state.position[std::size_t(probe.from)]);
@@ -182,13 +141,9 @@ double Readings::value(const ProbeSpec& probe)
     case Quantity::GlideRatio:
         return glideRatio(velocity());
     case Quantity::MeanGlideRatio:
-        return glideRatio(position() - mean(probe, system, system.start.position));
-    case Quantity::AirForce: {
-        Vec3 sum = Vec3::Zero();
-        for (const int panel : probe.panels)
-            sum += panelLoad()[std::size_t(panel)];
-        return (sum + lineDragOf(probe)).norm();
-    }
+        return glideRatio(position() - meanOf(probe, system, system.start.position));
+    case Quantity::AirForce:
+        return airForceOf(probe).norm();
     case Quantity::KineticEnergy:
         return energy().kinetic;
     case Quantity::PotentialEnergy:
@@ -197,6 +152,8 @@ double Readings::value(const ProbeSpec& probe)
         return energy().elastic;
     case Quantity::TotalEnergy:
         return energy().total();
+    case Quantity::EnergyChange:
+        return energy().total() - energies(system, system.start).total();
     case Quantity::TornLinks:
         return tornCount(probe, system, state);
     case Quantity::CanopyPressure:
@@ -214,6 +171,57 @@ double Readings::value(const ProbeSpec& probe)
         }
         return reading;
     }
+    case Quantity::VelocityX:
+        return velocity().x();
+    case Quantity::VelocityY:
+        return velocity().y();
+    case Quantity::VelocityZ:
+        return velocity().z();
+    case Quantity::Acceleration:
+        return acceleration(probe, *this).norm();
+    case Quantity::Momentum:
+        return momentumOf(probe, *this).norm();
+    case Quantity::Reaction:
+        return reaction(probe, *this).norm();
+    case Quantity::MeanStrain:
+        return meanStrain(probe, *this);
+    case Quantity::HighStrain:
+        return highStrain(probe, *this);
+    case Quantity::Length:
+        return lengthOf(probe, *this);
+    case Quantity::Area:
+        return areaOf(probe, *this);
+    case Quantity::Airspeed:
+        return relativeWind(probe, *this).norm();
+    case Quantity::Lift:
+        return liftAndDrag(probe, *this).lift;
+    case Quantity::Drag:
+        return liftAndDrag(probe, *this).drag;
+    case Quantity::LiftToDrag: {
+        const LiftAndDrag force = liftAndDrag(probe, *this);
+        return force.drag > 0.0 ? force.lift / force.drag : nothing;
+    }
+    case Quantity::DragArea: {
+        const double speed = relativeWind(probe, *this).norm();
+        const double pressure = 0.5 * system.airDensity * speed * speed;
+        return pressure > 0.0 ? liftAndDrag(probe, *this).drag / pressure : nothing;
+    }
+    case Quantity::PressureX:
+        return centreOfPressure(probe, *this).x();
+    case Quantity::PressureY:
+        return centreOfPressure(probe, *this).y();
+    case Quantity::PressureZ:
+        return centreOfPressure(probe, *this).z();
+    case Quantity::Pitch:
+        return pitch(probe, *this);
+    case Quantity::Heading:
+        return heading(probe, *this);
+    case Quantity::Roll:
+        return roll(probe, *this);
+    case Quantity::AngleOfAttack:
+        return angleOfAttack(probe, *this);
+    case Quantity::Formula:
+        break; // known when the others are
     }
     return nothing;
 }

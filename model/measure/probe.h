@@ -4,23 +4,20 @@
 #include "sim/system.h"
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace ripstop {
-
-// "m", "deg", "N", ...; empty when dimensionless. Elevation is in degrees because that is how
-// fliers speak of it.
-std::string_view unitOf(Quantity quantity);
 
 // One instant, measured no further than it is asked for: several probes of the same quantity cost
 // one pass over the elements. It holds references to both values.
 class Readings
 {
 public:
-    Readings(const System& system, const State& state)
+    // `before` is the state one time step ago, or null.
+    Readings(const System& system, const State& state, const State* before = nullptr)
         : m_system(system)
         , m_state(state)
+        , m_before(before)
     {}
 
     const System& system() const { return m_system; }
@@ -30,8 +27,11 @@ public:
     const std::vector<Vec3>& panelLoad(); // [panels] N
     const Energies& energy();
 
+    const State* before() const { return m_before; }
+    Vec3 airForceOf(const ProbeSpec& probe); // N, of its panels and lines
+
     // The value that the probe reads now. Not a number when it has nothing to read, for example
-    // the glide ratio of something that does not sink.
+    // the glide ratio of something that does not sink, and for a formula.
     double value(const ProbeSpec& probe);
 
 private:
@@ -39,6 +39,7 @@ private:
 
     const System& m_system;
     const State& m_state;
+    const State* m_before;
     std::optional<std::vector<double>> m_strain;
     std::optional<std::vector<double>> m_tension;
     std::optional<std::vector<Vec3>> m_panelLoad;

@@ -58,7 +58,7 @@ std::shared_ptr<const Layout> layoutOf(const System& system,
         layout->colliderId.push_back(obstacle.key);
     for (const ProbeSpec& probe : system.probes)
         layout->probes.push_back(
-            {probe.key, probe.name, std::string(unitOf(probe.quantity)), probe.plotted});
+            {probe.key, probe.name, probe.unit, probe.plotted});
     return layout;
 }
 
@@ -362,12 +362,13 @@ std::shared_ptr<Frame> Simulation::frame() const
     frame->inputCommand = m_state.inputCommand;
     frame->inputValue = m_state.inputValue;
 
-    Readings readings(system(), m_state);
+    const bool follows = m_state.step == m_lastGood.step + 1
+                         && m_state.velocity.size() == m_lastGood.velocity.size();
+    Readings readings(system(), m_state, follows ? &m_lastGood : nullptr);
     frame->strain = readings.strain();
     frame->tension = readings.tension();
     frame->panelLoad = readings.panelLoad();
-    for (const ProbeSpec& probe : system().probes)
-        frame->probe.push_back(readings.value(probe));
+    frame->probe = m_probes.read(readings);
 
     for (const State::Tear& tear : m_state.tears)
         frame->tears.push_back(

@@ -4,6 +4,7 @@
 
 #include "compile/live_system.h"
 #include "run/frame.h"
+#include "run/probe_reader.h"
 #include "sim/stepper.h"
 #include "sim/watchdog.h"
 
@@ -84,6 +85,7 @@ private:
     mutable bool m_layoutIsStale = false;
     State m_state;
     State m_lastGood;
+    mutable ProbeReader m_probes;
     bool m_atStart = true;                  // the state is the system's start
     std::vector<ControlCommand> m_commands; // since the start
     HandTrack m_hands;                      // the same

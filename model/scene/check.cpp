@@ -1,5 +1,7 @@
 #include "scene/check.h"
 
+#include "base/quantity.h"
+#include "scene/formula.h"
 #include "scene/canopy_shape.h"
 #include "scene/collider_shape.h"
 #include "scene/element_index.h"
@@ -225,13 +227,25 @@ private:
                         "Control " + control->name + " has no targets and does nothing.", entry.id);
             }
             if (const Probe* probe = std::get_if<Probe>(&entry.item))
-                if ((probe->quantity == Quantity::Distance
-                     || probe->quantity == Quantity::Elevation)
-                    && (probe->target == noId || probe->from == noId))
-                    add("probe", Severity::Warning,
-                        "Probe " + probe->name + " needs a target and a particle to measure from.",
-                        entry.id);
+                checkProbe(*probe, entry.id);
         }
+        for (const ProbeFormula& probe : formulasOf(m_scene))
+            if (!probe.formula)
+                add("formula", Severity::Warning,
+                    "The formula of probe " + nameOf(*findItem(m_scene, probe.probe))
+                        + " cannot be worked out: " + probe.formula.message() + ".",
+                    probe.probe);
+    }
+
+    void checkProbe(const Probe& probe, Id id)
+    {
+        const int points = rowOf(probe.quantity).points;
+        if (points >= 2 && (probe.target == noId || probe.from == noId))
+            add("probe", Severity::Warning,
+                "Probe " + probe.name + " needs a target and a particle to measure from.", id);
+        else if (points >= 3 && probe.side == noId)
+            add("probe", Severity::Warning,
+                "Probe " + probe.name + " needs a third particle, on the right.", id);
     }
 
     void gaps()

@@ -223,7 +223,9 @@ std::span<const Property> allProperties()
         property<&Probe::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in plots and tables."),
         property<&Probe::quantity>       ("quantity",    "Quantity",     "",        Recompile,   "What is measured."),
         property<&Probe::target>         ("target",      "Target",       "",        Recompile,   "Particle, link, part or group that is measured; empty is the whole scene.", {}, measurable),
-        property<&Probe::from>           ("from",        "From",         "",        Recompile,   "Particle that a distance or an elevation is measured from.", {}, particles),
+        property<&Probe::from>           ("from",        "From",         "",        Recompile,   "Particle that a distance or an elevation is measured from; the tail, where the target is the nose.", {}, particles),
+        property<&Probe::side>           ("side",        "Right side",   "",        Recompile,   "A particle on the right of nose and tail, for roll and angle of attack.", {}, particles),
+        property<&Probe::formula>        ("formula",     "Formula",      "",        Recompile,   "A number made of what other probes read, by their names with _ for blanks: line_tension / weight."),
         property<&Probe::plotted>        ("plotted",     "Plotted",      "",        DisplayOnly, "Shown in the live plot."),
     };
     // clang-format on

@@ -1,5 +1,6 @@
 #include "scene/usage.h"
 
+#include "base/quantity.h"
 #include <algorithm>
 #include <array>
 
@@ -205,9 +206,16 @@ Reason idle(const Material& material, std::string_view key, const Around& around
 
 Reason idle(const Probe& probe, std::string_view key, const Around&)
 {
+    const QuantityRow& row = rowOf(probe.quantity);
     if (key == "from")
-        return unless(probe.quantity == Quantity::Distance || probe.quantity == Quantity::Elevation,
-                      "only distances and elevations are measured from somewhere");
+        return unless(row.points >= 2, "the quantity is not measured from somewhere");
+    if (key == "side")
+        return unless(row.points >= 3, "only roll and angle of attack need a third particle");
+    if (key == "formula")
+        return unless(row.of == QuantityRow::Of::Probes, "the quantity is measured, not made of others");
+    if (key == "target")
+        return unless(row.of != QuantityRow::Of::Whole && row.of != QuantityRow::Of::Probes,
+                      "the quantity is that of the whole scene");
     return used;
 }
 

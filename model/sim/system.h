@@ -36,7 +36,10 @@ struct ProbeSpec
     std::vector<int> links;     // indices into System::links
     std::vector<int> panels;
     int from = -1; // particle index
+    int side = -1; // the same
     bool plotted = true;
+    std::string unit;
+    std::string formula; // of other probes, when the quantity is one
 
     friend bool operator==(const ProbeSpec&, const ProbeSpec&) = default;
 };

@@ -1,6 +1,7 @@
 // Probes, energies and the hash on states that are known.
 #include "model/systems.h"
 
+#include "base/quantity.h"
 #include "measure/diagnostics.h"
 #include "measure/probe.h"
 

@@ -11,6 +11,7 @@
 #include "viewport/grab_tool.h"
 #include "viewport/legend.h"
 #include "viewport/pointing.h"
+#include "viewport/probe_labels.h"
 #include "viewport/scene_frame.h"
 #include "viewport/stage.h"
 #include "viewport/transform_tool.h"
@@ -20,6 +21,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
@@ -44,6 +46,7 @@ public:
         , compass(&widget)
         , transform(openDocument, openSelection, openPlayer, widget, camera)
         , centre(openDocument, openSelection, &widget)
+        , labels(openDocument, &widget)
         , gizmo(transform, &widget)
     {
         camera.look(PresetView::Iso);
@@ -76,6 +79,7 @@ public:
     Compass compass;
     TransformTool transform;
     CentreMark centre;
+    ProbeLabels labels;
     GizmoOverlay gizmo;
 
     std::optional<double> shotRatio; // pixels for one of the view, while a picture is taken
@@ -130,6 +134,7 @@ void Viewport::Private::place()
     compass.move(corner, screen.height() - compass.height() - corner);
     compass.setCamera(camera);
     centre.show(stage.frame(), camera);
+    labels.show(stage.frame(), camera);
     gizmo.refresh();
     stage.place(camera);
 }
@@ -175,6 +180,7 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     d->legend.raise();
     d->compass.raise();
     d->centre.raise();
+    d->labels.raise();
     d->gizmo.raise();
     d->screen.beforePainting = [this] { d->prepare(); };
 
@@ -265,6 +271,12 @@ void Viewport::setCentreShown(bool shown)
     d->screen.renderSoon();
 }
 
+void Viewport::setProbesShown(bool shown)
+{
+    d->labels.setWanted(shown);
+    d->screen.renderSoon();
+}
+
 void Viewport::setWindFieldShown(bool shown)
 {
     d->stage.setWindShown(shown);
@@ -278,6 +290,7 @@ void Viewport::setTheme(const Theme& theme)
     d->legend.setTheme(theme);
     d->compass.setTheme(theme);
     d->centre.setTheme(theme);
+    d->labels.setTheme(theme);
     d->gizmo.setTheme(theme);
     d->screen.renderSoon();
 }
@@ -306,7 +319,7 @@ QImage Viewport::image(Overlays overlays)
     picture.setDevicePixelRatio(d->screen.devicePixelRatioF());
     QPainter painter(&picture);
     for (QWidget* overlay :
-         std::initializer_list<QWidget*>{&d->centre, &d->gizmo, &d->legend, &d->compass})
+         std::initializer_list<QWidget*>{&d->centre, &d->labels, &d->gizmo, &d->legend, &d->compass})
         if (!overlay->isHidden())
             overlay->render(&painter, overlay->pos(), {}, QWidget::RenderFlags{});
     return picture;
@@ -420,9 +433,16 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (d->pointing.release(*event) || d->dragging || event->button() != Qt::LeftButton)
+    if (d->pointing.release(*event) || d->dragging)
         return;
-    d->click(pick(event->position()), event->modifiers());
+    const Id under = pick(event->position());
+    if (event->button() == Qt::LeftButton)
+        d->click(under, event->modifiers());
+    if (event->button() == Qt::RightButton) {
+        if (under != noId && !std::ranges::binary_search(d->selection.ids(), under))
+            d->click(under, {});
+        emit menuWanted(event->globalPosition().toPoint());
+    }
 }
 
 void Viewport::leaveEvent(QEvent*) { d->pointing.hover({}); }

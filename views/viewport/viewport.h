@@ -3,6 +3,7 @@
 // Left drag turns it, middle or Shift + left drag moves it, the wheel moves in towards the cursor.
 // Ctrl + left drag takes hold of things (grab_tool.h): it steers what controls move, carries
 // colliders and pulls at all else.
+// A right click selects what is under it, unless that is selected, and asks for a menu.
 // A click selects the particle, link, panel or collider under the cursor; with Shift it adds to the
 // selection, with Ctrl it takes away. A tool (tool.h) takes the left button for itself; the view
 // then turns by right drag.
@@ -57,6 +58,7 @@ public:
     void setWindShown(bool shown);
     void setWindFieldShown(bool shown); // off at first
     void setCentreShown(bool shown);    // of gravity, off at first
+    void setProbesShown(bool shown);    // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
@@ -91,6 +93,7 @@ public:
 
 signals:
     void cameraChanged();
+    void menuWanted(const QPoint& place); // of the screen; for what is selected by then
 
 protected:
     bool event(QEvent* event) override;

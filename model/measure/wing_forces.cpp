@@ -1,0 +1,68 @@
+#include "measure/wing_forces.h"
+
+#include "measure/motion.h"
+#include "sim/wind.h"
+
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// With the corners of the panels for particles where it has none.
+ProbeSpec withParticles(const ProbeSpec& probe, const System& system)
+{
+    ProbeSpec whole = probe;
+    if (whole.particles.empty())
+        for (const int panel : probe.panels)
+            for (const int corner : system.panels[std::size_t(panel)].corner)
+                whole.particles.push_back(corner);
+    return whole;
+}
+
+} // namespace
+
+Vec3 relativeWind(const ProbeSpec& probe, Readings& readings)
+{
+    const System& system = readings.system();
+    const State& state = readings.state();
+    const ProbeSpec whole = withParticles(probe, system);
+    const Vec3 place = meanOf(whole, system, state.position);
+    if (!place.allFinite())
+        return place;
+    return windAt(system, state, place) - meanOf(whole, system, state.velocity);
+}
+
+LiftAndDrag liftAndDrag(const ProbeSpec& probe, Readings& readings)
+{
+    const Vec3 wind = relativeWind(probe, readings);
+    if (!(wind.norm() > 0.0))
+        return {nothing, nothing};
+    const Vec3 along = wind.normalized();
+    const Vec3 across = Vec3::UnitY() - along.y() * along; // of length 0 where the wind is vertical
+    const Vec3 force = readings.airForceOf(probe);
+    const double lift = across.norm() > 1e-9 ? force.dot(across.normalized()) : nothing;
+    return {lift, force.dot(along)};
+}
+
+Vec3 centreOfPressure(const ProbeSpec& probe, Readings& readings)
+{
+    Vec3 force = Vec3::Zero();
+    for (const int panel : probe.panels)
+        force += readings.panelLoad()[std::size_t(panel)];
+    Vec3 moment = Vec3::Zero();
+    double sum = 0.0;
+    for (const int panel : probe.panels) {
+        const auto i = std::size_t(panel);
+        const double share = readings.panelLoad()[i].dot(force);
+        Vec3 middle = Vec3::Zero();
+        for (const int corner : readings.system().panels[i].corner)
+            middle += readings.state().position[std::size_t(corner)] / 3.0;
+        moment += share * middle;
+        sum += share;
+    }
+    return sum > 0.0 ? Vec3(moment / sum) : Vec3(Vec3::Constant(nothing));
+}
+
+} // namespace ripstop

@@ -1,0 +1,23 @@
+// The air force on what a probe looks at, split as fliers do.
+#pragma once
+
+#include "measure/probe.h"
+
+namespace ripstop {
+
+// m/s, the air as it passes the centre of mass of the probe's particles, or of the corners of its
+// panels where it has no particles.
+Vec3 relativeWind(const ProbeSpec& probe, Readings& readings);
+
+// N. Drag is along the relative wind, lift across it in the vertical plane of it, positive upwards.
+struct LiftAndDrag
+{
+    double lift;
+    double drag;
+};
+LiftAndDrag liftAndDrag(const ProbeSpec& probe, Readings& readings);
+
+// m: the mean of the middles of the panels, each by the part of its load that is along the whole.
+Vec3 centreOfPressure(const ProbeSpec& probe, Readings& readings);
+
+} // namespace ripstop

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "measure/probe.h"
+#include "scene/formula.h"
+
+#include <optional>
+#include <vector>
+
+namespace ripstop {
+
+// Reads all probes of a system, formulas of others last.
+class ProbeReader
+{
+public:
+    // In the units of the probes; not a number where there is nothing to read.
+    std::vector<double> read(Readings& readings);
+
+private:
+    void prepare(const std::vector<ProbeSpec>& probes);
+
+    struct Known
+    {
+        std::string name;
+        std::string unit;
+        std::string formula;
+
+        friend bool operator==(const Known&, const Known&) = default;
+    };
+    std::vector<Known> m_known;                     // that the formulas were read for
+    std::vector<std::optional<Formula>> m_formulas; // [probes]
+};
+
+} // namespace ripstop

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/result.h"
+#include "scene/scene.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ripstop {
+
+// A number made of others that have names and units: "line_tension / weight", "sqrt(a^2 + b^2)".
+//
+// Names are written with _ for what is neither a letter nor a digit. Functions: sqrt, abs, min,
+// max, sin, cos, tan, asin, acos, atan, atan2, exp, ln. Angles are radians inside, so that sin()
+// takes them as they come. The unit of the result follows from those that go into it, and like is
+// added to like only: it is found as a physicist would, by making each basic unit smaller
+// (expression.h).
+class Formula
+{
+public:
+    struct Name
+    {
+        std::string name;
+        std::string unit; // as people write it: "m/s", "deg"
+    };
+
+    // The failure says what to change, without the name of what the formula belongs to.
+    static Result<Formula> read(std::string_view text, std::span<const Name> names);
+
+    Formula(Formula&&) noexcept;
+    Formula& operator=(Formula&&) noexcept;
+    ~Formula();
+
+    const std::string& unit() const;              // "deg" of angles; empty of pure numbers
+    const std::vector<std::size_t>& used() const; // indices of names, ascending
+
+    // From what was read, in the units of the names.
+    //   values  [names]
+    double value(std::span<const double> values);
+
+private:
+    class Parts;
+    explicit Formula(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> m_parts;
+};
+
+// How a formula writes a name.
+std::string wordFor(std::string_view name);
+
+// The formulas of a scene's probes. One may use all probes that are measured, and those formulas
+// that stand before it.
+struct ProbeFormula
+{
+    Id probe;
+    Result<Formula> formula;
+};
+std::vector<ProbeFormula> formulasOf(const Scene& scene);
+
+} // namespace ripstop

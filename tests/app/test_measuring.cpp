@@ -1,0 +1,106 @@
+// Measuring what is selected, from the menu and by a right click in the view.
+#include "app/sheet_shop.h"
+
+#include "author/measure.h"
+#include "viewport/probe_labels.h"
+
+#include <QStatusBar>
+
+using namespace ripstop;
+
+class TestMeasuring : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // The new probe is selected, is one step of the history, and its value stands in the view.
+    void fromTheMenu()
+    {
+        Shop shop(Sheet().scene);
+        QTRY_VERIFY(shop.player.frame());
+        const Id corner = Sheet::at(8, 4);
+        shop.selection.set({corner});
+        shop.run("measure_position_y");
+        QCOMPARE(shop.document.history().count(), 1);
+        QCOMPARE(shop.selection.ids().size(), std::size_t(1));
+        const Id probe = shop.selection.ids().front();
+        const Probe* added = findItem<Probe>(shop.document.scene(), probe);
+        QVERIFY(added);
+        QCOMPARE(added->target, corner);
+        QVERIFY(shop.window.actions()["probeValues"]->isChecked());
+        auto* labels = shop.viewport.findChild<ProbeLabels*>();
+        const auto* row = std::get<const Particle*>(*find(shop.document.scene(), corner));
+        QTRY_COMPARE(labels->linesOf(corner).join(""),
+                     QString("position y  %1%2m")
+                         .arg(QLocale().toString(row->position.y(), 'g', 4))
+                         .arg(QChar(0x00a0)));
+        shop.document.history().undo();
+        QVERIFY(!findItem<Probe>(shop.document.scene(), probe));
+    }
+
+    // Several elements become a group that the probe looks at.
+    void ofSeveral()
+    {
+        Shop shop(Sheet().scene);
+        shop.selection.set({Sheet::at(0, 0), Sheet::at(1, 0), Sheet::at(2, 0)});
+        shop.run("measure_speed");
+        const Probe* added =
+            findItem<Probe>(shop.document.scene(), shop.selection.ids().front());
+        QVERIFY(added);
+        const Group* group = findItem<Group>(shop.document.scene(), added->target);
+        QVERIFY(group);
+        QCOMPARE(group->members.size(), std::size_t(3));
+        QCOMPARE(shop.document.history().count(), 1);
+    }
+
+    void betweenTwo()
+    {
+        Shop shop(Sheet().scene);
+        shop.selection.set({Sheet::at(0, 0), Sheet::at(8, 4)});
+        shop.run("measure_distance");
+        const Probe* added =
+            findItem<Probe>(shop.document.scene(), shop.selection.ids().front());
+        QVERIFY(added);
+        QCOMPARE(added->from, Sheet::at(0, 0));
+        QCOMPARE(added->target, Sheet::at(8, 4));
+    }
+
+    // What cannot be measured there is said, and nothing changes.
+    void ofTheWrongThing()
+    {
+        Shop shop(Sheet().scene);
+        shop.selection.set({Sheet::at(0, 0)});
+        shop.run("measure_tension");
+        QCOMPARE(shop.document.history().count(), 0);
+        QVERIFY(shop.window.statusBar()->currentMessage().contains("links"));
+    }
+
+    // A right click selects what is under it, but leaves a selection that it is part of.
+    void rightClick()
+    {
+        Shop shop(Sheet().scene);
+        QTRY_VERIFY(shop.player.frame());
+        disconnect(&shop.viewport, &Viewport::menuWanted, nullptr, nullptr); // no menu in a test
+        int asked = 0;
+        connect(&shop.viewport, &Viewport::menuWanted, this, [&] { ++asked; });
+        const QPointF place = shop.at(shop.now(Sheet::at(8, 4)));
+        const Id under = shop.viewport.pick(place);
+        QVERIFY(under != noId);
+        const auto click = [&] {
+            QTest::mouseClick(&shop.viewport, Qt::RightButton, {}, place.toPoint());
+        };
+        click();
+        QCOMPARE(asked, 1);
+        const std::vector<Id> one = shop.selection.ids();
+        QCOMPARE(one.size(), std::size_t(1));
+        std::vector<Id> two = {Sheet::at(0, 0), one.front()};
+        std::ranges::sort(two);
+        shop.selection.set(two);
+        click();
+        QCOMPARE(shop.selection.ids(), two);
+    }
+};
+
+int main(int argc, char** argv) { return ripstop::runWithView<TestMeasuring>(argc, argv); }
+
+#include "test_measuring.moc"

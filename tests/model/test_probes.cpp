@@ -1,0 +1,322 @@
+// What probes read in scenes whose answer is known by hand, and formulas made of them.
+#include "compile/compile.h"
+#include "run/simulation.h"
+#include "scene/check.h"
+#include "scene/formula.h"
+
+#include <Eigen/Geometry>
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr double g = 9.80665; // m/s^2
+constexpr double degree = std::numbers::pi / 180.0;
+
+class Bench
+{
+public:
+    Scene scene;
+
+    void add(Probe probe)
+    {
+        const Id id = takeId(scene);
+        probe.name = "p" + std::to_string(unsigned(id));
+        m_names.push_back(probe.name);
+        scene.items.push_back({id, probe});
+    }
+
+    // What they read after so many steps, in the order in which they were added.
+    std::vector<double> read(int steps = 0) const
+    {
+        const auto system = compile(scene);
+        if (!system)
+            qFatal("%s", system.message().c_str());
+        Simulation simulation(*system);
+        for (int i = 0; i < steps; ++i)
+            simulation.step();
+        const auto frame = simulation.frame();
+        std::vector<double> values;
+        for (const std::string& name : m_names) {
+            const auto at = std::ranges::find(frame->layout->probes, name, &Layout::Probe::name);
+            values.push_back(frame->probe[std::size_t(at - frame->layout->probes.begin())]);
+        }
+        return values;
+    }
+
+private:
+    std::vector<std::string> m_names;
+};
+
+// A square of 2 m x 2 m whose nose points against a wind of 10 m/s along +x, pitched up and banked
+// by these angles (degrees), held at its corners. Air presses across it only.
+Bench plate(double pitch, double bank = 0.0)
+{
+    const double p = pitch * degree;
+    const double b = bank * degree;
+    // nose, right and up of something that flies towards -x; right is -z
+    const Vec3 ahead(-std::cos(p), std::sin(p), 0.0);
+    const Vec3 level(0.0, 0.0, -1.0);
+    const Vec3 top = level.cross(ahead);
+    const Vec3 right = std::cos(b) * level - std::sin(b) * top;
+    const Vec3 middle(0.0, 50.0, 0.0);
+    Part part;
+    unsigned id = 10;
+    for (const auto& [along, across] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}})
+        part.particles.push_back(
+            {.id = Id{id++},
+             .position = middle + std::numbers::sqrt2 * (along * ahead + across * right),
+             .mass = 1.0,
+             .pinned = true});
+    const Id fabric{2};
+    part.panels = {{Id{20}, Id{10}, Id{12}, Id{11}, fabric},
+                   {Id{21}, Id{10}, Id{11}, Id{13}, fabric}};
+    Material material;
+    material.airLaw = AirLaw::LinearNormal;
+    material.skinFriction = 0.0;
+    Wind wind;
+    wind.velocity = Vec3(10.0, 0.0, 0.0);
+    Bench bench;
+    bench.scene.items = {{Id{1}, part}, {fabric, material}, {Id{3}, wind}};
+    bench.scene.nextId = Id{30};
+    return bench;
+}
+
+} // namespace
+
+class TestProbes : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void attitude_data()
+    {
+        QTest::addColumn<double>("pitch");
+        QTest::addColumn<double>("bank");
+        QTest::newRow("level") << 0.0 << 0.0;
+        QTest::newRow("nose up") << 30.0 << 0.0;
+        QTest::newRow("nose down") << -12.0 << 0.0;
+        QTest::newRow("banked") << 0.0 << 25.0;
+        QTest::newRow("climbing turn") << 10.0 << 40.0;
+    }
+
+    // Against a level wind the angle of attack is that between the chord and the wind's projection
+    // onto the plane of nose and top: tan a = tan(pitch) cos(bank).
+    void attitude()
+    {
+        QFETCH(double, pitch);
+        QFETCH(double, bank);
+        Bench bench = plate(pitch, bank);
+        for (const Quantity quantity :
+             {Quantity::Pitch, Quantity::Roll, Quantity::Heading, Quantity::AngleOfAttack})
+            bench.add({.quantity = quantity, .target = Id{10}, .from = Id{11}, .side = Id{12}});
+        const std::vector<double> read = bench.read();
+        const auto near = [](double a, double b) { return std::abs(a - b) < 1e-9; };
+        QVERIFY2(near(read[0], pitch), qPrintable(QString::number(read[0])));
+        QVERIFY2(near(read[1], bank), qPrintable(QString::number(read[1])));
+        QVERIFY2(near(std::abs(read[2]), 180.0), qPrintable(QString::number(read[2])));
+        const double attack =
+            std::atan(std::tan(pitch * degree) * std::cos(bank * degree)) / degree;
+        QVERIFY2(near(read[3], attack), qPrintable(QString::number(read[3])));
+    }
+
+    // A force across the plate alone: lift over drag is 1 / tan(pitch), and its centre is in the
+    // middle.
+    void liftAndDrag()
+    {
+        const double pitch = 30.0;
+        Bench bench = plate(pitch);
+        for (const Quantity quantity :
+             {Quantity::AirForce, Quantity::Lift, Quantity::Drag, Quantity::LiftToDrag,
+              Quantity::DragArea, Quantity::PressureX, Quantity::PressureY, Quantity::PressureZ,
+              Quantity::Airspeed, Quantity::Area})
+            bench.add({.quantity = quantity, .target = Id{1}});
+        const std::vector<double> read = bench.read();
+        const double force = read[0];
+        QVERIFY(force > 1.0);
+        const auto near = [](double a, double b) {
+            return std::abs(a - b) < 1e-9 * std::max(1.0, std::abs(b));
+        };
+        QVERIFY(near(read[1], force * std::cos(pitch * degree)));
+        QVERIFY(near(read[2], force * std::sin(pitch * degree)));
+        QVERIFY(near(read[3], 1.0 / std::tan(pitch * degree)));
+        QVERIFY(near(read[4], read[2] / (0.5 * bench.scene.settings.airDensity * 100.0)));
+        QVERIFY(near(read[5], 0.0));
+        QVERIFY(near(read[6], 50.0));
+        QVERIFY(near(read[7], 0.0));
+        QVERIFY(near(read[8], 10.0));
+        QVERIFY(near(read[9], 4.0));
+    }
+
+    // 3 kg on a spring that m g stretches by 1 cm, at rest: the pin of 0.5 kg is held with the
+    // weight of both.
+    void reactionAtAPin()
+    {
+        Material spring;
+        spring.stiffness = 3.0 * g / 0.01;
+        Part part;
+        part.particles = {{.id = Id{10}, .mass = 0.5, .pinned = true},
+                          {.id = Id{11}, .position = Vec3(0.0, -1.01, 0.0), .mass = 3.0}};
+        part.links = {{.id = Id{12},
+                       .from = Id{10},
+                       .to = Id{11},
+                       .material = Id{2},
+                       .kind = LinkKind::Spring,
+                       .restLength = 1.0}};
+        Bench bench;
+        bench.scene.items = {{Id{1}, part}, {Id{2}, spring}};
+        bench.scene.nextId = Id{30};
+        bench.add({.quantity = Quantity::Reaction, .target = Id{1}});
+        bench.add({.quantity = Quantity::Length, .target = Id{12}});
+        bench.add({.quantity = Quantity::EnergyChange});
+        const std::vector<double> read = bench.read(5);
+        QVERIFY2(std::abs(read[0] - 3.5 * g) < 1e-9, qPrintable(QString::number(read[0], 'g', 12)));
+        QVERIFY(std::abs(read[1] - 1.01) < 1e-12);
+        QVERIFY(std::abs(read[2]) < 1e-12);
+    }
+
+    // What falls is accelerated by g; before the first step nothing is known of that.
+    void freeFall()
+    {
+        Part part;
+        part.particles = {{.id = Id{10}, .velocity = Vec3(3.0, 0.0, 4.0), .mass = 2.0}};
+        Bench bench;
+        bench.scene.items = {{Id{1}, part}};
+        bench.scene.nextId = Id{30};
+        bench.add({.quantity = Quantity::Acceleration, .target = Id{10}});
+        bench.add({.quantity = Quantity::VelocityZ, .target = Id{10}});
+        bench.add({.quantity = Quantity::Momentum, .target = Id{10}});
+        QVERIFY(std::isnan(bench.read()[0]));
+        QCOMPARE(bench.read()[2], 10.0);
+        const std::vector<double> read = bench.read(1);
+        QVERIFY2(std::abs(read[0] - g) < 1e-9, qPrintable(QString::number(read[0], 'g', 12)));
+        QCOMPARE(read[1], 4.0);
+    }
+
+    // 21 springs strained by 0, 1, ... 20 %: the mean is 10 %, and 20 of 21 are at most 19 %.
+    void strains()
+    {
+        Part part;
+        for (unsigned i = 0; i <= 20; ++i) {
+            const double x = double(i);
+            part.particles.push_back(
+                {.id = Id{100 + 3 * i}, .position = Vec3(x, 0, 0), .mass = 1.0, .pinned = true});
+            part.particles.push_back({.id = Id{101 + 3 * i},
+                                      .position = Vec3(x, 1.0 + 0.01 * i, 0),
+                                      .mass = 1.0,
+                                      .pinned = true});
+            part.links.push_back({.id = Id{102 + 3 * i},
+                                  .from = Id{100 + 3 * i},
+                                  .to = Id{101 + 3 * i},
+                                  .material = Id{2},
+                                  .kind = LinkKind::Spring,
+                                  .restLength = 1.0});
+        }
+        Bench bench;
+        bench.scene.items = {{Id{1}, part}, {Id{2}, Material{}}};
+        bench.scene.nextId = Id{300};
+        for (const Quantity quantity :
+             {Quantity::MeanStrain, Quantity::HighStrain, Quantity::MaxStrain})
+            bench.add({.quantity = quantity, .target = Id{1}});
+        const std::vector<double> read = bench.read();
+        QVERIFY(std::abs(read[0] - 0.10) < 1e-12);
+        QVERIFY(std::abs(read[1] - 0.19) < 1e-12);
+        QVERIFY(std::abs(read[2] - 0.20) < 1e-12);
+    }
+
+    void formulas_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("expected");
+        QTest::addColumn<QString>("unit");
+        QTest::newRow("ratio") << "line_tension / weight" << 4.0 << "";
+        QTest::newRow("sum of like") << "line_tension + 2 * weight" << 60.0 << "N";
+        QTest::newRow("work") << "weight * height" << 150.0 << "J";
+        QTest::newRow("power") << "weight * speed" << 20.0 << "W";
+        QTest::newRow("pythagoras")
+            << "sqrt(height^2 + (2*height)^2)" << 15.0 * std::sqrt(5.0) << "m";
+        QTest::newRow("of an angle") << "sin(pitch)" << 0.5 << "";
+        QTest::newRow("angle") << "2 * pitch" << 60.0 << "deg";
+        QTest::newRow("odd unit") << "height * height * speed" << 450.0 << "m^3 s^-1";
+        QTest::newRow("larger") << "max(height, 3 * height)" << 45.0 << "m";
+        QTest::newRow("a number") << "2 * 21" << 42.0 << "";
+    }
+
+    void formulas()
+    {
+        QFETCH(QString, text);
+        QFETCH(double, expected);
+        QFETCH(QString, unit);
+        const std::vector<Formula::Name> names{{"line tension", "N"},
+                                               {"weight", "N"},
+                                               {"height", "m"},
+                                               {"speed", "m/s"},
+                                               {"pitch", "deg"}};
+        const std::vector<double> values{40.0, 10.0, 15.0, 2.0, 30.0};
+        auto formula = Formula::read(text.toStdString(), names);
+        QVERIFY2(bool(formula), formula ? "" : formula.message().c_str());
+        QVERIFY(std::abs(formula->value(values) - expected) < 1e-12 * std::abs(expected));
+        QCOMPARE(QString::fromStdString(formula->unit()), unit);
+    }
+
+    void badFormulas_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("empty") << " "
+                               << "empty";
+        QTest::newRow("unlike") << "weight + height"
+                                << "different units";
+        QTest::newRow("sine of a length") << "sin(height)"
+                                          << "different units";
+        QTest::newRow("unknown") << "weight + lift"
+                                 << "\"lift\" is no other probe";
+        QTest::newRow("cut off") << "weight *"
+                                 << "nexpected";
+    }
+
+    void badFormulas()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, said);
+        const std::vector<Formula::Name> names{{"weight", "N"}, {"height", "m"}};
+        const auto formula = Formula::read(text.toStdString(), names);
+        QVERIFY(!formula);
+        QVERIFY2(QString::fromStdString(formula.message()).contains(said),
+                 formula.message().c_str());
+    }
+
+    // A formula may use formulas before it; one that cannot be worked out is told, reads nothing
+    // and harms no other.
+    void formulasInAScene()
+    {
+        Part part;
+        part.particles = {{.id = Id{10}, .position = Vec3(3.0, 4.0, 0.0), .mass = 2.0}};
+        Bench bench;
+        bench.scene.items = {{Id{1}, part}};
+        bench.scene.nextId = Id{30};
+        bench.add({.quantity = Quantity::PositionX, .target = Id{10}});     // p30
+        bench.add({.quantity = Quantity::Formula, .formula = "2 * p30"});   // p31
+        bench.add({.quantity = Quantity::Formula, .formula = "p31 * p34"}); // p32
+        bench.add({.quantity = Quantity::Formula, .formula = "p33 + 1"});   // p33, itself
+        bench.add({.quantity = Quantity::PositionY, .target = Id{10}});     // p34
+        const std::vector<double> read = bench.read();
+        QCOMPARE(read[1], 6.0);
+        QCOMPARE(read[2], 24.0);
+        QVERIFY(std::isnan(read[3]));
+        const auto problems = problemsOf(bench.scene);
+        const auto told = std::ranges::count_if(problems, [](const Problem& problem) {
+            return problem.message.starts_with("The formula of");
+        });
+        QCOMPARE(told, 1);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestProbes)
+#include "test_probes.moc"
