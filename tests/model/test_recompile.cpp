@@ -7,6 +7,7 @@
 #include "compile/live_system.h"
 #include "measure/diagnostics.h"
 #include "run/runner.h"
+#include "run/torn_system.h"
 
 #include <QtTest>
 
@@ -16,6 +17,17 @@
 using namespace ripstop;
 
 namespace {
+
+// What tears have made of a system is kept by each simulation for itself, so that its address says
+// nothing.
+bool isAlike(Layout a, Layout b)
+{
+    const bool areTorn = a.torn && b.torn && a.torn->splits == b.torn->splits;
+    const bool areWhole = !a.torn && !b.torn;
+    a.torn.reset();
+    b.torn.reset();
+    return (areTorn || areWhole) && a == b;
+}
 
 // Something of every kind, tied by springs and by rods, with numbers of its own here and there.
 Scene rich()
@@ -192,7 +204,7 @@ public:
                 return "only one of them can go on";
         if (!(m_following.state() == m_loaded.state()))
             return "another motion";
-        if (*m_following.frame()->layout != *m_loaded.frame()->layout)
+        if (!isAlike(*m_following.frame()->layout, *m_loaded.frame()->layout))
             return "another layout";
         if (m_following.trouble())
             startOver();
