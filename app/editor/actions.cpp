@@ -70,6 +70,9 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
     const auto coloring = [&viewport](ColorBy colorBy) {
         return [&viewport, colorBy] { viewport.setColorBy(colorBy); };
     };
+    const auto arrows = [&viewport](Vectors vectors) {
+        return [&viewport, vectors] { viewport.setVectors(vectors); };
+    };
     const MenuRow line{"", nullptr, {}, nullptr, {}, {}, {}};
     // clang-format off
     std::vector<MenuRow> rows{
@@ -111,6 +114,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&View", "byTension",  tr("Colour by t&ension"),  nullptr,   QKeySequence("Alt+3"), tr("How hard links pull."), coloring(ColorBy::Tension), Toggle::Off, "color"},
         {"&View", "bySpeed",    tr("Colour by s&peed"),    nullptr,   QKeySequence("Alt+4"), tr("How fast particles move."), coloring(ColorBy::Speed), Toggle::Off, "color"},
         {"&View", "byLoad",     tr("Colour by panel loa&d"), nullptr, QKeySequence("Alt+5"), tr("How hard the air pushes panels, per area."), coloring(ColorBy::PanelLoad), Toggle::Off, "color"},
+        {"&View", "byTear",     tr("Colour by tea&r limit"), nullptr, QKeySequence("Alt+6"), tr("How much of what it tears at each link bears."), coloring(ColorBy::TearLoad), Toggle::Off, "color"},
         line,
         {"&View", "panels",     tr("Show p&anels"),        "panel",   {},                   tr("Draw the fabric."), showing("panels", &Viewport::setPanelsShown), Toggle::On},
         {"&View", "links",      tr("Show lin&ks"),         "link",    {},                   tr("Draw springs, rods and lines."), showing("links", &Viewport::setLinksShown), Toggle::On},
@@ -119,6 +123,10 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&View", "windField",  tr("Show wind fiel&d"),    nullptr,   QKeySequence("Shift+W"), tr("Draw arrows for the wind all around the design."), showing("windField", &Viewport::setWindFieldShown), Toggle::Off},
         {"&View", "centre",     tr("Show centre of &gravity"), nullptr, QKeySequence("Shift+G"), tr("Mark the centre of gravity of what is selected, or of the whole design, with its mass."), showing("centre", &Viewport::setCentreShown), Toggle::Off},
         {"&View", "probeValues", tr("Show what &probes read"), nullptr, QKeySequence("Shift+V"), tr("Write the values of probes beside what they look at."), showing("probeValues", &Viewport::setProbesShown), Toggle::Off},
+        {"&View/&Arrows", "noArrows", tr("&None"),         nullptr,   {}, tr("No arrows on particles, panels and links."), arrows(Vectors::None), Toggle::On, "arrows"},
+        {"&View/&Arrows", "velocityArrows", tr("&Velocity"), nullptr, {}, tr("How fast each particle moves, and where to."), arrows(Vectors::Velocity), Toggle::Off, "arrows"},
+        {"&View/&Arrows", "loadArrows", tr("Panel &load"), nullptr,   {}, tr("How hard the air pushes each panel."), arrows(Vectors::PanelLoad), Toggle::Off, "arrows"},
+        {"&View/&Arrows", "tensionArrows", tr("&Tension"), nullptr,   {}, tr("How hard each link pulls at its ends."), arrows(Vectors::Tension), Toggle::Off, "arrows"},
 
         {"&Run", "play",        tr("&Play"),               "play",    QKeySequence("Space"), tr("Run the simulation, or hold it."), [&player] { player.toggle(); }},
         {"&Run", "step",        tr("&Step"),               "step",    QKeySequence("."),    tr("One time step."), [&player] { player.step(); }},

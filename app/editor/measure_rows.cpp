@@ -109,7 +109,7 @@ void showViewMenu(const Workbench& bench, const Actions& actions, const QPoint& 
             add(menu, id);
         menu.addSeparator();
     }
-    for (const char* id : {"fit", "selectAll", "paste", "probeValues", "picture"})
+    for (const char* id : {"fit", "paste", "probeValues", "picture"})
         add(menu, id);
     menu.exec(place);
 }

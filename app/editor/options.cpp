@@ -12,7 +12,8 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
 
 const QStringList appearances{"desktop", "light", "dark"}; // in the order of Appearance
-const QStringList colors{"material", "strain", "tension", "speed", "load"}; // of ColorBy
+const QStringList colors{"material", "strain", "tension", "speed",
+                         "load",     "tear"}; // of ColorBy
 
 std::optional<QSize> sizeFrom(const QString& text)
 {
@@ -52,7 +53,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     const QCommandLineOption theme("theme", tr("Colours: desktop, light or dark."), "NAME",
                                    "desktop");
     const QCommandLineOption colorBy(
-        "color-by", tr("Colour by material, strain, tension, speed or load."), "NAME", "material");
+        "color-by", tr("Colour by material, strain, tension, speed, load or tear."), "NAME", "material");
     const QCommandLineOption select(
         "select", tr("Select the item of this name, or what meets this condition: \"mass < 1 g\"."),
         "WHAT");

@@ -25,6 +25,8 @@ QString titleOf(ColorBy colorBy)
         return Legend::tr("Speed, m/s");
     case ColorBy::PanelLoad:
         return Legend::tr("Panel load, N/m²");
+    case ColorBy::TearLoad:
+        return Legend::tr("Of tear limit, %");
     }
     return {};
 }
@@ -40,7 +42,8 @@ double markStep(const ValueRange& range)
 Legend::Legend(QWidget* parent)
     : QWidget(parent)
 {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setToolTip(tr("The largest value of the moment stands below; click to select what has it."));
+    setCursor(Qt::PointingHandCursor);
     hide();
 }
 
@@ -52,8 +55,9 @@ void Legend::setTheme(const Theme& theme)
 
 void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors)
 {
-    const double shown = colorBy == ColorBy::Strain ? 100.0 : 1.0; // per cent
-    const ValueRange scaled{range.low * shown, range.high * shown};
+    const bool isShare = colorBy == ColorBy::Strain || colorBy == ColorBy::TearLoad;
+    m_shown = isShare ? 100.0 : 1.0; // per cent
+    const ValueRange scaled{range.low * m_shown, range.high * m_shown};
     const QString title = titleOf(colorBy);
     if (title == m_title && scaled == m_range && &colors == m_colors)
         return;
@@ -66,9 +70,30 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
     int widest = 0;
     for (const Mark& mark : marks())
         widest = std::max(widest, metrics.horizontalAdvance(mark.text));
-    const int content = std::max(barWidth + gap + widest, metrics.horizontalAdvance(m_title));
-    resize(content + 2 * inset, barHeight + metrics.height() + gap + metrics.ascent() + 2 * inset);
+    const int content =
+        std::max({barWidth + gap + widest, metrics.horizontalAdvance(m_title),
+                  metrics.horizontalAdvance(tr("peak %1").arg(QStringLiteral("0000.00")))});
+    resize(content + 2 * inset,
+           barHeight + 2 * (metrics.height() + gap) + metrics.ascent() + 2 * inset);
     update();
+}
+
+void Legend::setPeak(const Peak& peak)
+{
+    m_peak = peak;
+    update();
+}
+
+QString Legend::peakText() const
+{
+    return m_peak.id == 0 ? QString()
+                          : tr("peak %1").arg(locale().toString(m_peak.value * m_shown, 'g', 4));
+}
+
+void Legend::mousePressEvent(QMouseEvent*)
+{
+    if (m_peak.id != 0)
+        emit peakClicked(Id{m_peak.id});
 }
 
 std::vector<Legend::Mark> Legend::marks() const
@@ -122,6 +147,7 @@ void Legend::paintEvent(QPaintEvent*)
         painter.drawLine(bar.right() + 1, y, bar.right() + 4, y);
         painter.drawText(bar.right() + gap, y + metrics.ascent() / 2 - 1, mark.text);
     }
+    painter.drawText(inset, height() - inset - metrics.descent(), peakText());
 }
 
 } // namespace ripstop

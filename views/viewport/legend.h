@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/id.h"
 #include "viewport/color_map.h"
 #include "viewport/quantity_values.h"
 #include "viewport/theme.h"
@@ -8,7 +9,8 @@
 
 namespace ripstop {
 
-// The scale of colours: name, unit and round numbers beside a bar. Hidden when the view shows
+// The scale of colours: name, unit and round numbers beside a bar, the largest value of the moment
+// below it; a click goes to what has it. Hidden when the view shows
 // materials.
 class Legend final : public QWidget
 {
@@ -19,12 +21,19 @@ public:
 
     void setTheme(const Theme& theme);
     void setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors);
+    void setPeak(const Peak& peak); // the largest value of the moment, in SI units
 
     QString title() const { return m_title; }
     QStringList labels() const; // from the bottom up
 
+    QString peakText() const; // "peak 12.3"; empty when there is none
+
+signals:
+    void peakClicked(ripstop::Id id);
+
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
 
 private:
     struct Mark
@@ -38,6 +47,8 @@ private:
     const ColorMap* m_colors = nullptr;
     ValueRange m_range; // as shown: strain in per cent
     QString m_title;
+    double m_shown = 1.0; // what values are multiplied by
+    Peak m_peak;
 };
 
 } // namespace ripstop

@@ -58,6 +58,7 @@ struct Paint
 {
     Color color = unknownColor;
     bool shown = true;
+    TearBound tear = {};
 };
 
 std::vector<std::pair<Id, Paint>> paintsOf(const Scene& scene)
@@ -65,7 +66,10 @@ std::vector<std::pair<Id, Paint>> paintsOf(const Scene& scene)
     std::vector<std::pair<Id, Paint>> paints;
     for (const Entry& entry : scene.items)
         if (const Material* material = std::get_if<Material>(&entry.item))
-            paints.push_back({entry.id, {colorFromText(material->color), material->shown}});
+            paints.push_back({entry.id,
+                              {colorFromText(material->color),
+                               material->shown,
+                               {material->tearRule, material->tearLimit}}});
     return paints;
 }
 
@@ -123,6 +127,7 @@ Look lookOf(const Scene& scene, const Layout& layout)
 
     look.linkShown.assign(layout.links.size(), 0);
     look.linkColor.assign(layout.links.size(), unknownColor);
+    look.linkTear.assign(layout.links.size(), {});
     for (std::size_t i = 0; i < layout.links.size(); ++i) {
         const Directory::Row* row = directory.find(layout.links[i].id);
         if (!row || row->index >= row->part->links.size())
@@ -130,6 +135,8 @@ Look lookOf(const Scene& scene, const Layout& layout)
         const Paint paint = paintOf(paints, row->part->links[row->index].material);
         look.linkShown[i] = row->part->shown && paint.shown;
         look.linkColor[i] = paint.color;
+        const std::optional<double>& own = row->part->links[row->index].tearLimit;
+        look.linkTear[i] = {paint.tear.rule, own.value_or(paint.tear.limit)};
     }
 
     look.panelShown.assign(layout.panelId.size(), 0);
@@ -153,7 +160,8 @@ bool changesLook(const Edit& edit)
             return true;
         const Property& property = *set->property;
         return property.effect == Effect::DisplayOnly || property.kind == Kind::Collider
-               || property.kind == Kind::Wind || property.key == "material";
+               || property.kind == Kind::Wind || property.key == "material"
+               || property.key == "tearRule" || property.key == "tearLimit";
     });
 }
 

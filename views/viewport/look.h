@@ -12,12 +12,20 @@ namespace ripstop {
 
 using Color = std::array<std::uint8_t, 3>; // red, green, blue, 0 .. 255
 
+// What a link tears at.
+struct TearBound
+{
+    TearRule rule = TearRule::Never;
+    double limit = 0.0; // m, 1 or N, as the rule says
+};
+
 struct Look
 {
     std::vector<std::uint8_t> particleShown; // [particles]
     std::vector<std::uint8_t> isWeight;      // [particles] free, and heavy for its part
     std::vector<std::uint8_t> linkShown;     // [links]
     std::vector<Color> linkColor;            // [links]
+    std::vector<TearBound> linkTear;         // [links]
     std::vector<std::uint8_t> panelShown;    // [panels]
     std::vector<Color> panelColor;           // [panels]
 
@@ -28,8 +36,8 @@ struct Look
 // Elements of the layout that are no longer in the scene are not shown.
 Look lookOf(const Scene& scene, const Layout& layout);
 
-// True when the edit may change the look: a colour, a material, what is shown, the tables. Most
-// edits change numbers of the physics and do not.
+// True when the edit may change the look: a colour, a material, what is shown, what tears, the
+// tables. Most edits change numbers of the physics and do not.
 bool changesLook(const Edit& edit);
 
 // "#c8553d"; grey when it cannot be read.

@@ -110,6 +110,7 @@ void ProbeLabels::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     const Lens lens{m_camera, double(width()), double(height())};
     const QFontMetrics metrics = painter.fontMetrics();
+    std::vector<QRect> taken;
     for (const Card& card : m_cards) {
         const QString text = linesOf(card.target).join('\n');
         if (text.isEmpty())
@@ -130,6 +131,10 @@ void ProbeLabels::paintEvent(QPaintEvent*)
             box.moveRight(std::min(box.right(), width() - corner));
             box.moveBottom(std::min(box.bottom(), height() - corner));
         }
+        for (const QRect& other : taken) // those further down the list stand below
+            if (box.intersects(other))
+                box.moveTop(other.bottom() + padding / 2);
+        taken.push_back(box);
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_theme.card);
         painter.drawRoundedRect(box, 3.0, 3.0);

@@ -31,9 +31,26 @@ double area(const Frame& frame, const std::array<int, 3>& corners)
     return 0.5 * (x[b] - x[a]).cross(x[c] - x[a]).norm();
 }
 
+double tearLoad(const Frame& frame, std::size_t link, const TearBound& bound)
+{
+    if (!(bound.limit > 0.0))
+        return 0.0;
+    switch (bound.rule) {
+    case TearRule::Never:
+        break;
+    case TearRule::Length:
+        return frame.layout->links[link].restLength * (1.0 + frame.strain[link]) / bound.limit;
+    case TearRule::Strain:
+        return std::max(frame.strain[link], 0.0) / bound.limit;
+    case TearRule::Force:
+        return std::max(frame.tension[link], 0.0) / bound.limit;
+    }
+    return 0.0;
+}
+
 } // namespace
 
-QuantityValues valuesOf(const Frame& frame, ColorBy colorBy)
+QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
 {
     QuantityValues values;
     switch (colorBy) {
@@ -50,6 +67,14 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy)
         for (const Vec3& velocity : frame.velocity)
             values.particle.push_back(velocity.norm());
         break;
+    case ColorBy::TearLoad: {
+        std::vector<double> loads;
+        const std::size_t count = std::min(look.linkTear.size(), frame.strain.size());
+        for (std::size_t i = 0; i < count; ++i)
+            loads.push_back(tearLoad(frame, i, look.linkTear[i]));
+        takeLinks(frame, loads, values);
+        break;
+    }
     case ColorBy::PanelLoad: {
         const auto& panels = frame.layout->panelCorners;
         values.panel.assign(panels.size(), 0.0);
@@ -60,6 +85,27 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy)
     }
     }
     return values;
+}
+
+Peak peakOf(const Frame& frame, const QuantityValues& values)
+{
+    const auto largest = [](const std::vector<double>& all) {
+        return std::size_t(std::ranges::max_element(all) - all.begin());
+    };
+    const Layout& layout = *frame.layout;
+    if (!values.link.empty()) {
+        const std::size_t i = largest(values.link);
+        return {layout.links[i].id, values.link[i]};
+    }
+    if (!values.panel.empty()) {
+        const std::size_t i = largest(values.panel);
+        return {layout.panelId[i], values.panel[i]};
+    }
+    if (!values.particle.empty()) {
+        const std::size_t i = largest(values.particle);
+        return {layout.particleId[i], values.particle[i]};
+    }
+    return {};
 }
 
 } // namespace ripstop

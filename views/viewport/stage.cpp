@@ -24,10 +24,10 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 10> Stage::layers()
+std::array<Layer*, 11> Stage::layers()
 {
-    return {&m_ground,  &m_shadow,  &m_colliders, &panels, &links,
-            &particles, &m_weights, &m_highlight, &m_pins, &m_wind};
+    return {&m_ground,  &m_shadow,    &m_colliders, &panels, &links,    &particles,
+            &m_weights, &m_highlight, &m_pins,      &m_wind, &m_vectors};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft
@@ -61,7 +61,8 @@ void Stage::setTheme(const Theme& theme)
 
 void Stage::setBackdropShown(bool shown)
 {
-    const QColor bottom = shown ? m_theme.skyBottom : QColor(Qt::black); // what is left adds nothing
+    const QColor bottom =
+        shown ? m_theme.skyBottom : QColor(Qt::black); // what is left adds nothing
     m_renderer->SetGradientBackground(shown);
     m_renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
     m_renderer->SetBackground2(m_theme.skyTop.redF(), m_theme.skyTop.greenF(),
@@ -102,6 +103,12 @@ void Stage::setPanelsShown(bool shown)
 void Stage::setWindShown(bool shown)
 {
     m_wind.setShown(shown);
+    m_layersAreOld = true;
+}
+
+void Stage::setVectors(Vectors vectors)
+{
+    m_vectors.setKind(vectors);
     m_layersAreOld = true;
 }
 
@@ -223,7 +230,7 @@ void Stage::prepare(const Scene& scene)
         m_range.reset();
     takePoints();
     takeBounds();
-    m_values = valuesOf(*m_frame, m_colorBy);
+    m_values = valuesOf(*m_frame, m_colorBy, m_look);
     takeRange();
 
     const Picture picture{scene,     *m_frame, m_look,   m_theme, m_points, m_selected,  m_bodies,

@@ -11,6 +11,7 @@
 #include "viewport/particle_layer.h"
 #include "viewport/shadow_layer.h"
 #include "viewport/turntable.h"
+#include "viewport/vector_layer.h"
 #include "viewport/weight_layer.h"
 #include "viewport/wind_layer.h"
 
@@ -43,6 +44,7 @@ public:
 
     void setPanelsShown(bool shown); // and their shadow
     void setWindShown(bool shown);   // the field of arrows
+    void setVectors(Vectors vectors);
 
     PanelLayer panels;
     LinkLayer links;
@@ -59,6 +61,7 @@ public:
     const Eigen::AlignedBox3d& bounds() const { return m_bounds; }
     const Theme& theme() const { return m_theme; }
     ColorBy colorBy() const { return m_colorBy; }
+    Peak peak() const { return m_frame ? peakOf(*m_frame, m_values) : Peak{}; }
     ValueRange range() const { return m_fixedRange ? *m_fixedRange : m_range.range(); }
     const ColorMap& colors() const;
 
@@ -72,7 +75,7 @@ private:
     void takeRange();
     bool somethingBroke() const;
     std::ptrdiff_t lateOnes() const; // colliders whose file is being read
-    std::array<Layer*, 10> layers();
+    std::array<Layer*, 11> layers();
 
     PinLayer m_pins;
     WeightLayer m_weights;
@@ -81,6 +84,7 @@ private:
     ColliderLayer m_colliders;
     ShadowLayer m_shadow;
     WindLayer m_wind;
+    VectorLayer m_vectors;
 
     std::shared_ptr<const Frame> m_frame; // keeps the coordinates alive
     std::shared_ptr<const Frame> m_drawn; // what the layers show

@@ -83,8 +83,8 @@ public:
     GizmoOverlay gizmo;
 
     std::optional<double> shotRatio; // pixels for one of the view, while a picture is taken
-    bool untouched = true;   // the camera still shows all it should, as nobody has moved it
-    bool wholeScene = false; // should show: everything, or the fabric and what it carries
+    bool untouched = true;           // the camera still shows all it should, as nobody has moved it
+    bool wholeScene = false;         // should show: everything, or the fabric and what it carries
     Chase chase;
     QPointF pressed;
     QPointF last;
@@ -125,6 +125,8 @@ void Viewport::Private::prepare()
     stage.prepare(document.scene());
     compass.setWind(stage.windAtDesign(document.scene()));
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
+    if (!legend.isHidden())
+        legend.setPeak(stage.peak());
     place();
 }
 
@@ -200,6 +202,8 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     connect(&player, &Player::stateChanged, this, [this] { d->screen.renderSoon(); });
     connect(&player.follower(), &Follower::checked, this, [this] { d->screen.renderSoon(); });
 
+    connect(&d->legend, &Legend::peakClicked, &selection,
+            [&selection](Id id) { selection.set({id}); });
     connect(this, &Viewport::cameraChanged, this, [this] { d->pointing.moved(); });
 
     setTheme(Theme::from(palette()));
@@ -277,6 +281,12 @@ void Viewport::setProbesShown(bool shown)
     d->screen.renderSoon();
 }
 
+void Viewport::setVectors(Vectors vectors)
+{
+    d->stage.setVectors(vectors);
+    d->screen.renderSoon();
+}
+
 void Viewport::setWindFieldShown(bool shown)
 {
     d->stage.setWindShown(shown);
@@ -318,8 +328,8 @@ QImage Viewport::image(Overlays overlays)
         return picture;
     picture.setDevicePixelRatio(d->screen.devicePixelRatioF());
     QPainter painter(&picture);
-    for (QWidget* overlay :
-         std::initializer_list<QWidget*>{&d->centre, &d->labels, &d->gizmo, &d->legend, &d->compass})
+    for (QWidget* overlay : std::initializer_list<QWidget*>{&d->centre, &d->labels, &d->gizmo,
+                                                            &d->legend, &d->compass})
         if (!overlay->isHidden())
             overlay->render(&painter, overlay->pos(), {}, QWidget::RenderFlags{});
     return picture;
@@ -330,8 +340,8 @@ QImage Viewport::image(const Shot& shot)
     const double scale = double(shot.size.height()) / std::max(height(), 1);
     d->shotRatio = scale;
     d->stage.setBackdropShown(!shot.transparent);
-    QImage picture = d->screen.picture(shot.size, shot.transparent
-                                                      ? VtkWidget::Backdrop::Transparent
+    QImage picture =
+        d->screen.picture(shot.size, shot.transparent ? VtkWidget::Backdrop::Transparent
                                                       : VtkWidget::Backdrop::Shown);
     d->stage.setBackdropShown(true);
     d->shotRatio.reset();

@@ -14,6 +14,7 @@
 #include "viewport/steady_range.h"
 #include "viewport/theme.h"
 #include "viewport/turntable.h"
+#include "viewport/vectors.h"
 
 #include <QImage>
 #include <QWidget>
@@ -58,6 +59,7 @@ public:
     void setWindShown(bool shown);
     void setWindFieldShown(bool shown); // off at first
     void setCentreShown(bool shown);    // of gravity, off at first
+    void setVectors(Vectors vectors);   // arrows on the elements; none at first
     void setProbesShown(bool shown);    // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.

@@ -1,9 +1,7 @@
 #pragma once
 
+#include "viewport/arrow_set.h"
 #include "viewport/layer.h"
-#include "viewport/vtk_data.h"
-
-#include <vtkActor.h>
 
 #include <vector>
 
@@ -35,9 +33,7 @@ public:
     void update(const Picture& picture) override;
 
 private:
-    vtkNew<vtkPolyData> m_data;
-    vtkNew<vtkPolyDataMapper> m_mapper;
-    vtkNew<vtkActor> m_actor;
+    ArrowSet m_arrows;
     bool m_shown = false;
 };
 
