@@ -2,6 +2,7 @@
 #include "app/sheet_shop.h"
 
 #include "author/measure.h"
+#include "viewport/legend.h"
 #include "viewport/probe_labels.h"
 
 #include <QStatusBar>
@@ -98,6 +99,27 @@ private slots:
         shop.selection.set(two);
         click();
         QCOMPARE(shop.selection.ids(), two);
+    }
+
+    // A click on the legend selects what has the largest value.
+    void goesToThePeak()
+    {
+        Shop shop(Sheet().scene);
+        shop.viewport.setColorBy(ColorBy::Speed);
+        shop.player.playUntil(0.05);
+        QTRY_VERIFY(shop.player.frame() && shop.frame().time > 0.04 && !shop.player.isPlaying());
+        auto* legend = shop.viewport.findChild<Legend*>();
+        QTRY_VERIFY(legend->isVisible() && !legend->peakText().isEmpty());
+        const QPoint place = legend->geometry().center();
+        QCOMPARE(shop.viewport.childAt(place), legend);
+        QTest::mouseClick(legend, Qt::LeftButton);
+        QCOMPARE(shop.selection.ids().size(), std::size_t(1));
+        double fastest = 0.0;
+        for (const Vec3& velocity : shop.frame().velocity)
+            fastest = std::max(fastest, velocity.norm());
+        const auto& ids = shop.frame().layout->particleId;
+        const auto at = std::ranges::find(ids, std::uint32_t(shop.selection.ids().front()));
+        QCOMPARE(shop.frame().velocity[std::size_t(at - ids.begin())].norm(), fastest);
     }
 };
 

@@ -90,7 +90,9 @@ QString Legend::peakText() const
                           : tr("peak %1").arg(locale().toString(m_peak.value * m_shown, 'g', 4));
 }
 
-void Legend::mousePressEvent(QMouseEvent*)
+void Legend::mousePressEvent(QMouseEvent*) {}
+
+void Legend::mouseReleaseEvent(QMouseEvent*)
 {
     if (m_peak.id != 0)
         emit peakClicked(Id{m_peak.id});

@@ -33,7 +33,8 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override; // neither is the view's
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
     struct Mark
