@@ -156,6 +156,40 @@ private slots:
         QVERIFY(highest - lowest < 5.0);
     }
 
+    // Kite and wind are the same on both sides, so that there is no side to lean to. It may sweep
+    // to and fro: the mean counts, of two nodes that mirror each other, on a line of 25 m.
+    void kitesHangToNoSide_data() { kitesStartInTrim_data(); }
+
+    void kitesHangToNoSide()
+    {
+        QFETCH(QString, name);
+        const Scene scene = built(qPrintable(name));
+        const std::vector<Particle>& rows = partOf(scene).particles;
+        const auto spars = std::ranges::find_if(
+            scene.items, [](const Entry& entry) { return nameOf(entry.item) == "spars"; });
+        const auto& nodes = std::get<Group>(spars->item).members;
+        const auto start = [&](Id id) { return findRow(rows, id)->position; };
+        const Id left = std::ranges::min(nodes, {}, [&](Id id) { return start(id).z(); });
+        const Vec3 mirrored = start(left).cwiseProduct(Vec3(1.0, 1.0, -1.0));
+        const Id right =
+            std::ranges::min(nodes, {}, [&](Id id) { return (start(id) - mirrored).norm(); });
+        Simulation simulation = ::started(scene);
+        const auto now = [&](Id id) {
+            return simulation.state().position[std::size_t(findRow(rows, id) - rows.data())];
+        };
+        double roll = 0.0, aside = 0.0; // degrees, m
+        int count = 0;
+        for (double time = 8.0; time <= 24.0; time += 0.5, ++count) {
+            QVERIFY(simulation.runUntil(time));
+            const Vec3 span = now(right) - now(left);
+            roll += std::atan2(span.y(), span.z()) * 180.0 / std::numbers::pi;
+            aside += 0.5 * (now(left) + now(right)).z();
+        }
+        qInfo("rolls by %.2f degrees, %.2f m aside", roll / count, aside / count);
+        QVERIFY(std::abs(roll / count) < 0.5);
+        QVERIFY(std::abs(aside / count) < 0.5);
+    }
+
     // v = sqrt(2 m g / (rho CD0 S0)), Knacke 1991, page 5-128; lines without thickness.
     void crossParachuteSinks_data()
     {
