@@ -1,8 +1,10 @@
 // ripstop-cli info: what is in a scene, and what is wrong with it.
 #include "cli/commands.h"
+#include "cli/replay.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/compile.h"
+#include "io/recording_file.h"
 #include "scene/check.h"
 #include "sim/solver_plan.h"
 
@@ -182,6 +184,8 @@ struct Options
 
 int info(const Options& options)
 {
+    if (options.scene.file.ends_with(recordingExtension))
+        return describeRecording(options.scene.file, options.json);
     const SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
@@ -207,6 +211,7 @@ void addInfo(CLI::App& app, Command& chosen)
         "Examples:\n"
         "  ripstop-cli info scenes/delta_kite.ripstop.json\n"
         "  ripstop-cli info kite.ripstop.json --json | jq .mass\n"
+        "  ripstop-cli info flight.ripstop-run\n"
         "\n"
         "A scene with errors can be inspected, but not run: they are listed at the end.");
     command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });

@@ -37,7 +37,8 @@ int call(int argc, char** argv)
                "  ripstop-cli run small.ripstop.json --seconds 20 --csv small.csv\n"
                "  ripstop-cli export small.ripstop.json -o small.pvd --to 10 --fps 25\n"
                "\n"
-               "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 the simulation diverged.\n"
+               "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 the simulation diverged,\n"
+               "4 a replay or a comparison differs.\n"
                "ripstop-cli COMMAND --help explains each command.");
 
     Command chosen;
@@ -46,6 +47,7 @@ int call(int argc, char** argv)
     addBuilders(app, chosen);
     addImport(app, chosen);
     addRun(app, chosen);
+    addCompare(app, chosen);
     addExport(app, chosen);
     addPolar(app, chosen);
     addBench(app, chosen);

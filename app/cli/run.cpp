@@ -1,14 +1,17 @@
 // ripstop-cli run: flies a scene and says what came of it.
 #include "cli/commands.h"
+#include "cli/replay.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
+#include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"
 #include "measure/diagnostics.h"
 #include "run/pose.h"
+#include "run/recorder.h"
 #include "run/settle.h"
 #include "run/tear_report.h"
 
@@ -35,6 +38,8 @@ struct Options
     std::string tears;
     std::string finalScene;
     std::string controls;
+    std::string record;
+    std::string replay; // a recording; nothing is flown then but that
     bool profile = false;
     bool json = false;
 };
@@ -42,7 +47,7 @@ struct Options
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
 // s.
 double fly(Simulation& simulation, const Options& options, ControlPlayer& controls,
-           CsvWriter* table, Settler* settler)
+           CsvWriter* table, Settler* settler, Recorder& recorder)
 {
     const double end = options.seconds.value_or(SettleGoal().within);
     ProgressLine progress(options.scene.file);
@@ -53,8 +58,10 @@ double fly(Simulation& simulation, const Options& options, ControlPlayer& contro
     while (!hasReached(simulation.state().time, end, timeStep) && !interrupted()
            && !(settler && settler->isOver())) {
         controls.giveTo(simulation);
+        recorder.beforeStep(simulation);
         if (!simulation.step())
             break;
+        recorder.afterStep(simulation);
         if (table)
             table->add(*simulation.frame());
         if (settler)
@@ -199,6 +206,23 @@ void printTable(const Json& result, const Layout& layout)
     }
 }
 
+std::optional<Failure> save(Recorder& recorder, const std::string& file)
+{
+    const std::shared_ptr<Recording> recording = recorder.recording();
+    recorder.finish();
+    if (!recording)
+        return Failure{file + " was not written: no step was made."};
+    recording->setName(std::filesystem::path(file).stem().string());
+    ProgressLine progress("saving " + file);
+    const auto failure = saveRecording(*recording, file, [&](double share) {
+        progress.show(share);
+        return true;
+    });
+    if (!failure && !recording->trouble().empty())
+        return Failure{file + ": " + recording->trouble()};
+    return failure;
+}
+
 // Flies a compiled scene, writes what was asked for and reports.
 int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
                  const std::optional<SettleGoal>& goal, ControlTrack track)
@@ -217,8 +241,11 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     std::optional<Settler> settler;
     if (goal)
         settler.emplace(*goal, simulation);
+    Recorder recorder;
+    if (!options.record.empty()) // otherwise it has no design, and records nothing
+        recorder.loaded(simulation, {std::make_shared<const Scene>(scene), {}});
     const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr,
-                                   settler ? &*settler : nullptr);
+                                   settler ? &*settler : nullptr, recorder);
     simulation.keepTimes(nullptr);
 
     // What was flown is reported even when a file cannot be written.
@@ -230,6 +257,8 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     if (!options.finalScene.empty())
         written.push_back(
             saveScene(posed(std::move(scene), *simulation.frame()).scene, options.finalScene));
+    if (!options.record.empty())
+        written.push_back(save(recorder, options.record));
 
     Json result = report(simulation, wallSeconds);
     if (settler)
@@ -273,6 +302,10 @@ Result<std::optional<SettleGoal>> settleGoal(const Options& options)
 
 int run(const Options& options)
 {
+    if (!options.replay.empty())
+        return replayFile(options.replay, options.threads, options.json);
+    if (options.scene.file.empty())
+        return fail(WrongUsage, "SCENE is required, or --replay FILE.");
     const auto goal = settleGoal(options);
     if (!goal)
         return fail(WrongUsage, goal.message());
@@ -289,7 +322,7 @@ int run(const Options& options)
     const auto system = compile(*loaded.scene);
     if (!system)
         return fail(BadInput, options.scene.file + ": " + system.message());
-    if (options.finalScene.empty() && options.tears.empty())
+    if (options.finalScene.empty() && options.tears.empty() && options.record.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
     return flyAndReport(std::move(*loaded.scene), simulation, options, *goal, std::move(track));
@@ -302,7 +335,13 @@ void addRun(CLI::App& app, Command& chosen)
     CLI::App* command =
         app.add_subcommand("run", "Fly a scene and report strain, energy, tears and probes.");
     const auto options = std::make_shared<Options>();
-    addSceneOption(*command, options->scene);
+    CLI::Option* replay =
+        command
+            ->add_option("--replay", options->replay,
+                         "Compute a recording (*.ripstop-run) once more and compare every step")
+            ->type_name("FILE");
+    command->add_option("SCENE", options->scene.file, "Scene file, *.ripstop.json")
+        ->excludes(replay);
     command
         ->add_option("--seconds", options->seconds,
                      "Simulated time, s; with --settle the longest, 60 unless given")
@@ -337,6 +376,10 @@ void addRun(CLI::App& app, Command& chosen)
         ->add_option("--controls", options->controls,
                      "What the pilot and hands do: a CSV file of time (s), control, value (m)")
         ->type_name("FILE");
+    command
+        ->add_option("--record", options->record,
+                     "Keep the whole run, to look back at it, to go on from any moment, to compare")
+        ->type_name("FILE");
     command->add_flag("--profile", options->profile, "Say where the time went, stage by stage");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->footer(
@@ -346,10 +389,14 @@ void addRun(CLI::App& app, Command& chosen)
         "  ripstop-cli run cloth.ripstop.json --settle --kinetic-damping --final "
         "hung.ripstop.json\n"
         "  ripstop-cli run scenes/torn_sheet.ripstop.json --seconds 3 --tears tears.csv\n"
+        "  ripstop-cli run scenes/delta_kite.ripstop.json --seconds 20 --record kite.ripstop-run\n"
+        "  ripstop-cli run --replay kite.ripstop-run --threads 2\n"
         "\n"
         "The hash is that of the final state: equal for equal bits only.\n"
         "Ctrl-C ends the run and reports what there is. When the simulation diverges, the last\n"
-        "good state is reported and the exit code is 3.");
+        "good state is reported and the exit code is 3. It is 4 when a replay differs: the first "
+        "step\n"
+        "and particle that do are named.");
     command->callback([options, settle, &chosen] {
         options->settles = settle->count() > 0;
         chosen = [options] { return run(*options); };

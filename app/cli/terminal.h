@@ -9,7 +9,14 @@
 
 namespace ripstop {
 
-enum ExitCode { Done = 0, BadInput = 1, WrongUsage = 2, Diverged = 3, Interrupted = 130 };
+enum ExitCode {
+    Done = 0,
+    BadInput = 1,
+    WrongUsage = 2,
+    Diverged = 3,
+    Differs = 4,
+    Interrupted = 130
+};
 
 // Keys in the order in which they were added.
 using Json = nlohmann::ordered_json;

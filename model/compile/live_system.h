@@ -5,9 +5,11 @@
 // noted stays noted until an update succeeds, so a scene may be broken for a while.
 #pragma once
 
+#include "compile/design.h"
 #include "compile/patch.h"
 #include "scene/check.h"
 #include "scene/edit.h"
+#include "sim/moment.h"
 #include "sim/system_memory.h"
 
 #include <memory>
@@ -20,6 +22,8 @@ struct Update
 {
     std::shared_ptr<const System> system; // null when there is a patch
     std::shared_ptr<const Patch> patch;
+    Design design = {};                        // that this comes from, where someone keeps it
+    std::shared_ptr<const Moment> moment = {}; // the run begins there; null: at the start
 };
 
 class LiveSystem

@@ -74,6 +74,15 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
 
 std::optional<Failure> replaceFile(const fs::path& file, std::string_view content, Flush flush)
 {
+    const auto write = [content](std::ostream& out) -> std::optional<Failure> {
+        out.write(content.data(), std::streamsize(content.size()));
+        return std::nullopt;
+    };
+    return replaceFile(file, WriteInto(write), flush);
+}
+
+std::optional<Failure> replaceFile(const fs::path& file, const WriteInto& write, Flush flush)
+{
     std::error_code error;
     const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
     fs::path temporary = target;
@@ -89,7 +98,10 @@ std::optional<Failure> replaceFile(const fs::path& file, std::string_view conten
 
     errno = 0;
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    out.write(content.data(), std::streamsize(content.size()));
+    if (auto failure = write(out)) {
+        fs::remove(temporary, error);
+        return failure;
+    }
     out.close();
     if (!out || (flush == Flush::ToDisk && !flushToDisk(temporary)))
         return failed(reason());

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,11 @@ enum class Flush { ToDisk, Later };
 // Writes a file beside the target and renames it, so that whoever looks finds the old content or
 // the new one whole, even after a crash. Follows symbolic links and keeps permissions.
 std::optional<Failure> replaceFile(const std::filesystem::path& file, std::string_view content,
+                                   Flush flush = Flush::ToDisk);
+
+// The same for what is written bit by bit. A failure of `write` leaves the old file.
+using WriteInto = std::function<std::optional<Failure>(std::ostream&)>;
+std::optional<Failure> replaceFile(const std::filesystem::path& file, const WriteInto& write,
                                    Flush flush = Flush::ToDisk);
 
 } // namespace ripstop

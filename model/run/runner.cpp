@@ -133,6 +133,18 @@ void Runner::settle(std::optional<SettleGoal> goal)
     wake();
 }
 
+std::vector<std::shared_ptr<Recording>> Runner::takeRecordings()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_recordings, {});
+}
+
+void Runner::tell(const std::shared_ptr<Recording>& recording)
+{
+    const std::lock_guard lock(m_mutex);
+    m_recordings.push_back(recording);
+}
+
 void Runner::wake()
 {
     {
@@ -150,6 +162,7 @@ void Runner::run(const std::stop_token& stop)
     bool fresh = false; // there is something that no frame has shown
     Pace pace;
     std::optional<Settler> settler;
+    Recorder recorder;
 
     const auto show = [&] {
         auto frame = simulation->frame();
@@ -168,11 +181,13 @@ void Runner::run(const std::stop_token& stop)
         const int stepsBefore = m_stepsLeft;
         const double untilBefore = m_until;
         if (auto updates = takeUpdates(); !updates.empty()) {
-            for (Update& update : updates)
-                if (simulation)
-                    simulation->load(std::exchange(update, {}));
-                else
-                    simulation.emplace(std::move(update.system));
+            for (Update& waiting : updates) {
+                const Update update = std::exchange(waiting, {});
+                if (!simulation)
+                    simulation.emplace(update.system);
+                simulation->load(update);
+                recorder.loaded(*simulation, update.design);
+            }
             if (settler && settler->run() != simulation->system().run)
                 settler.emplace(settler->goal(), *simulation);
             timetable.restart();
@@ -203,7 +218,12 @@ void Runner::run(const std::stop_token& stop)
         const bool onTime = timetable.isDue();
         const bool settling = settler && !settler->isOver();
         if (simulation && !simulation->trouble() && (catchingUp || settling || asked || onTime)) {
+            recorder.setMemory(m_recordingMemory);
+            if (recorder.beforeStep(*simulation))
+                tell(recorder.recording());
             fresh = simulation->step();
+            if (fresh)
+                recorder.afterStep(*simulation);
             if (settling && fresh)
                 settler->look(*simulation);
             // unless another time has been asked for meanwhile

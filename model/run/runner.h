@@ -1,6 +1,7 @@
 #pragma once
 
 #include "run/latest_value.h"
+#include "run/recorder.h"
 #include "run/settle.h"
 #include "run/simulation.h"
 
@@ -45,9 +46,16 @@ public:
     // The newest frame, or null when there is none since the last call.
     [[nodiscard]] std::shared_ptr<const Frame> takeFrame() { return m_frames.take(); }
 
+    // Bytes that each run from now on may keep of itself in memory; 0 keeps nothing.
+    void setRecordingMemory(std::size_t bytes) { m_recordingMemory = bytes; }
+
+    // Of the runs that have begun since the last call. They grow while the runs go on.
+    [[nodiscard]] std::vector<std::shared_ptr<Recording>> takeRecordings();
+
 private:
     void run(const std::stop_token& stop);
     void wake();
+    void tell(const std::shared_ptr<Recording>& recording);
 
     std::vector<Update> takeUpdates();
 
@@ -60,8 +68,10 @@ private:
     std::atomic<double> m_speed = 1.0;
     std::atomic<int> m_stepsLeft = 0;
     std::atomic<double> m_until = -std::numeric_limits<double>::infinity();
+    std::atomic<std::size_t> m_recordingMemory = std::size_t(512) << 20; // bytes
     std::mutex m_mutex;
-    bool m_woken = false; // guarded by m_mutex
+    bool m_woken = false;                                 // guarded by m_mutex
+    std::vector<std::shared_ptr<Recording>> m_recordings; // the same
     std::condition_variable_any m_wake;
     std::jthread m_thread; // last: stops and joins before the rest is destroyed
 };

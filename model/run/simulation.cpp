@@ -136,6 +136,8 @@ void Simulation::load(const Update& update)
         load(update.system);
     if (update.patch)
         apply(*update.patch);
+    if (update.moment)
+        resume(*update.moment);
 }
 
 void Simulation::apply(const Patch& patch)
@@ -205,6 +207,25 @@ void Simulation::refreshLayout() const
         m_layout = std::move(layout);
 }
 
+void Simulation::resume(const Moment& moment)
+{
+    forget();
+    m_atStart = false;
+    m_trouble.reset();
+    m_state = moment.state;
+    const std::shared_ptr<const System> before = derived(moment.system, m_state);
+    carryOn(before ? *before : *moment.system);
+}
+
+void Simulation::place(State state)
+{
+    if (state.splits != m_state.splits || state.hands.pins != m_state.hands.pins) {
+        m_split = derived(m_system, state);
+        m_layoutIsStale = true;
+    }
+    m_state = std::move(state);
+}
+
 void Simulation::command(const Commands& commands)
 {
     for (std::size_t i = 0; i < system().inputs.size(); ++i)
@@ -217,12 +238,16 @@ void Simulation::command(const Commands& commands)
             m_atStart = false;
             m_state.inputCommand[i] = value;
             m_commands.push_back({m_state.time, input.key, value});
+            if (m_inputs)
+                m_inputs->push_back({m_state.step, m_commands.back()});
         }
 }
 
 void Simulation::note(HandNote::What what)
 {
     m_atStart = false;
+    if (m_inputs)
+        m_inputs->push_back({m_state.step, what});
     m_hands.append({m_state.time, std::move(what)});
 }
 

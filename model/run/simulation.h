@@ -5,6 +5,7 @@
 #include "compile/live_system.h"
 #include "run/frame.h"
 #include "run/probe_reader.h"
+#include "run/run_input.h"
 #include "sim/stepper.h"
 #include "sim/watchdog.h"
 
@@ -44,6 +45,16 @@ public:
 
     void halt(); // stops all motion; it starts again from rest
 
+    // Goes on from a moment of another run, with the motion of what both have: to the same bits
+    // when nothing was edited since. What was done in this run is forgotten.
+    void resume(const Moment& moment);
+
+    // Shows another instant of the same system, for who has kept it; no step follows.
+    void place(State state);
+
+    // Adds what commands and hands change from now on; null stops that.
+    void keepInputs(std::vector<RunInput>* inputs) { m_inputs = inputs; }
+
     // One time step. False, and the last good state stays, when the next one would be broken;
     // trouble() then says why.
     bool step();
@@ -56,6 +67,7 @@ public:
 
     // What runs: the system that was loaded, or what tears have made of it (split_system.h).
     const System& system() const { return m_split ? *m_split : *m_system; }
+    const std::shared_ptr<const System>& compiled() const { return m_system; }
     const State& state() const { return m_state; }
     const std::optional<Trouble>& trouble() const { return m_trouble; }
 
@@ -91,6 +103,7 @@ private:
     HandTrack m_hands;                      // the same
     std::size_t m_cuts = 0;                 // made since the start
     int m_halts = 0;
+    std::vector<RunInput>* m_inputs = nullptr;
     Stepper m_stepper;
     std::optional<Trouble> m_trouble;
 };

@@ -1,0 +1,154 @@
+#include "cli/replay.h"
+
+#include "cli/terminal.h"
+#include "io/recording_file.h"
+#include "measure/diagnostics.h"
+#include "run/replay.h"
+
+#include <cstdio>
+#include <iostream>
+#include <map>
+
+namespace ripstop {
+namespace {
+
+Json jsonOf(const ReplayDifference& difference)
+{
+    Json json = {{"step", difference.step},
+                 {"time", difference.time},
+                 {"recorded_hash", hashText(difference.recorded)},
+                 {"computed_hash", hashText(difference.computed)},
+                 {"particle", nullptr}};
+    if (difference.seen) {
+        json["particle"] = difference.seen->particle;
+        json["distance"] = difference.seen->distance;
+        json["seen_at_step"] = difference.seen->step;
+    }
+    return json;
+}
+
+std::string sentence(const ReplayDifference& difference)
+{
+    std::string text = "The replay differs from step " + std::to_string(difference.step) + " ("
+                       + shortNumber(difference.time) + " s) on: ";
+    if (!difference.seen)
+        return text + "by less than the frames of the recording show.";
+    return text + "particle " + std::to_string(difference.seen->particle) + " is "
+           + shortNumber(difference.seen->distance) + " m off at step "
+           + std::to_string(difference.seen->step) + ".";
+}
+
+void row(const std::string& label, const std::string& text)
+{
+    std::cout << label << std::string(24 - std::min<std::size_t>(label.size(), 23), ' ') << text
+              << '\n';
+}
+
+std::string plural(std::size_t count, const std::string& noun)
+{
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+std::string megabytes(std::size_t bytes) { return shortNumber(double(bytes) / 1e6) + " MB"; }
+
+} // namespace
+
+std::shared_ptr<Recording> openOrSay(const std::string& file)
+{
+    ProgressLine progress("opening " + file);
+    auto opened = openRecording(file, [&](double share) {
+        progress.show(share);
+        return true;
+    });
+    if (!opened) {
+        (void)fail(BadInput, opened.message());
+        return nullptr;
+    }
+    if (!opened->damage.empty())
+        (void)fail(BadInput, opened->damage);
+    return opened->recording;
+}
+
+int replayFile(const std::string& file, int threads, bool json)
+{
+    const auto recording = openOrSay(file);
+    if (!recording)
+        return BadInput;
+    catchInterrupt();
+    ProgressLine progress(file);
+    const auto outcome = replay(*recording, threads, [&](double share) {
+        progress.show(share);
+        return !interrupted();
+    });
+    if (!outcome)
+        return fail(Diverged, outcome.message());
+    if (json) {
+        Json result = {{"steps", outcome->steps},
+                       {"hash", hashText(outcome->hash)},
+                       {"same", !outcome->difference && !outcome->cancelled},
+                       {"difference", nullptr}};
+        if (outcome->difference)
+            result["difference"] = jsonOf(*outcome->difference);
+        print(result);
+    } else {
+        row("replayed", plural(std::size_t(outcome->steps), "step"));
+        row("hash", hashText(outcome->hash));
+    }
+    if (outcome->difference)
+        return fail(Differs, sentence(*outcome->difference));
+    if (outcome->cancelled)
+        return fail(Interrupted, "Interrupted; all steps up to then are the same.");
+    if (!json)
+        row("result", "the same bits in every step");
+    return Done;
+}
+
+int describeRecording(const std::string& file, bool json)
+{
+    const auto recording = openOrSay(file);
+    if (!recording)
+        return BadInput;
+    const std::size_t frames = recording->frameCount();
+    std::map<std::string, std::size_t> events;
+    for (const RunEvent& event : recording->events())
+        events[std::string(runEventNames[std::size_t(event.kind)])] += std::size_t(event.count);
+    Json info = {{"name", recording->name()},
+                 {"title", recording->scene().settings.title},
+                 {"origin", recording->origin()},
+                 {"from", recording->timeOf(0)},
+                 {"to", recording->timeOf(frames - 1)},
+                 {"steps", recording->lastStep() - recording->firstStep()},
+                 {"frames", frames},
+                 {"exact_states", recording->chunkCount()},
+                 {"designs", recording->designCount()},
+                 {"inputs", recording->inputs().size()},
+                 {"events", events},
+                 {"hash", hashText(recording->hashOf(recording->lastStep()))},
+                 {"bytes", recording->size().disk}};
+    info["bookmarks"] = Json::array();
+    for (const Bookmark& bookmark : recording->bookmarks())
+        info["bookmarks"].push_back({{"time", bookmark.time}, {"name", bookmark.name}});
+    if (json) {
+        print(info);
+        return Done;
+    }
+    const auto text = [&](const char* key) { return info[key].get<std::string>(); };
+    row("recording", text("name").empty() ? file : text("name"));
+    row("of the scene", text("title"));
+    if (!recording->origin().empty())
+        row("branched off at", text("origin"));
+    row("time", shortNumber(info["from"]) + " s to " + shortNumber(info["to"]) + " s, "
+                    + plural(info["steps"].get<std::size_t>(), "step"));
+    row("frames", plural(frames, "frame") + ", " + plural(recording->chunkCount(), "exact state"));
+    row("designs", plural(recording->designCount(), "design"));
+    row("inputs", plural(info["inputs"].get<std::size_t>(), "input"));
+    for (const auto& [name, count] : events)
+        row("events: " + name, std::to_string(count));
+    for (const Bookmark& bookmark : recording->bookmarks())
+        row("bookmark", shortNumber(bookmark.time) + " s " + bookmark.name);
+    row("hash at the end", text("hash"));
+    row("frames take", megabytes(recording->size().disk));
+    return Done;
+}
+
+} // namespace ripstop

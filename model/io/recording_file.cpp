@@ -1,0 +1,358 @@
+#include "io/recording_file.h"
+
+#include "base/bytes.h"
+#include "io/scene_file.h"
+#include "io/whole_file.h"
+#include "run/packed.h"
+#include "run/run_visit.h"
+
+#include <algorithm>
+#include <fstream>
+#include <mutex>
+
+namespace ripstop {
+
+template <typename A>
+void visit(A& archive, Of<A, Bookmark>& bookmark)
+{
+    auto& [step, time, name] = bookmark;
+    archive(step, time, name);
+}
+
+template <typename A>
+void visit(A& archive, Of<A, RunEvent>& event)
+{
+    auto& [kind, step, time, what, count] = event;
+    archive(kind, step, time, what, count);
+}
+
+template <typename A>
+void visit(A& archive, Of<A, StoredChunk>& chunk)
+{
+    auto& [firstStep, design, frameSteps, frameTimes, hashes, inputs, events] = chunk;
+    archive(firstStep, design, frameSteps, frameTimes, hashes, inputs, events);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view firstLine = "RIPSTOP-RUN 1\n";
+
+enum class BlockKind : std::uint32_t { About = 1, Design, Stretch, End };
+
+struct BlockHead
+{
+    BlockKind kind = BlockKind::End;
+    std::uint64_t length = 0;
+    std::uint64_t checksum = 0; // of kind and content
+};
+
+template <typename A>
+void visit(A& archive, Of<A, BlockHead>& head)
+{
+    auto& [kind, length, sum] = head;
+    archive(kind, length, sum);
+}
+
+constexpr std::size_t headSize = sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
+
+struct About
+{
+    std::string program;
+    std::string name;
+    std::string origin;
+    std::vector<Bookmark> bookmarks;
+};
+
+template <typename A>
+void visit(A& archive, Of<A, About>& about)
+{
+    auto& [program, name, origin, bookmarks] = about;
+    archive(program, name, origin, bookmarks);
+}
+
+std::uint64_t checksumOf(BlockKind kind, std::string_view content)
+{
+    return checksum(content) ^ (std::uint64_t(kind) * 0x9e3779b97f4a7c15u);
+}
+
+template <typename T>
+std::string written(const T& value)
+{
+    ByteWriter writer;
+    writer(value);
+    return writer.take();
+}
+
+template <typename T>
+bool readWhole(std::string_view bytes, T& value)
+{
+    ByteReader reader(bytes);
+    reader(value);
+    return reader.ok() && reader.atEnd();
+}
+
+// --- writing -------------------------------------------------------------------------------------
+
+void write(std::ostream& out, BlockKind kind, std::string_view content)
+{
+    const std::string head = written(BlockHead{kind, content.size(), checksumOf(kind, content)});
+    out.write(head.data(), std::streamsize(head.size()));
+    out.write(content.data(), std::streamsize(content.size()));
+}
+
+class Writer
+{
+public:
+    Writer(const Recording& recording, std::ostream& out)
+        : m_recording(recording)
+        , m_out(out)
+    {}
+
+    std::optional<Failure> write(const Progress& progress)
+    {
+        m_out.write(firstLine.data(), std::streamsize(firstLine.size()));
+        ripstop::write(m_out, BlockKind::About,
+                       written(About{"ripstop " RIPSTOP_VERSION, m_recording.name(),
+                                     m_recording.origin(), m_recording.bookmarks()}));
+        const std::size_t count = m_recording.chunkCount();
+        for (std::size_t i = 0; i < count && m_out; ++i) {
+            const StoredChunk chunk = m_recording.chunk(i);
+            writeDesigns(chunk);
+            const Result<std::string> bytes = m_recording.chunkBytes(i);
+            if (!bytes)
+                return bytes.failure();
+            const std::string head = packed(written(chunk), Packing::Small);
+            std::string content = written(std::uint64_t(head.size()));
+            content += head;
+            content += *bytes;
+            ripstop::write(m_out, BlockKind::Stretch, content);
+            if (!goesOn(progress, double(i + 1) / double(count)))
+                return Failure{"Cancelled."};
+        }
+        ripstop::write(m_out, BlockKind::End, {});
+        return std::nullopt;
+    }
+
+private:
+    // Each before the first stretch that names it.
+    void writeDesigns(const StoredChunk& chunk)
+    {
+        int last = chunk.design;
+        for (const RunInput& input : chunk.inputs)
+            if (const auto* change = std::get_if<DesignChange>(&input.what))
+                last = std::max(last, change->number);
+        for (; m_designs <= last; ++m_designs) {
+            std::string text = sceneText(m_recording.design(m_designs).scene());
+            ripstop::write(m_out, BlockKind::Design,
+                           m_designs == 0 ? packed(text, Packing::Small)
+                                          : packedAfter(m_text, text));
+            m_text = std::move(text);
+        }
+    }
+
+    const Recording& m_recording;
+    std::ostream& m_out;
+    int m_designs = 0;  // that are written
+    std::string m_text; // of the last
+};
+
+// --- reading -------------------------------------------------------------------------------------
+
+// Of one open file, also when it is replaced or removed.
+class RunFile
+{
+public:
+    explicit RunFile(const fs::path& file)
+        : m_in(file, std::ios::binary)
+    {}
+    bool isOpen() const { return bool(m_in); }
+
+    std::string read(std::uint64_t place, std::size_t size) // shorter where the file ends
+    {
+        const std::lock_guard lock(m_mutex);
+        std::string bytes(size, '\0');
+        m_in.clear();
+        m_in.seekg(std::streamoff(place));
+        m_in.read(bytes.data(), std::streamsize(size));
+        bytes.resize(m_in.bad() || m_in.gcount() < 0 ? 0 : std::size_t(m_in.gcount()));
+        return bytes;
+    }
+
+private:
+    std::mutex m_mutex;
+    std::ifstream m_in;
+};
+
+class Reader
+{
+public:
+    Reader(std::shared_ptr<RunFile> file, std::uint64_t size, std::string name)
+        : m_file(std::move(file))
+        , m_size(size)
+        , m_name(std::move(name))
+    {}
+
+    // What is wrong with the next block, or nothing.
+    std::optional<std::string> next()
+    {
+        const std::string bytes = m_file->read(m_place, headSize);
+        BlockHead head;
+        if (bytes.size() < headSize || !readWhole(bytes, head))
+            return "is cut off";
+        if (head.length > m_size - m_place - headSize)
+            return "is cut off";
+        const std::string content = m_file->read(m_place + headSize, std::size_t(head.length));
+        if (content.size() < head.length || checksumOf(head.kind, content) != head.checksum)
+            return "is damaged";
+        const std::uint64_t begin = m_place + headSize;
+        m_place = begin + head.length;
+        if (head.kind == BlockKind::End)
+            m_atEnd = true;
+        else if (head.kind == BlockKind::About)
+            return readAbout(content);
+        else if (head.kind == BlockKind::Design)
+            return readDesign(content);
+        else if (head.kind == BlockKind::Stretch)
+            return readStretch(content, begin);
+        return std::nullopt; // of a later version, and no matter
+    }
+
+    std::uint64_t place() const { return m_place; }
+    bool atEnd() const { return m_atEnd; }
+    std::shared_ptr<Recording> take() { return std::move(m_recording); }
+
+private:
+    std::optional<std::string> readAbout(const std::string& content)
+    {
+        About about;
+        if (!readWhole(content, about))
+            return "is damaged";
+        m_recording->setName(about.name);
+        m_recording->setOrigin(about.origin);
+        m_recording->setBookmarks(about.bookmarks);
+        return std::nullopt;
+    }
+
+    std::optional<std::string> readDesign(const std::string& content)
+    {
+        Result<std::string> text = unpacked(content, m_text);
+        if (!text)
+            return "is damaged";
+        Result<Scene> scene = parseScene(*text, m_name);
+        if (!scene)
+            return "has a scene that cannot be read (" + scene.message() + ")";
+        m_recording->addDesign({std::make_shared<const Scene>(std::move(*scene)), {}});
+        m_text = std::move(*text);
+        return std::nullopt;
+    }
+
+    bool isSound(const StoredChunk& chunk) const
+    {
+        const int designs = int(m_recording->designCount());
+        const auto isKnown = [&](const RunInput& input) {
+            const auto* change = std::get_if<DesignChange>(&input.what);
+            return !change || (change->number >= 0 && change->number < designs);
+        };
+        const bool follows =
+            m_recording->chunkCount() == 0 || chunk.firstStep == m_recording->lastStep() + 1;
+        return follows && chunk.design >= 0 && chunk.design < designs && !chunk.frameSteps.empty()
+               && chunk.frameSteps.size() == chunk.frameTimes.size() && !chunk.hashes.empty()
+               && std::is_sorted(chunk.frameSteps.begin(), chunk.frameSteps.end())
+               && std::all_of(chunk.inputs.begin(), chunk.inputs.end(), isKnown);
+    }
+
+    std::optional<std::string> readStretch(const std::string& content, std::uint64_t begin)
+    {
+        std::uint64_t length = 0;
+        constexpr std::size_t prefix = sizeof length;
+        if (content.size() < prefix
+            || !readWhole(std::string_view(content).substr(0, prefix), length)
+            || length > content.size() - prefix)
+            return "is damaged";
+        const Result<std::string> head =
+            unpacked(std::string_view(content).substr(prefix, std::size_t(length)));
+        StoredChunk chunk;
+        if (!head || !readWhole(*head, chunk) || !isSound(chunk))
+            return "is damaged";
+        const std::uint64_t place = begin + prefix + length;
+        const std::size_t size = content.size() - prefix - std::size_t(length);
+        const auto fetch = [file = m_file, place, size, name = m_name]() -> Result<std::string> {
+            std::string bytes = file->read(place, size);
+            if (bytes.size() < size)
+                return Failure{name + " can no longer be read; open it again."};
+            return bytes;
+        };
+        m_recording->addChunk(std::move(chunk), fetch, size);
+        return std::nullopt;
+    }
+
+    std::shared_ptr<RunFile> m_file;
+    std::uint64_t m_size;
+    std::string m_name;
+    std::uint64_t m_place = firstLine.size();
+    bool m_atEnd = false;
+    std::string m_text; // of the last design
+    std::shared_ptr<Recording> m_recording = std::make_shared<Recording>(0);
+};
+
+std::string shortTime(double time)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f s", time);
+    return text;
+}
+
+} // namespace
+
+std::optional<Failure> saveRecording(const Recording& recording, const fs::path& file,
+                                     const Progress& progress)
+{
+    return replaceFile(
+        file, WriteInto([&](std::ostream& out) { return Writer(recording, out).write(progress); }));
+}
+
+Result<OpenedRecording> openRecording(const fs::path& file, const Progress& progress)
+{
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (!fs::exists(status))
+        return Failure{file.string() + " does not exist; check the path."};
+    if (!fs::is_regular_file(status))
+        return Failure{file.string() + " is no file; name a recording (*.ripstop-run)."};
+    const auto size = fs::file_size(file, error);
+    const auto open = std::make_shared<RunFile>(file);
+    if (error || !open->isOpen())
+        return Failure{file.string() + " cannot be opened; check that you may read it."};
+    const std::string start = open->read(0, firstLine.size());
+    if (start != firstLine) {
+        const bool newer = start.starts_with(firstLine.substr(0, firstLine.find(' ') + 1));
+        return Failure{file.string()
+                       + (newer ? " was written by a later version of Ripstop; open it with that."
+                                : " is not a recording of Ripstop (*.ripstop-run).")};
+    }
+
+    Reader reader(open, size, file.string());
+    OpenedRecording opened;
+    std::optional<std::string> wrong;
+    while (!reader.atEnd() && !wrong) {
+        wrong = reader.next();
+        if (!goesOn(progress, double(reader.place()) / double(std::max<std::uintmax_t>(1, size))))
+            return Failure{"Cancelled."};
+    }
+    opened.recording = reader.take();
+    const std::size_t frames = opened.recording->frameCount();
+    if (frames == 0)
+        return Failure{file.string() + " "
+                       + (wrong ? *wrong + " before its first frame; there is nothing to show."
+                                : "holds no frame.")};
+    opened.recording->finish();
+    if (wrong)
+        opened.damage = file.string() + " " + *wrong + " after "
+                        + shortTime(opened.recording->timeOf(frames - 1))
+                        + " of simulated time; what comes before is shown.";
+    return opened;
+}
+
+} // namespace ripstop

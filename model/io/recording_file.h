@@ -1,0 +1,40 @@
+// Files of recordings, *.ripstop-run: a line "RIPSTOP-RUN 1", then blocks, each with its kind, its
+// length and a checksum (little-endian):
+//
+//     about     names and bookmarks
+//     design    a scene as text, compressed; the next ones as differences to the one before
+//     stretch   what happened in it, and its frames, compressed
+//     end       nothing; a file without it was cut off
+//
+// A file that is damaged or cut off opens up to there. Frames are read from the file when they are
+// asked for.
+#pragma once
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "run/recording.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ripstop {
+
+inline constexpr std::string_view recordingExtension = ".ripstop-run";
+
+// Through a temporary file beside the target and a rename. A run may go on meanwhile: what is
+// written is what there is at the beginning.
+std::optional<Failure> saveRecording(const Recording& recording, const std::filesystem::path& file,
+                                     const Progress& progress = {});
+
+struct OpenedRecording
+{
+    std::shared_ptr<Recording> recording;
+    std::string damage; // one sentence, empty when the file is whole
+};
+
+Result<OpenedRecording> openRecording(const std::filesystem::path& file,
+                                      const Progress& progress = {});
+
+} // namespace ripstop

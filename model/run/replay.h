@@ -1,0 +1,41 @@
+// A recording, computed once more from its first state and its inputs, and compared.
+#pragma once
+
+#include "run/recording.h"
+
+#include <optional>
+#include <string>
+
+namespace ripstop {
+
+struct ReplayDifference
+{
+    std::int64_t step = 0; // the first whose hash differs
+    double time = 0.0;     // s
+    std::uint64_t recorded = 0;
+    std::uint64_t computed = 0;
+
+    // The first particle that differs by more than a recording keeps, and the step where that was
+    // seen: frames are not kept of each step.
+    struct Seen
+    {
+        std::uint32_t particle = 0; // id
+        std::int64_t step = 0;
+        double distance = 0.0; // m
+    };
+    std::optional<Seen> seen;
+};
+
+struct ReplayOutcome
+{
+    std::int64_t steps = 0; // that were computed
+    std::uint64_t hash = 0; // after them
+    std::optional<ReplayDifference> difference;
+    bool cancelled = false;
+};
+
+// Fails when it cannot be computed: a design that does not compile here, a damaged first state.
+Result<ReplayOutcome> replay(const Recording& recording, int threads,
+                             const Progress& progress = {});
+
+} // namespace ripstop
