@@ -14,6 +14,7 @@
 #include "editor/run_rows.h"
 #include "editor/select_rows.h"
 #include "editor/templates.h"
+#include "editor/timeline_rows.h"
 #include "editor/tuning_action_rows.h"
 #include "icons/icon.h"
 #include "outline/outline.h"
@@ -150,6 +151,11 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
     insertBefore("&Tools", handRows(bench, actions));
     insertBefore("&Tools", tuningActionRows(bench));
     insertBefore("&Help", measureRows(bench, actions));
+    insertBefore("&Tools", timelineRows(bench));
+    const auto place = std::ranges::find_if(
+        rows, [](const MenuRow& row) { return row.id && std::string_view(row.id) == "export"; });
+    const std::vector<MenuRow> recordings = recordingFileRows(bench);
+    rows.insert(place, recordings.begin(), recordings.end());
     return rows;
 }
 

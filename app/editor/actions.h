@@ -26,7 +26,10 @@ class Files;
 class Inspector;
 class Outline;
 class Player;
+class Recordings;
+class RunFiles;
 class Selection;
+class Timeline;
 class TuningPanel;
 class Viewport;
 
@@ -44,6 +47,9 @@ struct Workbench
     TuningPanel& tuning;
     Inspector& inspector;
     DrawSettings& drawSettings;
+    Recordings& recordings;
+    Timeline& timeline;
+    RunFiles& runFiles;
     std::function<void()> showStartPage;
     std::function<void()> importMesh;
     std::function<void()> showTour;

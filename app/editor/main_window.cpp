@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/gauge.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "editor/builder_dialog.h"
@@ -11,6 +12,7 @@
 #include "editor/draw_bar.h"
 #include "editor/hand_bar.h"
 #include "editor/rescue_dialog.h"
+#include "editor/run_files.h"
 #include "editor/tour.h"
 #include "editor/transform_bar.h"
 #include "import/import_dialog.h"
@@ -23,6 +25,7 @@
 #include "start/samples.h"
 #include "start/start_page.h"
 #include "table/sheet_panel.h"
+#include "timeline/timeline.h"
 #include "transport/control_keys.h"
 #include "transport/control_strip.h"
 #include "transport/transport.h"
@@ -62,6 +65,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_selection(selection)
     , m_player(player)
     , m_memory(memory)
+    , m_recordings(new Recordings(player, this))
     , m_viewport(new Viewport(document, selection, player))
     , m_start(new StartPage(this))
     , m_middle(new QStackedWidget(this))
@@ -73,7 +77,9 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_tuning(new TuningPanel(document, selection, m_inspector->sliders(), this))
     , m_table(new SheetPanel(
           document, selection, [this] { return gaugeOf(m_player.frame()); }, this))
+    , m_timeline(new Timeline(*m_recordings, this))
     , m_files(new Files(document, player, *m_viewport, *this))
+    , m_runFiles(new RunFiles(document, *m_recordings, *m_files, *this))
     , m_dialogs(*this, document, selection, *m_viewport)
     , m_counts(new QLabel)
     , m_selected(new QLabel)
@@ -122,6 +128,8 @@ void MainWindow::buildDocks()
     addDock("table", tr("Table"), m_table, Qt::BottomDockWidgetArea);
     tabifyDockWidget(m_docks["controls"], m_docks["problems"]);
     tabifyDockWidget(m_docks["problems"], m_docks["table"]);
+    addDock("timeline", tr("Timeline"), m_timeline, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(m_docks["table"], m_docks["timeline"]);
     tabifyDockWidget(m_docks["inspector"], m_docks["tuning"]);
     m_docks["inspector"]->raise();
     m_docks["plots"]->raise();
@@ -152,13 +160,27 @@ bool MainWindow::showDock(const QString& id)
 void MainWindow::buildActions()
 {
     const auto keys = m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore;
-    m_actions = new Actions(
-        {*this, m_document, m_selection, m_player, *m_viewport, *m_outline, *m_files, m_dialogs,
-         *m_tuning, *m_inspector, m_drawSettings, [this] { showStartPage(); },
-         [this] { importMesh({}); }, [this] { showTour(); },
-         [this](const QString& dock) { showDock(dock); },
-         [this](const QString& builder) { insert(builder); }, [this] { m_handBar->refresh(); }},
-        keys);
+    m_actions = new Actions({*this,
+                             m_document,
+                             m_selection,
+                             m_player,
+                             *m_viewport,
+                             *m_outline,
+                             *m_files,
+                             m_dialogs,
+                             *m_tuning,
+                             *m_inspector,
+                             m_drawSettings,
+                             *m_recordings,
+                             *m_timeline,
+                             *m_runFiles,
+                             [this] { showStartPage(); },
+                             [this] { importMesh({}); },
+                             [this] { showTour(); },
+                             [this](const QString& dock) { showDock(dock); },
+                             [this](const QString& builder) { insert(builder); },
+                             [this] { m_handBar->refresh(); }},
+                            keys);
     m_handBar = new HandBar(m_document, m_player, *m_viewport, *m_actions); // the view owns it
     for (const auto& [id, dock] : m_docks)
         m_actions->addDockToggle(dock->toggleViewAction());
@@ -208,6 +230,12 @@ void MainWindow::connectParts()
             [this](const QString& message) { statusBar()->showMessage(message, 8000); });
     connect(m_files, &Files::said, this,
             [this](const QString& message) { statusBar()->showMessage(message, 8000); });
+    connect(m_runFiles, &RunFiles::said, this,
+            [this](const QString& message) { statusBar()->showMessage(message, 8000); });
+    connect(m_recordings, &Recordings::failed, this,
+            [this](const QString& why) { statusBar()->showMessage(why, 15000); });
+    connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
+    connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear);
     connect(m_files, &Files::recentChanged, this,
             [this] { m_start->setRecent(m_files->recent()); });
     connect(m_start, &StartPage::openRequested, m_files, &Files::open);
@@ -264,6 +292,7 @@ void MainWindow::restoreLayout()
         if (dock->isHidden())
             m_hidden.insert(id);
     m_actions->restoreView();
+    m_runFiles->restoreMemory();
 }
 
 void MainWindow::showScene()
@@ -427,21 +456,30 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QString file = droppedFile(event->mimeData());
-    if (file.endsWith(".json", Qt::CaseInsensitive) || ImportDialog::isMesh(file))
+    if (file.endsWith(".json", Qt::CaseInsensitive) || ImportDialog::isMesh(file)
+        || RunFiles::isRecording(file))
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
     const QString file = droppedFile(event->mimeData());
-    if (!ImportDialog::isMesh(file)) {
+    const bool isRun = RunFiles::isRecording(file);
+    if (!isRun && !ImportDialog::isMesh(file)) {
         m_files->open(file);
         return;
     }
     event->acceptProposedAction();
     // later: who drops waits until the event is done, and the dialog stays open
     QMetaObject::invokeMethod(
-        this, [this, file] { importMesh(file); }, Qt::QueuedConnection);
+        this, [this, file, isRun] { isRun ? openRun(file) : importMesh(file); },
+        Qt::QueuedConnection);
+}
+
+void MainWindow::openRun(const QString& file)
+{
+    m_runFiles->open(file);
+    showDock("timeline");
 }
 
 } // namespace ripstop

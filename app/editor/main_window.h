@@ -27,7 +27,10 @@ class Player;
 class ProblemList;
 class Selection;
 class SheetPanel;
+class Recordings;
+class RunFiles;
 class StartPage;
+class Timeline;
 class Transport;
 class TuningPanel;
 class Viewport;
@@ -45,6 +48,9 @@ public:
 
     Viewport& viewport() { return *m_viewport; }
     Files& files() { return *m_files; }
+    RunFiles& runFiles() { return *m_runFiles; }
+    Recordings& recordings() { return *m_recordings; }
+    Timeline& timeline() { return *m_timeline; }
     Actions& actions() { return *m_actions; }
     TuningPanel& tuning() { return *m_tuning; }
     Inspector& inspector() { return *m_inspector; }
@@ -55,6 +61,7 @@ public:
     void showViewOnly();                  // for pictures
     void importMesh(const QString& file); // empty: asks for one
     void insert(const QString& builder);  // into the open scene
+    void openRun(const QString& file);    // a recording
 
     // Keeps copies of unsaved work in that folder, and asks about those that were left behind
     // there.
@@ -85,6 +92,7 @@ private:
     Memory m_memory;
     DrawSettings m_drawSettings;
 
+    Recordings* m_recordings;
     Viewport* m_viewport;
     StartPage* m_start;
     QStackedWidget* m_middle;
@@ -95,7 +103,9 @@ private:
     Transport* m_transport;
     TuningPanel* m_tuning;
     SheetPanel* m_table;
+    Timeline* m_timeline;
     Files* m_files;
+    RunFiles* m_runFiles;
     Dialogs m_dialogs;
     QToolBar* m_toolBar = nullptr;
     Actions* m_actions = nullptr;

@@ -89,6 +89,7 @@ void Follower::deliver()
 void Follower::run(const std::stop_token& stop)
 {
     LiveSystem live;
+    DesignLog log;
     for (;;) {
         Inbox inbox;
         {
@@ -97,18 +98,23 @@ void Follower::run(const std::stop_token& stop)
                 return;
             inbox = std::exchange(m_inbox, {});
         }
-        work(std::move(inbox), live);
+        work(std::move(inbox), live, log);
     }
 }
 
-void Follower::work(Inbox inbox, LiveSystem& live)
+void Follower::work(Inbox inbox, LiveSystem& live, DesignLog& log)
 {
-    if (inbox.scene)
+    if (inbox.scene) {
         live.replace(std::move(*inbox.scene));
-    for (const Edit& edit : inbox.edits)
+        log.replace();
+    }
+    for (const Edit& edit : inbox.edits) {
         live.apply(edit);
+        log.apply(edit);
+    }
     if (inbox.compile) {
         Compiled outcome = outcomeOf(live, inbox.compile->generation, inbox.compile->run);
+        outcome.update.design = log.design(live.scene());
         answer([&](Outbox& outbox) { outbox.compiled.push_back(std::move(outcome)); });
     }
     if (inbox.check) {

@@ -76,7 +76,7 @@ private:
     void post(Note note);
     void deliver();
     void run(const std::stop_token& stop);
-    void work(Inbox inbox, LiveSystem& live);
+    void work(Inbox inbox, LiveSystem& live, DesignLog& log);
     template <typename Note>
     void answer(Note note);
 

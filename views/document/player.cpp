@@ -33,6 +33,7 @@ Player::Player(Document& document, QObject* parent)
 
 void Player::play()
 {
+    goBack();
     if (m_playing || refuse())
         return;
     m_playing = true;
@@ -53,6 +54,7 @@ void Player::toggle() { m_playing ? pause() : play(); }
 void Player::step()
 {
     pause();
+    goBack();
     if (!refuse())
         order({.steps = 1 + (m_orders ? m_orders->steps : 0)});
 }
@@ -60,6 +62,7 @@ void Player::step()
 void Player::playUntil(double time)
 {
     halt();
+    goBack();
     if (refuse())
         return;
     m_playing = true;
@@ -70,6 +73,7 @@ void Player::playUntil(double time)
 void Player::settle(SettleGoal goal)
 {
     halt();
+    goBack();
     if (refuse())
         return;
     m_playing = m_settling = true;
@@ -80,6 +84,7 @@ void Player::settle(SettleGoal goal)
 
 void Player::handle(const HandNote::What& what)
 {
+    goBack();
     using Stroke = std::shared_ptr<const Cut>;
     if (std::holds_alternative<Stroke>(what) || std::holds_alternative<HandNote::Pin>(what))
         m_started = true; // what runs is no longer the design, though it stands at its start
@@ -88,6 +93,36 @@ void Player::handle(const HandNote::What& what)
 }
 
 void Player::reset() { startOver(); }
+
+void Player::lookAt(std::shared_ptr<const Frame> past)
+{
+    if (!past)
+        return goBack();
+    const bool isNew = !std::exchange(m_past, std::move(past)) || m_playing;
+    if (m_playing)
+        halt();
+    emit frameReady(m_past);
+    if (isNew)
+        emit stateChanged();
+}
+
+void Player::goBack()
+{
+    if (!std::exchange(m_past, nullptr))
+        return;
+    if (m_frame)
+        emit frameReady(m_frame);
+    emit stateChanged();
+}
+
+void Player::continueFrom(std::shared_ptr<const Moment> moment)
+{
+    startOver();
+    m_started = true;
+    m_hands.hands = moment->state.hands;
+    m_moment = std::move(moment);
+    emit stateChanged();
+}
 
 void Player::setSpeed(double ratio)
 {
@@ -148,6 +183,8 @@ void Player::startOver()
     m_runner.cancelSteps();
     m_started = false;
     m_stuck = false;
+    m_past.reset();
+    m_moment.reset();
     m_commands.clear();
     m_hands = {};
     m_runner.command(m_commands);
@@ -222,7 +259,7 @@ void Player::halt()
 
 bool Player::isCurrent() const
 {
-    return !m_dirty && m_compiled == m_generation && m_problem.isEmpty() && m_frame
+    return !m_past && !m_dirty && m_compiled == m_generation && m_problem.isEmpty() && m_frame
            && m_frame->run == m_run && m_frame->generation == m_generation;
 }
 
@@ -243,8 +280,12 @@ bool Player::refuse()
 void Player::takeCompiled(const Compiled& outcome)
 {
     const bool runs = outcome.update.system || outcome.update.patch;
-    if (runs)
-        m_runner.load(outcome.update); // the next one builds on it, even when it comes too late
+    if (runs) { // the next one builds on it, even when it comes too late
+        Update update = outcome.update;
+        if (outcome.run == m_run)
+            update.moment = std::exchange(m_moment, nullptr);
+        m_runner.load(std::move(update));
+    }
     if (outcome.run != m_run)
         return; // of a design that has changed since; a newer one is under way
     m_compiled = outcome.generation;
@@ -269,6 +310,8 @@ void Player::takeCompiled(const Compiled& outcome)
 
 void Player::takeFrame()
 {
+    for (const std::shared_ptr<Recording>& recording : m_runner.takeRecordings())
+        emit recordingBegan(recording);
     auto frame = m_runner.takeFrame();
     if (!frame || frame->run != m_run)
         return; // of a run that is over
@@ -282,7 +325,8 @@ void Player::takeFrame()
     const bool halts = gotStuck || hasSettled || hasArrived();
     if (halts)
         halt();
-    emit frameReady(m_frame);
+    if (!m_past)
+        emit frameReady(m_frame);
     if (hasSettled)
         emit settled(*m_frame->settling);
     if (halts)

@@ -27,7 +27,8 @@ public:
 
     bool isPlaying() const { return m_playing; }
     double speed() const { return m_speed; }
-    const std::shared_ptr<const Frame>& frame() const { return m_frame; } // null before the first
+    // What is shown: the newest instant, or one that is looked back at. Null before the first.
+    const std::shared_ptr<const Frame>& frame() const { return m_past ? m_past : m_frame; }
 
     // Why there is nothing to play ("particle 3 is free and has no mass ..."), or empty.
     const QString& problem() const { return m_problem; }
@@ -41,6 +42,17 @@ public:
     void step();                 // one time step; pauses
     void reset();                // back to the design; controls return to zero
     void playUntil(double time); // s; as fast as it can, then pauses exactly there
+
+    // Shows an instant of a recording instead of the run, which pauses; null goes back to the run.
+    // So does all that makes the run go on.
+    void lookAt(std::shared_ptr<const Frame> past);
+    bool isLookingBack() const { return m_past != nullptr; }
+
+    // A new run of the design as it is now, paused, from a moment of another run.
+    void continueFrom(std::shared_ptr<const Moment> moment);
+
+    // Bytes that each run from now on may keep of itself in memory; 0 keeps nothing.
+    void setRecordingMemory(std::size_t bytes) { m_runner.setRecordingMemory(bytes); }
 
     // Simulated seconds per second of the clock; 0 is as fast as it can.
     void setSpeed(double ratio);
@@ -63,6 +75,7 @@ signals:
     void stateChanged();                               // playing, speed or problem
     void stopped(const QString& why, quint32 culprit); // the simulation cannot go on
     void settled(const ripstop::Settling& end);        // by itself, not by a pause
+    void recordingBegan(const std::shared_ptr<ripstop::Recording>& recording); // of a run
 
 private:
     // What the runner is told as soon as it has the system of `generation`.
@@ -76,6 +89,7 @@ private:
     };
 
     void changed(const Edit& applied);
+    void goBack();    // to the run, if it is not shown
     void startOver(); // a new run, paused, from the design as it is now
     void compileSoon();
     void post();
@@ -90,7 +104,9 @@ private:
     Document& m_document;
     Runner m_runner;
     Follower m_follower;
-    std::shared_ptr<const Frame> m_frame;
+    std::shared_ptr<const Frame> m_frame;   // the newest
+    std::shared_ptr<const Frame> m_past;    // that is looked at
+    std::shared_ptr<const Moment> m_moment; // that the next system begins with
     Commands m_commands;
     HandCommands m_hands;
     std::optional<Orders> m_orders; // not yet given

@@ -122,6 +122,9 @@ void Chart::addStrip(const QString& unit)
     whole->setRange(0.0, 1.0);
     strip.tears = m_plot->addGraph(strip.time, whole);
     strip.tears->setLineStyle(QCPGraph::lsImpulse);
+    strip.cursor = m_plot->addGraph(strip.time, whole);
+    strip.cursor->setLineStyle(QCPGraph::lsImpulse);
+    drawCursor(strip);
 
     connect(strip.time, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &Chart::takeTime);
     const std::size_t index = m_strips.size();
@@ -207,6 +210,23 @@ void Chart::fill(const History& history)
                                  QVector<double>(qsizetype(tears.size()), 1.0), true);
     m_drawn = history.time().size();
     m_revision = history.revision();
+}
+
+void Chart::setCursor(std::optional<double> time)
+{
+    if (std::exchange(m_cursor, time) == time)
+        return;
+    for (const Strip& strip : m_strips)
+        drawCursor(strip);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Chart::drawCursor(const Strip& strip) const
+{
+    if (m_cursor)
+        strip.cursor->setData({*m_cursor}, {1.0}, true);
+    else
+        strip.cursor->setData({}, {}, true);
 }
 
 void Chart::showTime(const History& history)
@@ -325,6 +345,7 @@ void Chart::style(Strip& strip)
     const bool dark = isDark(palette());
     strip.tears->setPen(
         QPen(dark ? QColor(0xff, 0x6b, 0x60) : QColor(0xc6, 0x28, 0x28), 1, Qt::DashLine));
+    strip.cursor->setPen(QPen(palette().color(QPalette::Highlight), 1.5));
     for (const int curve : strip.curves)
         m_graphs[std::size_t(curve)]->setPen(QPen(m_curves[std::size_t(curve)].color, 1.6));
     if (strip.rect->insetLayout()->elementCount() > 0) {

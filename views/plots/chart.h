@@ -43,6 +43,8 @@ public:
     const std::vector<Curve>& curves() const { return m_curves; }
     void draw(const History& history);
 
+    void setCursor(std::optional<double> time); // s; a line there, or none
+
     void follow(); // as after a double click
     bool follows() const { return m_following; }
     void setWholeRun(bool whole); // follow from the start, not only the latest half minute
@@ -74,6 +76,7 @@ private:
         QCPAxis* time;
         QCPAxis* values;
         QCPGraph* tears;
+        QCPGraph* cursor;
         std::vector<int> curves; // indices into m_curves
         bool held = false;       // the user has chosen the range of values
     };
@@ -85,6 +88,7 @@ private:
     void style();
     void style(Strip& strip);
     void fill(const History& history);
+    void drawCursor(const Strip& strip) const;
     void showTime(const History& history);
     void fitValues(Strip& strip);
     void takeTime(const QCPRange& range); // from one strip to all
@@ -95,8 +99,9 @@ private:
     std::vector<Curve> m_curves;
     std::vector<QCPGraph*> m_graphs; // [curves]
     std::vector<Strip> m_strips;
-    std::size_t m_drawn = 0; // samples
-    int m_revision = -1;     // of the history that was drawn
+    std::size_t m_drawn = 0;        // samples
+    int m_revision = -1;            // of the history that was drawn
+    std::optional<double> m_cursor; // s
     bool m_following = true;
     bool m_wholeRun = false;
     bool m_setting = false; // ranges change by program, not by hand

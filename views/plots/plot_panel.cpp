@@ -173,11 +173,21 @@ QString PlotPanel::unitOf(Id id) const
 
 void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
 {
+    if (m_player.isLookingBack())
+        return showPast(*frame);
+    m_chart->setCursor({});
     m_history.add(*frame);
     if (frame->layout != m_layout) {
         m_layout = frame->layout;
         rebuildCurves(); // units
     }
+    drawSoon();
+}
+
+// The curves stay; a line stands where one looks.
+void PlotPanel::showPast(const Frame& frame)
+{
+    m_chart->setCursor(frame.time);
     drawSoon();
 }
 

@@ -44,6 +44,7 @@ private:
     void rebuildList();
     void rebuildCurves();
     void take(const std::shared_ptr<const Frame>& frame);
+    void showPast(const Frame& frame);
     void draw();
     void drawSoon();
     void showValues();

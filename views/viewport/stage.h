@@ -4,6 +4,7 @@
 #pragma once
 
 #include "viewport/collider_layer.h"
+#include "viewport/ghost_layer.h"
 #include "viewport/ground_layer.h"
 #include "viewport/highlight_layer.h"
 #include "viewport/link_layer.h"
@@ -49,6 +50,7 @@ public:
     PanelLayer panels;
     LinkLayer links;
     ParticleLayer particles;
+    GhostLayer ghost;
 
     // As of the last prepare().
     const std::shared_ptr<const Frame>& frame() const { return m_frame; }
@@ -75,7 +77,7 @@ private:
     void takeRange();
     bool somethingBroke() const;
     std::ptrdiff_t lateOnes() const; // colliders whose file is being read
-    std::array<Layer*, 11> layers();
+    std::array<Layer*, 12> layers();
 
     PinLayer m_pins;
     WeightLayer m_weights;

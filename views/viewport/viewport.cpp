@@ -226,6 +226,12 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
     d->screen.renderSoon();
 }
 
+void Viewport::showGhost(std::shared_ptr<const Frame> frame)
+{
+    d->stage.ghost.show(std::move(frame));
+    d->screen.renderSoon();
+}
+
 const std::shared_ptr<const Frame>& Viewport::frame() const { return d->stage.frame(); }
 
 ColorBy Viewport::colorBy() const { return d->stage.colorBy(); }

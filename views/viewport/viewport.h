@@ -43,7 +43,8 @@ public:
     // Shows this instant until the next one; the player's frames come by themselves.
     void show(std::shared_ptr<const Frame> frame);
     using QWidget::show;
-    const std::shared_ptr<const Frame>& frame() const; // null before the first
+    void showGhost(std::shared_ptr<const Frame> frame); // another run, over it; null: none
+    const std::shared_ptr<const Frame>& frame() const;  // null before the first
 
     ColorBy colorBy() const;
     void setColorBy(ColorBy colorBy);

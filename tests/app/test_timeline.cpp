@@ -1,0 +1,235 @@
+// The timeline in the window: what ran is looked back at, marked, gone on from, saved and opened.
+#include "document/recordings.h"
+#include "editor/run_files.h"
+#include "io/recording_file.h"
+#include "timeline/timeline.h"
+#include "timeline/timeline_strip.h"
+#include "window_shop.h"
+
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+struct TimelineShop : WindowShop
+{
+    Recordings& runs = window.recordings();
+    Timeline& timeline = window.timeline();
+
+    bool open(const char* scene)
+    {
+        const bool opened = !document.open(QStringLiteral(SCENES_DIR "/") + scene);
+        window.showScene();
+        window.resize(1280, 800);
+        window.show();
+        window.showDock("timeline");
+        return opened;
+    }
+    void fly(double time)
+    {
+        player.playUntil(time);
+        QTRY_VERIFY_WITH_TIMEOUT(!player.isPlaying() && runs.current()
+                                     && std::abs(player.frame()->time - time) < 1e-6,
+                                 20000);
+        QTRY_COMPARE(runs.current()->lastStep(), player.frame()->step);
+    }
+    bool looksAt(double time) const
+    {
+        return player.isLookingBack() && std::abs(player.frame()->time - time) < 0.01
+               && viewport.frame() == player.frame();
+    }
+};
+
+} // namespace
+
+class TestTimeline : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void looksBackAndReturns()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("delta_kite.ripstop.json"));
+        QVERIFY(shop.runs.list().empty());
+        shop.fly(1.0);
+        const auto live = shop.player.frame();
+        shop.runs.seekTime(0.5);
+        QTRY_VERIFY(shop.looksAt(0.5));
+        QVERIFY(shop.player.frame()->position != live->position);
+
+        // keys of the strip: a frame, ten, the ends
+        TimelineStrip& strip = shop.timeline.strip();
+        const std::size_t here = shop.runs.frame();
+        QTest::keyClick(&strip, Qt::Key_Right);
+        QCOMPARE(shop.runs.frame(), here + 1);
+        QTest::keyClick(&strip, Qt::Key_Left, Qt::ShiftModifier);
+        QCOMPARE(shop.runs.frame(), here - 9);
+        QTest::keyClick(&strip, Qt::Key_Home);
+        QTRY_VERIFY(shop.looksAt(0.0));
+        QTest::keyClick(&strip, Qt::Key_End);
+        QTRY_VERIFY(shop.looksAt(1.0));
+
+        // and the mouse
+        QTest::mouseClick(&strip, Qt::LeftButton, {}, {strip.placeOf(0.25), strip.height() / 2});
+        QTRY_VERIFY(shop.looksAt(0.25));
+
+        shop.run("backToLive");
+        QVERIFY(!shop.player.isLookingBack());
+        QCOMPARE(shop.player.frame(), live);
+        QCOMPARE(shop.viewport.frame(), live);
+    }
+
+    // Who plays on leaves the past, and the run goes on where it stood.
+    void playingGoesOnLive()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("rope.ripstop.json"));
+        shop.fly(0.5);
+        shop.runs.seekTime(0.1);
+        QTRY_VERIFY(shop.looksAt(0.1));
+        shop.fly(0.8);
+        QVERIFY(!shop.player.isLookingBack());
+        QCOMPARE(shop.runs.list().size(), std::size_t(1));
+    }
+
+    // A branch of an unchanged design comes to the bits of the run that it left; a changed one to
+    // others. Both are kept.
+    void continuesFromTheExactState()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("delta_kite.ripstop.json"));
+        shop.fly(1.0);
+        const std::uint64_t end = shop.player.frame()->hash;
+        shop.runs.seekTime(0.4);
+        QTRY_VERIFY(shop.looksAt(0.4));
+        const auto step = shop.player.frame()->step;
+        shop.run("continueHere");
+        QTRY_VERIFY(!shop.player.isLookingBack() && shop.player.frame()->step == step);
+        QCOMPARE(shop.runs.list().size(), std::size_t(1)); // nothing has run yet
+        shop.fly(1.0);
+        QCOMPARE(shop.player.frame()->hash, end);
+        QCOMPARE(shop.runs.list().size(), std::size_t(2));
+        QCOMPARE(shop.runs.current()->firstStep(), step);
+        QVERIFY(QString::fromStdString(shop.runs.current()->origin()).contains("Run 1"));
+
+        // the first run again, and another branch with more viscous air
+        shop.runs.setCurrent(shop.runs.list().front());
+        QTRY_VERIFY(shop.looksAt(0.0));
+        shop.runs.seekTime(0.4);
+        QTRY_VERIFY(shop.looksAt(0.4));
+        shop.document.push(
+            {"Viscosity",
+             {SetValues{findProperty(Kind::Settings, "viscosity"), {settingsId}, {0.5}}}});
+        shop.run("continueHere");
+        QTRY_VERIFY(!shop.player.isLookingBack() && shop.player.frame()->step == step);
+        shop.fly(1.0);
+        QVERIFY(shop.player.frame()->hash != end);
+        QCOMPARE(shop.runs.list().size(), std::size_t(3));
+    }
+
+    void findsEventsAndBookmarks()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("delta_kite.ripstop.json"));
+        shop.fly(0.5);
+        shop.document.push(
+            {"Viscosity",
+             {SetValues{findProperty(Kind::Settings, "viscosity"), {settingsId}, {0.5}}}});
+        shop.fly(1.0);
+        const auto events = shop.runs.current()->events();
+        QCOMPARE(events.size(), std::size_t(1));
+        QCOMPARE(events.front().kind, RunEvent::Kind::Edit);
+        QVERIFY(std::abs(events.front().time - 0.5) < 0.02);
+
+        shop.runs.seekTime(0.0);
+        QVERIFY(shop.runs.toEvent(Recordings::Way::Forward));
+        QTRY_VERIFY(shop.looksAt(events.front().time));
+        QVERIFY(!shop.runs.toEvent(Recordings::Way::Forward));
+        const TimelineStrip& strip = shop.timeline.strip();
+        QVERIFY(strip.tipAt(strip.placeOf(events.front().time)).contains("edited"));
+
+        shop.runs.seekTime(0.8);
+        shop.runs.addBookmark("here");
+        shop.runs.seekTime(0.1);
+        QVERIFY(shop.runs.toBookmark(Recordings::Way::Forward));
+        QTRY_VERIFY(shop.looksAt(0.8));
+        QVERIFY(strip.tipAt(strip.placeOf(shop.runs.time())).contains("here"));
+        shop.runs.removeBookmark(0);
+        QVERIFY(shop.runs.current()->bookmarks().empty());
+    }
+
+    void playsBackInALoop()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("rope.ripstop.json"));
+        shop.fly(1.0);
+        shop.runs.setLoop(Recordings::Range{0.3, 0.5});
+        shop.runs.setSpeed(10.0);
+        shop.runs.play();
+        double low = 1e9, high = -1e9;
+        for (int i = 0; i < 30; ++i) {
+            QTest::qWait(16);
+            low = std::min(low, shop.runs.time());
+            high = std::max(high, shop.runs.time());
+        }
+        QVERIFY(shop.runs.isPlaying());
+        QVERIFY2(low > 0.27 && high < 0.53, qPrintable(QString("%1 %2").arg(low).arg(high)));
+        QVERIFY(high > low);
+        shop.runs.setLoop({});
+        QTRY_VERIFY(!shop.runs.isPlaying()); // it comes to the end
+        QTRY_VERIFY(shop.looksAt(1.0));
+    }
+
+    void opensWhatWasSaved()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("rope.ripstop-run");
+        std::uint64_t hash = 0;
+        {
+            TimelineShop shop;
+            QVERIFY(shop.open("rope.ripstop.json"));
+            shop.fly(0.5);
+            shop.runs.rename(shop.runs.current(), "a swing");
+            QVERIFY(!saveRecording(*shop.runs.current(), file.toStdString()));
+            hash = shop.player.frame()->hash;
+        }
+        TimelineShop shop; // with nothing open: the design comes with it
+        shop.window.openRun(file);
+        QCOMPARE(shop.runs.list().size(), std::size_t(1));
+        QCOMPARE(shop.runs.current()->name(), std::string("a swing"));
+        QVERIFY(!shop.document.scene().items.empty());
+        QTRY_VERIFY(shop.looksAt(0.0));
+        shop.runs.seekTime(0.5);
+        QTRY_VERIFY(shop.looksAt(0.5));
+        QCOMPARE(shop.player.frame()->hash, hash);
+
+        // and it goes on
+        shop.runs.seekTime(0.25);
+        shop.run("continueHere");
+        QTRY_VERIFY(!shop.player.isLookingBack() && shop.player.frame()
+                    && std::abs(shop.player.frame()->time - 0.25) < 0.01);
+        shop.fly(0.5);
+        QCOMPARE(shop.player.frame()->hash, hash);
+    }
+
+    void recordsNothingWithoutMemory()
+    {
+        TimelineShop shop;
+        QVERIFY(shop.open("rope.ripstop.json"));
+        shop.runs.setMemory(0);
+        shop.player.playUntil(0.2);
+        QTRY_VERIFY(!shop.player.isPlaying() && shop.player.frame()->time > 0.19);
+        QVERIFY(shop.runs.list().empty());
+        shop.runs.move(-1); // and nothing breaks
+        shop.runs.continueHere();
+        shop.runs.play();
+        QVERIFY(!shop.player.isLookingBack());
+    }
+};
+
+int main(int argc, char** argv) { return runWithView<TestTimeline>(argc, argv); }
+#include "test_timeline.moc"

@@ -1,0 +1,360 @@
+#include "document/recordings.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+constexpr int watchInterval = 100; // ms
+constexpr int tickInterval = 16;   // ms
+
+QString secondsText(double time) { return QLocale().toString(time, 'f', 2); }
+
+} // namespace
+
+Recordings::Recordings(Player& player, QObject* parent)
+    : QObject(parent)
+    , m_player(player)
+    , m_fetcher(
+          [](const Wish& wish) { return fetch(wish); },
+          [this] { QMetaObject::invokeMethod(this, &Recordings::take, Qt::QueuedConnection); })
+    , m_starter([this](const Start& start) { return compute(start); },
+                [this] {
+                    QMetaObject::invokeMethod(this, &Recordings::takeMoment, Qt::QueuedConnection);
+                })
+{
+    connect(&player, &Player::recordingBegan, this,
+            [this](const std::shared_ptr<Recording>& recording) {
+                recording->setName(nextName().toStdString());
+                recording->setOrigin(std::exchange(m_origin, {}).toStdString());
+                m_live = recording;
+                add(recording);
+            });
+    connect(&player, &Player::stateChanged, this, [this] {
+        if (!m_player.isLookingBack() && std::exchange(m_showsPast, false))
+            leavePast(); // the run goes on
+    });
+    connect(&m_watch, &QTimer::timeout, this, &Recordings::watch);
+    m_watch.start(watchInterval);
+    m_tick.setTimerType(Qt::PreciseTimer);
+    m_tick.setInterval(tickInterval);
+    connect(&m_tick, &QTimer::timeout, this, &Recordings::tick);
+}
+
+Recordings::~Recordings() { m_cancelled = true; }
+
+QString Recordings::nextName() const { return tr("Run %1").arg(m_count + 1); }
+
+void Recordings::add(std::shared_ptr<Recording> recording)
+{
+    ++m_count;
+    m_list.push_back(recording);
+    setCurrent(recording);
+}
+
+void Recordings::setCurrent(const std::shared_ptr<Recording>& recording)
+{
+    makeCurrent(recording);
+    if (!m_current || m_current == m_live)
+        backToLive();
+    else
+        seek(0); // there is no run to show
+}
+
+void Recordings::makeCurrent(const std::shared_ptr<Recording>& recording)
+{
+    pause();
+    m_current = recording;
+    m_loop.reset();
+    m_seen = 0;
+    watch();
+    emit listChanged();
+    emit stateChanged();
+}
+
+void Recordings::clear()
+{
+    setGhost(nullptr);
+    m_list.clear();
+    m_live = nullptr;
+    m_count = 0;
+    setCurrent(nullptr);
+}
+
+void Recordings::rename(const std::shared_ptr<Recording>& recording, const QString& name)
+{
+    recording->setName(name.toStdString());
+    emit listChanged();
+}
+
+void Recordings::remove(std::shared_ptr<Recording> recording)
+{
+    std::erase(m_list, recording);
+    if (m_live == recording)
+        m_live = nullptr;
+    if (m_ghost == recording)
+        setGhost(nullptr);
+    if (m_current == recording)
+        setCurrent(m_list.empty() ? nullptr : m_list.back());
+    emit listChanged();
+}
+
+// A run that goes on has more frames each time.
+void Recordings::watch()
+{
+    const std::size_t count = m_current ? m_current->frameCount() : 0;
+    if (count == m_seen)
+        return;
+    m_seen = count;
+    if (!m_wantsPast)
+        m_frame = count == 0 ? 0 : count - 1;
+    emit grew();
+}
+
+double Recordings::time() const
+{
+    if (!m_current || m_current->frameCount() == 0)
+        return 0.0;
+    return m_current->timeOf(std::min(m_frame, m_current->frameCount() - 1));
+}
+
+// --- looking back ------------------------------------------------------------------------------
+
+void Recordings::seek(std::size_t frame)
+{
+    if (!m_current || m_current->frameCount() == 0)
+        return;
+    m_frame = std::min(frame, m_current->frameCount() - 1);
+    m_wantsPast = true;
+    if (!isPlaying())
+        m_time = time();
+    ask();
+    emit moved();
+}
+
+void Recordings::seekTime(double time)
+{
+    if (m_current && m_current->frameCount() > 0)
+        seek(m_current->frameAt(time));
+}
+
+void Recordings::move(std::ptrdiff_t frames)
+{
+    if (!m_current || m_current->frameCount() == 0)
+        return;
+    const auto last = std::ptrdiff_t(m_current->frameCount()) - 1;
+    pause();
+    seek(std::size_t(std::clamp(std::ptrdiff_t(m_frame) + frames, std::ptrdiff_t(0), last)));
+}
+
+void Recordings::backToLive()
+{
+    m_showsPast = false;
+    m_player.lookAt(nullptr);
+    leavePast();
+}
+
+void Recordings::leavePast()
+{
+    pause();
+    m_wantsPast = false;
+    if (m_live && m_current != m_live)
+        makeCurrent(m_live);
+    emit ghostShown(nullptr);
+    m_seen = 0;
+    watch();
+    emit moved();
+}
+
+bool Recordings::toEvent(Way way)
+{
+    if (!m_current || m_current->frameCount() == 0)
+        return false;
+    const std::int64_t here = m_current->stepOf(m_frame);
+    std::optional<std::int64_t> found;
+    for (const RunEvent& event : m_current->events()) {
+        const std::int64_t there = m_current->stepOf(m_current->frameOfStep(event.step));
+        if (way == Way::Forward ? there > here : there < here) {
+            found = there;
+            if (way == Way::Forward)
+                break;
+        }
+    }
+    if (found) {
+        pause();
+        seek(m_current->frameOfStep(*found));
+    }
+    return found.has_value();
+}
+
+bool Recordings::toBookmark(Way way)
+{
+    if (!m_current || m_current->frameCount() == 0)
+        return false;
+    const std::int64_t here = m_current->stepOf(m_frame);
+    std::optional<std::int64_t> found;
+    for (const Bookmark& bookmark : m_current->bookmarks())
+        if (way == Way::Forward ? bookmark.step > here && !found : bookmark.step < here)
+            found = bookmark.step;
+    if (found) {
+        pause();
+        seek(m_current->frameOfStep(*found));
+    }
+    return found.has_value();
+}
+
+void Recordings::ask() { m_fetcher.post({m_current, m_frame, m_ghost}); }
+
+Recordings::Shown Recordings::fetch(const Wish& wish)
+{
+    Shown shown;
+    const auto frame = wish.recording->frame(wish.frame);
+    if (!frame)
+        return {nullptr, nullptr, frame.message()};
+    shown.frame = *frame;
+    if (wish.ghost && wish.ghost->frameCount() > 0)
+        if (const auto ghost = wish.ghost->frame(wish.ghost->frameAt(shown.frame->time)))
+            shown.ghost = *ghost;
+    return shown;
+}
+
+void Recordings::take()
+{
+    const auto shown = m_fetcher.take();
+    if (!shown || !m_wantsPast)
+        return; // back to live meanwhile
+    if (!shown->frame) {
+        pause();
+        emit failed(QString::fromStdString(shown->failure));
+        return;
+    }
+    m_showsPast = true;
+    m_player.lookAt(shown->frame);
+    emit ghostShown(shown->ghost);
+}
+
+void Recordings::setGhost(std::shared_ptr<Recording> recording)
+{
+    m_ghost = std::move(recording);
+    if (!m_ghost)
+        emit ghostShown(nullptr);
+    else if (m_wantsPast)
+        ask();
+    else
+        seek(m_frame);
+    emit stateChanged();
+}
+
+// --- playing back ------------------------------------------------------------------------------
+
+void Recordings::play()
+{
+    if (!m_current || m_current->frameCount() == 0 || isPlaying())
+        return;
+    const double last = m_current->timeOf(m_current->frameCount() - 1);
+    m_time = time() >= last ? m_current->timeOf(0) : time();
+    if (m_loop && (m_time < m_loop->from || m_time >= m_loop->to))
+        m_time = m_loop->from;
+    m_tick.start();
+    seekTime(m_time);
+    emit stateChanged();
+}
+
+void Recordings::pause()
+{
+    if (!isPlaying())
+        return;
+    m_tick.stop();
+    emit stateChanged();
+}
+
+void Recordings::setSpeed(double speed)
+{
+    m_speed = speed;
+    emit stateChanged();
+}
+
+void Recordings::setLoop(std::optional<Range> range)
+{
+    m_loop = range;
+    emit stateChanged();
+}
+
+void Recordings::tick()
+{
+    const double last = m_current->timeOf(m_current->frameCount() - 1);
+    m_time += m_speed * tickInterval / 1000.0;
+    if (m_loop && m_time > m_loop->to)
+        m_time = m_loop->from;
+    const std::size_t frame = m_current->frameAt(m_time);
+    if (frame != m_frame)
+        seek(frame);
+    if (m_time >= last)
+        pause();
+}
+
+// --- bookmarks ---------------------------------------------------------------------------------
+
+void Recordings::addBookmark(const QString& name)
+{
+    if (!m_current || m_current->frameCount() == 0)
+        return;
+    std::vector<Bookmark> bookmarks = m_current->bookmarks();
+    bookmarks.push_back({m_current->stepOf(m_frame), time(), name.toStdString()});
+    m_current->setBookmarks(std::move(bookmarks));
+    emit grew();
+}
+
+void Recordings::removeBookmark(std::size_t number)
+{
+    std::vector<Bookmark> bookmarks = m_current->bookmarks();
+    if (number >= bookmarks.size())
+        return;
+    bookmarks.erase(bookmarks.begin() + std::ptrdiff_t(number));
+    m_current->setBookmarks(std::move(bookmarks));
+    emit grew();
+}
+
+// --- branches ----------------------------------------------------------------------------------
+
+void Recordings::continueHere()
+{
+    if (!m_current || m_current->frameCount() == 0 || m_computing)
+        return;
+    pause();
+    m_origin = tr("%1 s of %2").arg(secondsText(time()), QString::fromStdString(m_current->name()));
+    m_computing = true;
+    m_cancelled = false;
+    m_starter.post({m_current, m_current->stepOf(m_frame)});
+    emit stateChanged();
+}
+
+void Recordings::cancel() { m_cancelled = true; }
+
+Recordings::Begin Recordings::compute(const Start& start)
+{
+    auto moment = start.recording->moment(start.step, [this](double) { return !m_cancelled; });
+    if (!moment)
+        return {nullptr, moment.message()};
+    return {std::make_shared<const Moment>(std::move(*moment)), {}};
+}
+
+void Recordings::takeMoment()
+{
+    const auto begin = m_starter.take();
+    if (!begin)
+        return;
+    m_computing = false;
+    if (begin->moment)
+        m_player.continueFrom(begin->moment);
+    else
+        m_origin.clear();
+    if (!begin->moment && !m_cancelled)
+        emit failed(QString::fromStdString(begin->failure));
+    emit stateChanged();
+}
+
+} // namespace ripstop

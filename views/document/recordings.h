@@ -1,0 +1,147 @@
+#pragma once
+
+#include "document/player.h"
+#include "document/worker.h"
+#include "run/recording.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ripstop {
+
+// The runs that are kept, which of them is looked back at, and where.
+//
+// Each run of the player is kept as it goes, and what was opened from files stands beside. Frames
+// are unpacked on a thread of their own; of several that are asked for, the newest comes.
+class Recordings final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Recordings(Player& player, QObject* parent = nullptr);
+    ~Recordings() override;
+
+    using List = std::vector<std::shared_ptr<Recording>>;
+    const List& list() const { return m_list; } // in the order in which they came
+    const std::shared_ptr<Recording>& current() const { return m_current; } // null: there is none
+
+    void setCurrent(const std::shared_ptr<Recording>& recording); // one of the list
+    void add(std::shared_ptr<Recording> recording);               // and makes it the current one
+    void setMemory(std::size_t bytes) { m_player.setRecordingMemory(bytes); } // of each run
+    void clear();
+    void rename(const std::shared_ptr<Recording>& recording, const QString& name);
+    void remove(std::shared_ptr<Recording> recording);
+
+    // --- looking back ---
+    bool isLookingBack() const { return m_player.isLookingBack(); }
+    std::size_t frame() const { return m_frame; } // the newest one while not looking back
+    double time() const;                          // s
+    void seek(std::size_t frame);
+    void seekTime(double time); // s
+    void move(std::ptrdiff_t frames);
+    void backToLive();
+
+    enum class Way { Back, Forward };
+    bool toEvent(Way way);    // false when there is none
+    bool toBookmark(Way way); // the same
+
+    // --- playing back ---
+    bool isPlaying() const { return m_tick.isActive(); }
+    void play();
+    void pause();
+    double speed() const { return m_speed; }
+    void setSpeed(double speed); // recorded seconds per second of the clock
+
+    struct Range
+    {
+        double from; // s
+        double to;   // s
+    };
+    const std::optional<Range>& loop() const { return m_loop; }
+    void setLoop(std::optional<Range> range);
+
+    // --- bookmarks ---
+    void addBookmark(const QString& name); // here
+    void removeBookmark(std::size_t number);
+
+    // --- branches ---
+    void continueHere(); // a new run from the exact state, with the design as it is now
+    bool isComputing() const { return m_computing; }
+    void cancel(); // what is being computed
+
+    // Another recording whose frame of the same time is shown as a ghost, or null.
+    const std::shared_ptr<Recording>& ghost() const { return m_ghost; }
+    void setGhost(std::shared_ptr<Recording> recording);
+
+signals:
+    void listChanged();  // or which is the current one, or what they are called
+    void grew();         // the current one, or its bookmarks
+    void moved();        // where one looks
+    void stateChanged(); // playing, speed, loop, computing
+    void failed(const QString& why);
+    void ghostShown(const std::shared_ptr<const ripstop::Frame>& frame); // null: none
+
+private:
+    struct Wish
+    {
+        std::shared_ptr<Recording> recording;
+        std::size_t frame = 0;
+        std::shared_ptr<Recording> ghost; // at the same time
+    };
+    struct Shown
+    {
+        std::shared_ptr<const Frame> frame;
+        std::shared_ptr<const Frame> ghost;
+        std::string failure;
+    };
+    struct Start
+    {
+        std::shared_ptr<Recording> recording;
+        std::int64_t step = 0;
+    };
+    struct Begin
+    {
+        std::shared_ptr<const Moment> moment;
+        std::string failure;
+    };
+
+    static Shown fetch(const Wish& wish);
+    Begin compute(const Start& start);
+    void take();
+    void takeMoment();
+    void tick();
+    void leavePast();
+    void makeCurrent(const std::shared_ptr<Recording>& recording);
+    void ask();
+    void watch();
+    QString nextName() const;
+
+    Player& m_player;
+    List m_list;
+    std::shared_ptr<Recording> m_current;
+    std::shared_ptr<Recording> m_ghost;
+    std::size_t m_frame = 0;
+    std::size_t m_seen = 0;   // frames, when last told of
+    int m_count = 0;          // of runs so far
+    bool m_wantsPast = false; // or shows it already
+    bool m_showsPast = false;
+    std::shared_ptr<Recording> m_live; // of the run of the player
+    QString m_origin;                  // of the branch that is about to begin
+    QTimer m_watch;
+    QTimer m_tick;
+    double m_speed = 1.0;
+    double m_time = 0.0; // s, of the playback
+    std::optional<Range> m_loop;
+    bool m_computing = false;
+    std::atomic<bool> m_cancelled = false;
+    Worker<Wish, Shown> m_fetcher; // last: these end before what they use
+    Worker<Start, Begin> m_starter;
+};
+
+} // namespace ripstop

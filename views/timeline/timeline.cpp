@@ -1,0 +1,309 @@
+#include "timeline/timeline.h"
+
+#include "document/recordings.h"
+#include "icons/icon.h"
+#include "timeline/timeline_strip.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace ripstop {
+namespace {
+
+constexpr std::array speeds{0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0};
+
+QString sizeText(std::size_t bytes)
+{
+    return QLocale().formattedDataSize(qint64(bytes), 1, QLocale::DataSizeSIFormat);
+}
+
+QString nameOf(const Recording& recording)
+{
+    const QString name = QString::fromStdString(recording.name());
+    const QString origin = QString::fromStdString(recording.origin());
+    return origin.isEmpty() ? name : Timeline::tr("%1, from %2").arg(name, origin);
+}
+
+} // namespace
+
+Timeline::Timeline(Recordings& recordings, QWidget* parent)
+    : QWidget(parent)
+    , m_recordings(recordings)
+    , m_runs(new QComboBox)
+    , m_more(button("runMenu", "settings", tr("This run"), tr("Rename or remove the run")))
+    , m_eventBack(button("eventBack", "event-back", tr("Previous event"),
+                         tr("Back to the event before: a tear, an edit, a hand, a control")))
+    , m_back(button("frameBack", "step-back", tr("A frame back"),
+                    tr("One frame back; Shift and the left key in the timeline go ten")))
+    , m_play(button("playBack", "play", tr("Play back"), {}))
+    , m_forward(button("frameForward", "step", tr("A frame on"), tr("One frame on")))
+    , m_eventForward(
+          button("eventForward", "event-next", tr("Next event"), tr("On to the next event")))
+    , m_speed(new QComboBox)
+    , m_loop(button("loop", "loop", tr("Loop"), tr("Play a range again and again")))
+    , m_bookmark(button("bookmark", "bookmark", tr("Bookmark"),
+                        tr("Mark this moment, or go to one that is marked")))
+    , m_compare(button("compareRuns", "hide", tr("Compare"),
+                       tr("Show another run at the same time as a ghost")))
+    , m_continue(button("continueHere", "branch", tr("Continue from here"),
+                        tr("Begin a new run at this moment, from the exact state and with the "
+                           "design as it is now. The run that is shown is kept.")))
+    , m_live(button("backToLive", "live", tr("Live"), tr("Back to the run as it stands now")))
+    , m_where(new QLabel)
+    , m_strip(new TimelineStrip(recordings, this))
+{
+    layOut();
+    connectButtons();
+    connect(&recordings, &Recordings::listChanged, this, &Timeline::fillRuns);
+    for (const auto signal : {&Recordings::listChanged, &Recordings::grew, &Recordings::moved,
+                              &Recordings::stateChanged})
+        connect(&recordings, signal, this, &Timeline::refresh);
+    fillRuns();
+    refresh();
+}
+
+QToolButton* Timeline::button(const char* name, const char* iconName, const QString& text,
+                              const QString& toolTip)
+{
+    auto* made = new QToolButton(this);
+    made->setObjectName(QLatin1String(name));
+    made->setIcon(icon(QLatin1String(iconName)));
+    made->setText(text);
+    made->setAccessibleName(text);
+    made->setToolTip(toolTip);
+    made->setIconSize({18, 18});
+    made->setAutoRaise(true);
+    return made;
+}
+
+void Timeline::layOut()
+{
+    m_runs->setObjectName(QStringLiteral("runs"));
+    m_runs->setAccessibleName(tr("Run"));
+    m_runs->setToolTip(tr("The runs that are kept"));
+    m_runs->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_runs->setMinimumContentsLength(16);
+    m_speed->setObjectName(QStringLiteral("playbackSpeed"));
+    m_speed->setAccessibleName(tr("Speed of playing back"));
+    m_speed->setToolTip(tr("Recorded seconds per second of the clock"));
+    for (const double speed : speeds)
+        m_speed->addItem(QLocale().toString(speed) + QChar(0x00d7), speed);
+    m_speed->setCurrentIndex(m_speed->findData(m_recordings.speed()));
+    for (QToolButton* repeats : {m_back, m_forward})
+        repeats->setAutoRepeat(true);
+    for (QToolButton* worded : {m_continue, m_live})
+        worded->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    for (QToolButton* menu : {m_more, m_loop, m_bookmark, m_compare})
+        menu->setPopupMode(QToolButton::InstantPopup);
+    m_where->setObjectName(QStringLiteral("where"));
+
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(6, 2, 6, 0);
+    row->setSpacing(2);
+    row->addWidget(m_runs);
+    row->addWidget(m_more);
+    row->addSpacing(6);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_eventBack, m_back, m_play, m_forward,
+                                                           m_eventForward, m_speed})
+        row->addWidget(widget);
+    row->addSpacing(6);
+    for (QToolButton* widget : {m_loop, m_bookmark, m_compare})
+        row->addWidget(widget);
+    row->addSpacing(6);
+    row->addWidget(m_continue);
+    row->addWidget(m_live);
+    row->addStretch(1);
+    row->addWidget(m_where);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(row);
+    layout->addWidget(m_strip, 1);
+}
+
+void Timeline::connectButtons()
+{
+    using Way = Recordings::Way;
+    connect(m_runs, &QComboBox::activated, this, [this](int index) {
+        m_recordings.setCurrent(m_recordings.list()[std::size_t(index)]);
+    });
+    connect(m_eventBack, &QToolButton::clicked, this, [this] { m_recordings.toEvent(Way::Back); });
+    connect(m_eventForward, &QToolButton::clicked, this,
+            [this] { m_recordings.toEvent(Way::Forward); });
+    connect(m_back, &QToolButton::clicked, this, [this] { m_recordings.move(-1); });
+    connect(m_forward, &QToolButton::clicked, this, [this] { m_recordings.move(1); });
+    connect(m_play, &QToolButton::clicked, this,
+            [this] { m_recordings.isPlaying() ? m_recordings.pause() : m_recordings.play(); });
+    connect(m_speed, &QComboBox::activated, this,
+            [this] { m_recordings.setSpeed(m_speed->currentData().toDouble()); });
+    connect(m_continue, &QToolButton::clicked, this, [this] {
+        m_recordings.isComputing() ? m_recordings.cancel() : m_recordings.continueHere();
+    });
+    connect(m_live, &QToolButton::clicked, &m_recordings, &Recordings::backToLive);
+
+    auto* run = new QMenu(m_more);
+    run->addAction(tr("&Rename\u2026"), this, &Timeline::rename);
+    run->addAction(icon(QStringLiteral("delete")), tr("&Remove this run"), this,
+                   [this] { m_recordings.remove(m_recordings.current()); });
+    m_more->setMenu(run);
+
+    auto* loop = new QMenu(m_loop);
+    loop->addAction(tr("From &here on"), this, &Timeline::loopFromHere);
+    loop->addAction(tr("Up &to here"), this, &Timeline::loopToHere);
+    loop->addAction(tr("&No loop"), this, [this] { m_recordings.setLoop({}); });
+    m_loop->setMenu(loop);
+
+    for (QToolButton* filled : {m_bookmark, m_compare})
+        filled->setMenu(new QMenu(filled));
+    connect(m_bookmark->menu(), &QMenu::aboutToShow, this, &Timeline::fillBookmarks);
+    connect(m_compare->menu(), &QMenu::aboutToShow, this, &Timeline::fillCompare);
+}
+
+void Timeline::fillRuns()
+{
+    const QSignalBlocker quiet(m_runs);
+    m_runs->clear();
+    const auto& list = m_recordings.list();
+    for (const auto& recording : list) {
+        m_runs->addItem(nameOf(*recording));
+        m_runs->setItemData(m_runs->count() - 1, nameOf(*recording), Qt::ToolTipRole);
+        if (recording == m_recordings.current())
+            m_runs->setCurrentIndex(m_runs->count() - 1);
+    }
+    if (list.empty())
+        m_runs->setPlaceholderText(tr("No run yet"));
+}
+
+void Timeline::fillBookmarks()
+{
+    QMenu* menu = m_bookmark->menu();
+    menu->clear();
+    menu->addAction(tr("&Mark this moment\u2026"), this, &Timeline::askForBookmark);
+    const auto& recording = m_recordings.current();
+    if (!recording || recording->bookmarks().empty())
+        return;
+    menu->addSeparator();
+    QMenu* removal = nullptr;
+    const std::vector<Bookmark> bookmarks = recording->bookmarks();
+    for (const Bookmark& bookmark : bookmarks)
+        menu->addAction(tr("%1 s  %2")
+                            .arg(QLocale().toString(bookmark.time, 'f', 3),
+                                 QString::fromStdString(bookmark.name)),
+                        this, [this, time = bookmark.time] { m_recordings.seekTime(time); });
+    menu->addSeparator();
+    removal = menu->addMenu(tr("&Remove a mark"));
+    for (std::size_t i = 0; i < bookmarks.size(); ++i)
+        removal->addAction(QString::fromStdString(bookmarks[i].name), this,
+                           [this, i] { m_recordings.removeBookmark(i); });
+}
+
+void Timeline::fillCompare()
+{
+    QMenu* menu = m_compare->menu();
+    menu->clear();
+    for (const auto& recording : m_recordings.list()) {
+        if (recording == m_recordings.current())
+            continue;
+        QAction* action = menu->addAction(nameOf(*recording), this,
+                                          [this, recording] { m_recordings.setGhost(recording); });
+        action->setCheckable(true);
+        action->setChecked(recording == m_recordings.ghost());
+    }
+    if (menu->isEmpty())
+        menu->addAction(tr("There is no other run yet: reset and play again, continue from here, "
+                           "or open a recording"))
+            ->setEnabled(false);
+    menu->addSeparator();
+    QAction* none =
+        menu->addAction(tr("&No ghost"), this, [this] { m_recordings.setGhost(nullptr); });
+    none->setEnabled(m_recordings.ghost() != nullptr);
+}
+
+void Timeline::askForBookmark()
+{
+    bool given = false;
+    const QString name =
+        QInputDialog::getText(
+            this, tr("Mark this moment"), tr("Name of the mark:"), QLineEdit::Normal,
+            tr("%1 s").arg(QLocale().toString(m_recordings.time(), 'f', 2)), &given)
+            .trimmed();
+    if (given && !name.isEmpty())
+        m_recordings.addBookmark(name);
+}
+
+void Timeline::rename()
+{
+    const auto recording = m_recordings.current();
+    if (!recording)
+        return;
+    bool given = false;
+    const QString name =
+        QInputDialog::getText(this, tr("Rename the run"), tr("Name of the run:"), QLineEdit::Normal,
+                              QString::fromStdString(recording->name()), &given)
+            .trimmed();
+    if (given && !name.isEmpty())
+        m_recordings.rename(recording, name);
+}
+
+void Timeline::loopFromHere()
+{
+    const auto& recording = m_recordings.current();
+    if (!recording || recording->frameCount() == 0)
+        return;
+    const double end = recording->timeOf(recording->frameCount() - 1);
+    const double to = m_recordings.loop() ? m_recordings.loop()->to : end;
+    const double here = m_recordings.time();
+    m_recordings.setLoop(Recordings::Range{here, to > here ? to : end});
+}
+
+void Timeline::loopToHere()
+{
+    const auto& recording = m_recordings.current();
+    if (!recording || recording->frameCount() == 0)
+        return;
+    const double start = recording->timeOf(0);
+    const double from = m_recordings.loop() ? m_recordings.loop()->from : start;
+    const double here = m_recordings.time();
+    m_recordings.setLoop(Recordings::Range{from < here ? from : start, here});
+}
+
+void Timeline::refresh()
+{
+    const auto& recording = m_recordings.current();
+    const std::size_t count = recording ? recording->frameCount() : 0;
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_eventBack, m_back, m_play, m_forward, m_eventForward,
+                                         m_loop, m_bookmark, m_compare, m_more, m_continue})
+        widget->setEnabled(count > 0);
+    m_runs->setEnabled(recording != nullptr);
+    m_live->setEnabled(m_recordings.isLookingBack());
+    const bool playing = m_recordings.isPlaying();
+    m_play->setIcon(icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+    m_play->setToolTip(playing ? tr("Hold") : tr("Play the recording back from where you look"));
+    const bool computing = m_recordings.isComputing();
+    m_continue->setText(computing ? tr("Cancel") : tr("Continue from here"));
+    if (count == 0)
+        return m_where->setText({});
+    const auto size = recording->size();
+    const QString trouble = QString::fromStdString(recording->trouble());
+    m_where->setText(tr("%1 s \u00b7 frame %2 of %3")
+                         .arg(QLocale().toString(m_recordings.time(), 'f', 3))
+                         .arg(QLocale().toString(qulonglong(m_recordings.frame() + 1)))
+                         .arg(QLocale().toString(qulonglong(count)))
+                     + (trouble.isEmpty() ? QString() : tr(" \u00b7 full")));
+    m_where->setToolTip(
+        trouble.isEmpty()
+            ? tr("In memory: %1, on disk: %2").arg(sizeText(size.memory), sizeText(size.disk))
+            : trouble);
+}
+
+} // namespace ripstop

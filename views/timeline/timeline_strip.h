@@ -1,0 +1,65 @@
+#pragma once
+
+#include "run/run_event.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace ripstop {
+
+class Recordings;
+
+// The axis of time of a recording: what is kept, what happened, bookmarks, the range that is
+// looped, and where one looks. Drag to look there; the wheel zooms, a double click shows all.
+class TimelineStrip final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit TimelineStrip(Recordings& recordings, QWidget* parent = nullptr);
+
+    double timeAt(int x) const; // s
+    int placeOf(double time) const;
+    QString tipAt(int x) const; // what happened there; empty for nothing
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct Span // of time, s
+    {
+        double from = 0.0;
+        double to = 1.0;
+        double length() const { return to - from; }
+    };
+    Span whole() const;
+    Span shown() const;
+    void refresh();
+    void scrub(int x);
+    void paintAxis(QPainter& painter) const;
+    void paintKept(QPainter& painter) const;
+    void paintEvents(QPainter& painter) const;
+    void paintBookmarks(QPainter& painter) const;
+    void paintHere(QPainter& painter) const;
+    QColor colorOf(RunEvent::Kind kind) const;
+
+    Recordings& m_recordings;
+    std::vector<RunEvent> m_events;
+    Span m_zoom;
+    bool m_zoomed = false;
+};
+
+// "Tear: link 17 and 3 more"
+QString describe(const RunEvent& event);
+
+} // namespace ripstop

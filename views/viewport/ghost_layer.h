@@ -1,0 +1,37 @@
+#pragma once
+
+#include "viewport/layer.h"
+#include "viewport/vtk_data.h"
+
+#include <vtkActor.h>
+#include <vtkPoints.h>
+
+#include <memory>
+
+namespace ripstop {
+
+// Another run at the same time, as a pale shape that one sees through. It has a layout of its own.
+class GhostLayer final : public Layer
+{
+public:
+    GhostLayer();
+
+    void show(std::shared_ptr<const Frame> frame); // null: nothing
+
+    void addTo(vtkRenderer& renderer) override;
+    void setShown(bool shown) override;
+    void rebuild(const Picture& picture) override;
+    void update(const Picture&) override {}
+
+private:
+    void build();
+
+    std::shared_ptr<const Frame> m_frame; // whose network is drawn
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkPolyData> m_panels;
+    vtkNew<vtkPolyData> m_links;
+    vtkNew<vtkActor> m_panelActor;
+    vtkNew<vtkActor> m_linkActor;
+};
+
+} // namespace ripstop
