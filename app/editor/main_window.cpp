@@ -26,6 +26,7 @@
 #include "start/start_page.h"
 #include "table/sheet_panel.h"
 #include "timeline/timeline.h"
+#include "timeline/timeline_strip.h"
 #include "transport/control_keys.h"
 #include "transport/control_strip.h"
 #include "transport/transport.h"
@@ -98,7 +99,9 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     connectParts();
     new TransformBar(*m_viewport); // the view owns these
     new DrawBar(m_document, *m_viewport, m_drawSettings, *m_actions);
-    qApp->installEventFilter(new ControlKeys(document, player, this));
+    auto* keys = new ControlKeys(document, player, this);
+    keys->spare(&m_timeline->strip());
+    qApp->installEventFilter(keys);
 
     resize(1280, 800);
     restoreLayout();

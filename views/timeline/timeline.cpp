@@ -2,6 +2,7 @@
 
 #include "document/recordings.h"
 #include "icons/icon.h"
+#include "timeline/difference_dialog.h"
 #include "timeline/timeline_strip.h"
 
 #include <QComboBox>
@@ -52,7 +53,7 @@ Timeline::Timeline(Recordings& recordings, QWidget* parent)
     , m_loop(button("loop", "loop", tr("Loop"), tr("Play a range again and again")))
     , m_bookmark(button("bookmark", "bookmark", tr("Bookmark"),
                         tr("Mark this moment, or go to one that is marked")))
-    , m_compare(button("compareRuns", "hide", tr("Compare"),
+    , m_compare(button("compareRuns", "compare", tr("Compare"),
                        tr("Show another run at the same time as a ghost")))
     , m_continue(button("continueHere", "branch", tr("Continue from here"),
                         tr("Begin a new run at this moment, from the exact state and with the "
@@ -223,9 +224,19 @@ void Timeline::fillCompare()
                            "or open a recording"))
             ->setEnabled(false);
     menu->addSeparator();
+    if (m_recordings.ghost())
+        menu->addAction(tr("&Plot the difference"), this, &Timeline::plotDifference);
     QAction* none =
         menu->addAction(tr("&No ghost"), this, [this] { m_recordings.setGhost(nullptr); });
     none->setEnabled(m_recordings.ghost() != nullptr);
+}
+
+void Timeline::plotDifference()
+{
+    auto* dialog =
+        new DifferenceDialog(m_recordings.current(), m_recordings.ghost(), window()); // goes itself
+    connect(dialog, &DifferenceDialog::picked, &m_recordings, &Recordings::seekTime);
+    dialog->show();
 }
 
 void Timeline::askForBookmark()

@@ -33,6 +33,7 @@ private:
     void fillRuns();
     void fillBookmarks();
     void fillCompare();
+    void plotDifference();
     void loopFromHere();
     void loopToHere();
     void refresh();

@@ -17,6 +17,8 @@
 #include <QTabBar>
 #include <QTextEdit>
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
@@ -69,6 +71,8 @@ ControlKeys::ControlKeys(Document& document, Player& player, QObject* parent)
     , m_player(player)
 {}
 
+void ControlKeys::spare(const QWidget* widget) { m_spared.push_back(widget); }
+
 bool ControlKeys::eventFilter(QObject* watched, QEvent* event)
 {
     const bool press = event->type() == QEvent::KeyPress;
@@ -92,6 +96,8 @@ bool ControlKeys::maySteer(QObject* watched) const
     if (!target || !isAny<QMainWindow, QDockWidget>(target->window()))
         return false;
     const QWidget* focus = QApplication::focusWidget();
+    if (m_player.isLookingBack() || std::ranges::find(m_spared, focus) != m_spared.end())
+        return false; // what has been cannot be steered
     return !takesText(focus) && (isRunning() || !movesByKeys(focus));
 }
 

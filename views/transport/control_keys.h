@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+#include <vector>
+
 class QKeyEvent;
 class QWidget;
 
@@ -22,6 +24,8 @@ class ControlKeys final : public QObject
 public:
     ControlKeys(Document& document, Player& player, QObject* parent = nullptr);
 
+    void spare(const QWidget* widget); // it has its keys while it has the focus
+
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -31,6 +35,7 @@ private:
 
     Document& m_document;
     Player& m_player;
+    std::vector<const QWidget*> m_spared;
 };
 
 } // namespace ripstop

@@ -207,10 +207,7 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
     connect(this, &Viewport::cameraChanged, this, [this] { d->pointing.moved(); });
 
     setTheme(Theme::from(palette()));
-    if (player.frame())
-        d->stage.show(player.frame());
-    else
-        d->showDesign();
+    player.frame() ? d->stage.show(player.frame()) : d->showDesign();
 }
 
 Viewport::~Viewport() = default;
