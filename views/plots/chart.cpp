@@ -48,7 +48,11 @@ Chart::Chart(QWidget* parent)
     layout->addWidget(m_plot);
     m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_plot->setNoAntialiasingOnDrag(true);
-    m_plot->setContextMenuPolicy(Qt::NoContextMenu); // the panel has one
+    m_plot->setAutoAddPlottableToLegend(false);          // each strip has a legend of its own
+    m_plot->setContextMenuPolicy(Qt::CustomContextMenu); // it lets no click through to the panel
+    connect(m_plot, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
+        emit customContextMenuRequested(m_plot->mapTo(this, place));
+    });
     m_plot->installEventFilter(this);
     m_plot->setToolTip({});
     connect(m_plot, &QCustomPlot::mouseDoubleClick, this, &Chart::follow);
@@ -78,6 +82,7 @@ void Chart::layOut()
     m_plot->plotLayout()->clear();
     m_strips.clear();
     m_graphs.assign(m_curves.size(), nullptr);
+    m_past.clear();
     m_revision = -1; // draw everything
 
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
@@ -95,7 +100,9 @@ void Chart::layOut()
         strip.time->setTickLabels(last);
         strip.time->setLabel(last ? tr("time (s)") : QString());
         label(strip);
+        scale(strip);
     }
+    addPast();
     const QScopedValueRollback setting(m_setting, true);
     takeTime(inSight);
     style();
@@ -149,6 +156,55 @@ void Chart::addCurve(Strip& strip, int curve)
     graph->setAdaptiveSampling(true);
     m_graphs[std::size_t(curve)] = graph;
     strip.curves.push_back(curve);
+}
+
+void Chart::setEarlier(const std::vector<EarlierRun>& earlier)
+{
+    m_earlier = earlier;
+    for (QCPGraph* graph : m_past)
+        m_plot->removeGraph(graph);
+    m_past.clear();
+    addPast();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Chart::addPast()
+{
+    for (const EarlierRun& run : m_earlier)
+        for (const Strip& strip : m_strips)
+            for (const int curve : strip.curves) {
+                const Curve& of = m_curves[std::size_t(curve)];
+                const auto time = run.history.time();
+                const auto values = run.history.valuesOf(of.probe);
+                if (values.size() != time.size())
+                    continue;
+                QCPGraph* graph = m_plot->addGraph(strip.time, strip.values);
+                QColor color = of.color;
+                color.setAlphaF(0.45F);
+                graph->setPen(QPen(color, 1.0));
+                graph->setAdaptiveSampling(true);
+                graph->setLayer(QStringLiteral("grid")); // behind the curves of now
+                graph->setData(QVector<double>(time.begin(), time.end()),
+                               QVector<double>(values.begin(), values.end()), true);
+                m_past.push_back(graph);
+            }
+}
+
+void Chart::setLogarithmic(bool logarithmic)
+{
+    m_logarithmic = logarithmic;
+    for (Strip& strip : m_strips)
+        scale(strip);
+    follow();
+}
+
+void Chart::scale(Strip& strip) const
+{
+    strip.values->setScaleType(m_logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    const QSharedPointer<QCPAxisTicker> ticker(m_logarithmic ? new QCPAxisTickerLog
+                                                             : new QCPAxisTicker);
+    ticker->setTickCount(4);
+    strip.values->setTicker(ticker);
 }
 
 // One curve names its axis itself; several do by what they have in common, and get a legend.
@@ -244,14 +300,19 @@ void Chart::fitValues(Strip& strip)
     bool any = false;
     for (const int curve : strip.curves) {
         bool found = false;
-        const QCPRange one =
-            m_graphs[std::size_t(curve)]->getValueRange(found, QCP::sdBoth, strip.time->range());
+        const QCPRange one = m_graphs[std::size_t(curve)]->getValueRange(
+            found, m_logarithmic ? QCP::sdPositive : QCP::sdBoth, strip.time->range());
         if (found)
             values = any ? values.expanded(one) : one;
         any = any || found;
     }
     if (!any)
         return;
+    if (m_logarithmic) {
+        constexpr double room = 1.3; // times
+        strip.values->setRange(values.lower / room, values.upper * room);
+        return;
+    }
     const QCPRange wanted = around(values);
     const QCPRange shown = strip.values->range();
     const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
@@ -361,14 +422,6 @@ QSize Chart::minimumSizeHint() const
 {
     const int strips = std::max(1, int(m_strips.size()));
     return {200, strips * stripHeight + lastStripExtra};
-}
-
-bool Chart::savePicture(const QString& file) const
-{
-    if (file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive))
-        return m_plot->savePdf(file);
-    constexpr double density = 2.0; // sharp in print
-    return m_plot->savePng(file, 0, 0, density);
 }
 
 double Chart::timeFrom() const { return m_strips.front().time->range().lower; }

@@ -42,6 +42,9 @@ public:
     void setCurves(std::vector<Curve> curves);
     const std::vector<Curve>& curves() const { return m_curves; }
     void draw(const History& history);
+    void setEarlier(const std::vector<EarlierRun>& earlier); // thin, behind the curves
+    void setLogarithmic(bool logarithmic);                   // the axes of values
+    bool isLogarithmic() const { return m_logarithmic; }
 
     void setCursor(std::optional<double> time); // s; a line there, or none
 
@@ -50,7 +53,7 @@ public:
     void setWholeRun(bool whole); // follow from the start, not only the latest half minute
     bool showsWholeRun() const { return m_wholeRun; }
 
-    bool savePicture(const QString& file) const; // PNG, or PDF by its suffix
+    QCustomPlot& plot() { return *m_plot; }
 
     // For tests: what is in sight, s.
     double timeFrom() const;
@@ -84,6 +87,8 @@ private:
     void layOut();
     void addStrip(const QString& unit);
     void addCurve(Strip& strip, int curve);
+    void addPast();
+    void scale(Strip& strip) const;
     void label(Strip& strip) const;
     void style();
     void style(Strip& strip);
@@ -98,12 +103,15 @@ private:
     QCustomPlot* m_plot;
     std::vector<Curve> m_curves;
     std::vector<QCPGraph*> m_graphs; // [curves]
+    std::vector<QCPGraph*> m_past;   // of earlier runs
+    std::vector<EarlierRun> m_earlier;
     std::vector<Strip> m_strips;
     std::size_t m_drawn = 0;        // samples
     int m_revision = -1;            // of the history that was drawn
     std::optional<double> m_cursor; // s
     bool m_following = true;
     bool m_wholeRun = false;
+    bool m_logarithmic = false;
     bool m_setting = false; // ranges change by program, not by hand
 };
 

@@ -6,6 +6,8 @@
 
 #include "run/frame.h"
 
+#include <QString>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -32,6 +34,8 @@ public:
     // The sample nearest to that time, s; only when there are any.
     std::size_t nearest(double time) const;
 
+    std::uint64_t run() const { return m_run; } // that the samples are of
+
     // Grows whenever samples other than the newest have changed.
     int revision() const { return m_revision; }
 
@@ -57,6 +61,13 @@ private:
     std::size_t m_stride = 1; // frames for each sample
     std::size_t m_passed = 0; // frames since the last sample
     int m_revision = 0;
+};
+
+// A run that is over, kept for comparison.
+struct EarlierRun
+{
+    QString name;
+    History history;
 };
 
 } // namespace ripstop

@@ -7,11 +7,16 @@
 #include "icons/icon.h"
 #include "icons/swatch.h"
 #include "io/csv.h"
+#include "plots/chart_picture.h"
 #include "plots/curve_color.h"
+#include "plots/curve_views.h"
 
+#include <QBuffer>
+#include <QClipboard>
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -60,6 +65,7 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     , m_list(new QTreeWidget)
     , m_chartPages(new QStackedWidget)
     , m_chart(new Chart)
+    , m_xy(new XyChart)
 {
     layOut();
     m_redraw.setSingleShot(true);
@@ -68,6 +74,8 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     connect(&document, &Document::changed, this, &PlotPanel::refresh);
     connect(&document, &Document::replaced, this, [this] {
         m_history.clear();
+        forgetEarlier();
+        setWay({});
         refresh();
     });
     connect(&player, &Player::frameReady, this, &PlotPanel::take);
@@ -80,6 +88,9 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     m_chart->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_chart, &QWidget::customContextMenuRequested, this,
             [this](const QPoint& place) { showMenu(m_chart->mapToGlobal(place)); });
+    m_xy->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_xy, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& place) { showMenu(m_xy->mapToGlobal(place)); });
     refresh();
     if (player.frame())
         take(player.frame());
@@ -104,6 +115,7 @@ void PlotPanel::layOut()
     scroll->setWidget(m_chart);
     m_chartPages->addWidget(scroll);
     m_chartPages->addWidget(hint(tr("Tick a probe to plot it.")));
+    m_chartPages->addWidget(m_xy);
 
     auto* splitter = new QSplitter;
     splitter->setChildrenCollapsible(false);
@@ -157,8 +169,8 @@ void PlotPanel::rebuildCurves()
                               choiceLabel(choiceNames<Quantity>[std::size_t(probe.quantity)]),
                               unitOf(m_probes[i].id), curveColor(int(i), palette())});
     }
-    m_chartPages->setCurrentIndex(curves.empty() ? 1 : 0);
     m_chart->setCurves(std::move(curves));
+    showPage();
     drawSoon();
 }
 
@@ -176,6 +188,8 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
     if (m_player.isLookingBack())
         return showPast(*frame);
     m_chart->setCursor({});
+    if (frame->run != m_history.run())
+        keepRun();
     m_history.add(*frame);
     if (frame->layout != m_layout) {
         m_layout = frame->layout;
@@ -199,8 +213,64 @@ void PlotPanel::drawSoon()
 
 void PlotPanel::draw()
 {
-    m_chart->draw(m_history);
+    if (m_way.of == Way::Of::OverTime)
+        m_chart->draw(m_history);
+    else
+        drawXy();
     showValues();
+}
+
+void PlotPanel::drawXy()
+{
+    const std::vector<Curve>& curves = m_chart->curves();
+    QString unit = curves.empty() ? QString() : curves.front().unit;
+    for (const Curve& curve : curves)
+        if (curve.unit != unit)
+            unit = tr("each in its unit");
+    if (m_way.of == Way::Of::Spectra)
+        return m_xy->show(tr("frequency (Hz)"), tr("amplitude (%1)").arg(unit),
+                          spectra(m_history, m_earlier, curves));
+    const Probe* across = findItem<Probe>(m_document.scene(), m_way.across);
+    if (!across) // it is gone
+        return setWay({});
+    const QString name = QString::fromStdString(across->name);
+    const QString acrossUnit = unitOf(m_way.across);
+    m_xy->show(acrossUnit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, acrossUnit), unit,
+               phaseCurves(m_history, m_earlier, curves, std::uint32_t(m_way.across)));
+}
+
+void PlotPanel::setWay(const Way& way)
+{
+    m_way = way;
+    showPage();
+    drawSoon();
+}
+
+void PlotPanel::showPage()
+{
+    m_chartPages->setCurrentIndex(m_chart->curves().empty()       ? 1
+                                  : m_way.of == Way::Of::OverTime ? 0
+                                                                  : 2);
+}
+
+// A reset, or another start, begins a new run.
+void PlotPanel::keepRun()
+{
+    constexpr std::size_t most = 8; // runs, of which a person can tell the curves apart
+    if (m_history.time().size() < 2)
+        return;
+    m_earlier.push_back({tr("run %1").arg(++m_runs), m_history});
+    if (m_earlier.size() > most)
+        m_earlier.erase(m_earlier.begin());
+    m_chart->setEarlier(m_earlier);
+}
+
+void PlotPanel::forgetEarlier()
+{
+    m_earlier.clear();
+    m_runs = 0;
+    m_chart->setEarlier(m_earlier);
+    drawSoon();
 }
 
 // What the probes read at the time under the mouse, or now.
@@ -283,14 +353,55 @@ void PlotPanel::showMenu(const QPoint& place)
     connect(whole, &QAction::toggled, m_chart, &Chart::setWholeRun);
     QAction* follow = menu.addAction(tr("Follow the run"), m_chart, &Chart::follow);
     follow->setEnabled(!m_chart->follows());
+    addWays(menu);
     menu.addSeparator();
     menu.addAction(icon(QStringLiteral("table")), tr("Save as CSV\u2026"), this,
                    &PlotPanel::saveCsv);
     menu.addAction(icon(QStringLiteral("picture")), tr("Save picture\u2026"), this,
                    &PlotPanel::savePicture);
+    menu.addAction(tr("Copy the table"), this, &PlotPanel::copyTable);
+    menu.addAction(tr("Copy the picture"), this,
+                   [this] { QGuiApplication::clipboard()->setPixmap(pictureOf(plotInSight())); });
     menu.addSeparator();
     menu.addAction(icon(QStringLiteral("delete")), tr("Clear"), this, &PlotPanel::clear);
+    QAction* forget = menu.addAction(tr("Clear earlier runs"), this, &PlotPanel::forgetEarlier);
+    forget->setEnabled(!m_earlier.empty());
     menu.exec(place);
+}
+
+void PlotPanel::addWays(QMenu& menu)
+{
+    QAction* logarithmic = menu.addAction(tr("Logarithmic values"));
+    logarithmic->setCheckable(true);
+    logarithmic->setChecked(m_chart->isLogarithmic());
+    connect(logarithmic, &QAction::toggled, this, [this](bool on) {
+        m_chart->setLogarithmic(on);
+        m_xy->setLogarithmic(on);
+    });
+    QMenu* against = menu.addMenu(tr("Curves against"));
+    const auto add = [&](QMenu& to, const QString& text, const Way& way) {
+        QAction* action = to.addAction(text, this, [this, way] { setWay(way); });
+        action->setCheckable(true);
+        action->setChecked(way == m_way);
+    };
+    add(*against, tr("time"), {});
+    for (const Entry& entry : m_probes)
+        add(*against, QString::fromStdString(std::get<Probe>(entry.item).name),
+            {Way::Of::Against, entry.id});
+    add(menu, tr("Spectra"), {Way::Of::Spectra, {}});
+}
+
+QCustomPlot& PlotPanel::plotInSight()
+{
+    return m_way.of == Way::Of::OverTime ? m_chart->plot() : m_xy->plot();
+}
+
+void PlotPanel::copyTable() const
+{
+    QBuffer text;
+    text.open(QIODevice::WriteOnly);
+    writeCsv(text, '\t'); // as spreadsheets paste it
+    QGuiApplication::clipboard()->setText(QString::fromUtf8(text.data()));
 }
 
 QString PlotPanel::suggestedFile(const char* suffix) const
@@ -319,20 +430,21 @@ void PlotPanel::saveCsv()
 
 void PlotPanel::savePicture()
 {
-    const QString name = QFileDialog::getSaveFileName(
-        this, tr("Save the picture"), suggestedFile(".png"), tr("PNG (*.png);;PDF (*.pdf)"));
-    if (!name.isEmpty() && !m_chart->savePicture(name))
+    const QString name =
+        QFileDialog::getSaveFileName(this, tr("Save the picture"), suggestedFile(".png"),
+                                     tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"));
+    if (!name.isEmpty() && !ripstop::savePicture(plotInSight(), name))
         QMessageBox::warning(this, tr("Save the picture"), tr("%1 cannot be written.").arg(name));
 }
 
-void PlotPanel::writeCsv(QIODevice& device) const
+void PlotPanel::writeCsv(QIODevice& device, char separator) const
 {
     QTextStream out(&device);
     out << "time (s)";
     for (const Curve& curve : m_chart->curves()) {
         const QString name =
             curve.unit.isEmpty() ? curve.name : curve.name + " (" + curve.unit + ')';
-        out << ',' << QString::fromStdString(csvCell(name.toStdString()));
+        out << separator << QString::fromStdString(csvCell(name.toStdString(), separator));
     }
     out << '\n';
     const auto time = m_history.time();
@@ -340,7 +452,7 @@ void PlotPanel::writeCsv(QIODevice& device) const
         out << QString::number(time[i], 'g', QLocale::FloatingPointShortest);
         for (const Curve& curve : m_chart->curves()) {
             const auto values = m_history.valuesOf(curve.probe);
-            out << ',';
+            out << separator;
             if (i < values.size() && !std::isnan(values[i]))
                 out << QString::number(values[i], 'g', QLocale::FloatingPointShortest);
         }

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QCustomPlot;
+
+namespace ripstop {
+
+// A curve through points that need not be in order of x.
+struct XyCurve
+{
+    QString name;
+    QColor color;
+    std::vector<double> x;
+    std::vector<double> y;
+    bool past = false; // of an earlier run: thin
+};
+
+// Curves of anything against anything. The axes fit them until the user drags or zooms; a double
+// click lets go.
+class XyChart final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit XyChart(QWidget* parent = nullptr);
+
+    void show(const QString& xLabel, const QString& yLabel, const std::vector<XyCurve>& curves);
+    using QWidget::show;
+    void setLogarithmic(bool logarithmic); // the y axis
+
+    QCustomPlot& plot() { return *m_plot; }
+
+    // For tests.
+    int curveCount() const;
+    double yTop() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void style();
+    void fit();
+
+    QCustomPlot* m_plot;
+    bool m_logarithmic = false;
+    bool m_held = false;    // the user has chosen what is in sight
+    bool m_setting = false; // ranges change by program, not by hand
+};
+
+} // namespace ripstop
