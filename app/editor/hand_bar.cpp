@@ -127,10 +127,14 @@ void HandBar::layOut(QAction* through)
     bold.setBold(true);
     m_title->setFont(bold);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
-    auto* button = new QToolButton;
-    button->setDefaultAction(through);
+    auto* button = new QToolButton; // in words of its own, which a default action would replace
+    button->setCheckable(true);
+    button->setChecked(through->isChecked());
+    button->setIcon(through->icon());
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setText(tr("All the way through"));
+    connect(button, &QToolButton::clicked, through, &QAction::trigger);
+    connect(through, &QAction::toggled, button, &QToolButton::setChecked);
     button->setToolTip(tr("Off, the knife goes through the first fabric under it; on, through all "
                           "that lies behind as well."));
     button->setFocusPolicy(Qt::NoFocus);
