@@ -140,7 +140,10 @@ void BuilderDialog::layOut()
     if (m_ground) {
         m_place = new PlaceForm(*m_ground, m_open->focus);
         form->addWidget(m_place);
-        connect(m_place, &PlaceForm::changed, this, &BuilderDialog::buildSoon);
+        connect(m_place, &PlaceForm::changed, this, [this] {
+            m_isNew = true; // it comes elsewhere
+            buildSoon();
+        });
     }
     if (m_open)
         form->addWidget(m_show);
@@ -337,6 +340,8 @@ void BuilderDialog::accept()
     if (m_open) {
         m_open->document.push(m_outcome->edit);
         m_open->selection.set(m_outcome->bodies);
+        if (m_isNew)
+            emit shown(m_outcome->bodies);
     }
     QDialog::accept();
 }

@@ -34,7 +34,8 @@ struct OpenDesign
 // Chooses a builder and its parameters. The design is built anew, on a thread of its own, shortly
 // after each change, so that its shape, its figures and what is wrong with it are always on screen:
 // in the open design when it goes there, and in a view of the dialog's own when it is a new one.
-// Accepted, a change of the open design is one step of the history, and dismissed, none.
+// Accepted, a change of the open design is one step of the history, and dismissed, none. It is
+// modal because the preview stands in the history until then: another edit would come to lie on it.
 class BuilderDialog final : public QDialog
 {
     Q_OBJECT
@@ -51,8 +52,8 @@ public:
     void reject() override;
 
 signals:
-    // What comes is in the view, for the first time since its builder was chosen: time to look at
-    // it.
+    // What comes is in the view, for the first time since its builder or its place was chosen: time
+    // to look at it.
     void shown(const std::vector<ripstop::Id>& bodies);
 
 private:
@@ -88,7 +89,7 @@ private:
     std::shared_ptr<const InsertGround> m_ground; // of an insertion
     std::shared_ptr<const Scene> m_scene;         // as it was, where a part is built again
     int m_gesture = 0;                            // of the preview that stands in the history, or 0
-    bool m_isNew = true;                          // no design of this builder was shown yet
+    bool m_isNew = true; // no design of this builder was shown at this place yet
 
     std::unique_ptr<Preview> m_preview;
     std::shared_ptr<const BuildOutcome> m_outcome; // of what the form says, or null

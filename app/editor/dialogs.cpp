@@ -8,12 +8,15 @@
 #include "editor/polar_dialog.h"
 #include "editor/result_page.h"
 #include "editor/rigidity_dialog.h"
+#include "editor/settle_dialog.h"
 #include "editor/verification_dialog.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
 #include <QMainWindow>
 #include <QMenuBar>
+
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -79,6 +82,13 @@ void Dialogs::showRigidity()
     if (!m_rigidity)
         m_rigidity = new RigidityDialog(m_document, m_selection, m_viewport, &m_window);
     bringUp(*m_rigidity);
+}
+
+void Dialogs::showSettle(Player& player, std::function<void()> adoptPose)
+{
+    if (!m_settle) // deletes itself when closed
+        m_settle = new SettleDialog(player, std::move(adoptPose), &m_window);
+    bringUp(*m_settle);
 }
 
 } // namespace ripstop

@@ -2,6 +2,8 @@
 
 #include <QPointer>
 
+#include <functional>
+
 class QMainWindow;
 
 namespace ripstop {
@@ -9,9 +11,11 @@ namespace ripstop {
 class ConditionDialog;
 class Document;
 class KeyMap;
+class Player;
 class PolarDialog;
 class RigidityDialog;
 class Selection;
+class SettleDialog;
 class VerificationDialog;
 class Viewport;
 
@@ -28,6 +32,7 @@ public:
     void showPolar();        // of the selected material
     void showCondition();
     void showRigidity();
+    void showSettle(Player& player, std::function<void()> adoptPose);
 
 private:
     QMainWindow& m_window;
@@ -36,6 +41,7 @@ private:
     Viewport& m_viewport;
     QPointer<VerificationDialog> m_verification; // while it is open
     QPointer<PolarDialog> m_polar;               // while it is open
+    QPointer<SettleDialog> m_settle;             // while it is open
     ConditionDialog* m_condition = nullptr;      // once it has been asked for
     RigidityDialog* m_rigidity = nullptr;        // once it has been asked for
 };

@@ -109,6 +109,7 @@ ExportDialog::ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now,
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseFormat);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportDialog::start);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    m_target->setAccessibleName(tr("File"));
     connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::showPreview);
     for (QDoubleSpinBox* box : {m_from, m_to, m_fps, m_speed})
         connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showPreview);
@@ -141,11 +142,12 @@ void ExportDialog::layOut()
     m_speed->setDecimals(3);
     m_speed->setValue(1.0);
     m_speed->setPrefix(tr("× "));
-    m_speed->setToolTip(tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
+    m_speed->setToolTip(
+        tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
     m_again->setChecked(true);
     const std::pair<QWidget*, const char*> names[]{
-        {m_to, "to"},         {m_fps, "rate"},      {m_speed, "speed"},
-        {m_width, "width"},   {m_height, "height"}, {m_transparent, "transparent"},
+        {m_to, "to"},          {m_fps, "rate"},      {m_speed, "speed"},
+        {m_width, "width"},    {m_height, "height"}, {m_transparent, "transparent"},
         {m_message, "message"}};
     for (const auto& [field, name] : names)
         field->setObjectName(name);
@@ -224,7 +226,10 @@ ExportRange ExportDialog::range() const
 
 ExportDialog::Job ExportDialog::job() const
 {
-    return {choice(), target(), range(), m_fps->value(),
+    return {choice(),
+            target(),
+            range(),
+            m_fps->value(),
             {.size = QSize(m_width->value(), m_height->value()),
              .overlays = m_overlays->isChecked(),
              .time = m_time->isChecked(),
@@ -310,8 +315,7 @@ QString ExportDialog::writeNow() const
 Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
 {
     if (const FilmFormat* film = job.choice.film())
-        return openFilm(*film, job.target, job.picturesPerSecond,
-                        drawnBy(this, m_draw, job.look));
+        return openFilm(*film, job.target, job.picturesPerSecond, drawnBy(this, m_draw, job.look));
     return openSink(*job.choice.mesh(), job.target.toStdString(), Dress(m_scene));
 }
 
@@ -344,8 +348,7 @@ bool ExportDialog::mayWrite()
             : tr("%1 and %2 more exist already. Replace them?")
                   .arg(QDir::toNativeSeparators(there[0]))
                   .arg(there.size() - 1);
-    return QMessageBox::question(this, tr("Replace what is there?"), question)
-           == QMessageBox::Yes;
+    return QMessageBox::question(this, tr("Replace what is there?"), question) == QMessageBox::Yes;
 }
 
 void ExportDialog::watch()

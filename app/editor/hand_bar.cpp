@@ -21,6 +21,7 @@
 namespace ripstop {
 namespace {
 
+constexpr int fieldMargins = 18; // pixels, of a field beside its text
 constexpr double degree = std::numbers::pi / 180.0;
 
 QString shortText(double value) { return compactNumber(QString::number(value, 'g', 4).toDouble()); }
@@ -103,7 +104,8 @@ void HandBar::addField(const QString& name, Field field, const QString& help)
                                .arg(help, shortText(field.low), shortText(field.high), field.unit));
     field.edit->setAlignment(Qt::AlignRight);
     field.edit->setFixedWidth(
-        field.edit->fontMetrics().horizontalAdvance(QStringLiteral("automatic 0000")));
+        field.edit->fontMetrics().horizontalAdvance(tr("automatic %1").arg(QStringLiteral("00.00")))
+        + fieldMargins);
     field.row = new QWidget;
     auto* label = new QLabel(name);
     label->setBuddy(field.edit);
@@ -125,10 +127,14 @@ void HandBar::layOut(QAction* through)
     bold.setBold(true);
     m_title->setFont(bold);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
-    auto* button = new QToolButton;
-    button->setDefaultAction(through);
+    auto* button = new QToolButton; // in words of its own, which a default action would replace
+    button->setCheckable(true);
+    button->setChecked(through->isChecked());
+    button->setIcon(through->icon());
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setText(tr("All the way through"));
+    connect(button, &QToolButton::clicked, through, &QAction::trigger);
+    connect(through, &QAction::toggled, button, &QToolButton::setChecked);
     button->setToolTip(tr("Off, the knife goes through the first fabric under it; on, through all "
                           "that lies behind as well."));
     button->setFocusPolicy(Qt::NoFocus);

@@ -133,8 +133,8 @@ void KeysDialog::addPointing()
     };
     row(view, tr("Left drag"), tr("Turn"), tr("The horizon stays level."));
     row(view, tr("Middle or Shift + left drag"), tr("Move"), {});
-    row(view, tr("Ctrl + left drag"), tr("Steer"),
-        tr("Drags what controls move: corners, pilots, colliders."));
+    row(view, tr("Ctrl + left drag"), tr("Grab"),
+        tr("Pulls at fabric and lines, carries colliders, moves what controls move."));
     row(view, tr("Wheel"), tr("Zoom"), tr("Towards the cursor."));
     row(view, tr("Click"), tr("Select"),
         tr("With Shift, add to the selection; with Ctrl, take away."));

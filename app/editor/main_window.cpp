@@ -10,6 +10,7 @@
 #include "editor/builder_dialog.h"
 #include "editor/dialogs.h"
 #include "editor/draw_bar.h"
+#include "editor/empty_hint.h"
 #include "editor/hand_bar.h"
 #include "editor/rescue_dialog.h"
 #include "editor/run_files.h"
@@ -97,7 +98,8 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     buildToolBar();
     buildStatusBar();
     connectParts();
-    new TransformBar(*m_viewport); // the view owns these
+    new EmptyHint(document, *m_viewport); // the view owns these
+    new TransformBar(*m_viewport);
     new DrawBar(m_document, *m_viewport, m_drawSettings, *m_actions);
     auto* keys = new ControlKeys(document, player, this);
     keys->spare(&m_timeline->strip());

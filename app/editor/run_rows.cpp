@@ -3,8 +3,8 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "editor/actions.h"
+#include "editor/dialogs.h"
 #include "editor/pose_dialog.h"
-#include "editor/settle_dialog.h"
 #include "viewport/cut_tool.h"
 #include "viewport/fan_tool.h"
 #include "viewport/grab_tool.h"
@@ -14,7 +14,6 @@
 
 #include <QAction>
 #include <QMainWindow>
-#include <QPointer>
 #include <QStatusBar>
 
 namespace ripstop {
@@ -76,13 +75,8 @@ std::vector<MenuRow> handRows(const Workbench& bench, const Actions& actions)
         take(bench,
              std::make_unique<FanTool>(bench.player, bench.viewport.hands(), bench.handsChanged));
     };
-    const auto settle = [&bench, open = QPointer<SettleDialog>()]() mutable {
-        if (!open) // deletes itself when closed
-            open = new SettleDialog(
-                bench.player, [&bench] { adoptPose(bench); }, &bench.window);
-        open->show();
-        open->raise();
-        open->activateWindow();
+    const auto settle = [&bench] {
+        bench.dialogs.showSettle(bench.player, [&bench] { adoptPose(bench); });
     };
     const auto adopt = [&bench] { adoptPose(bench); };
     const auto unpin = [&bench] { pullOutPins(bench); };

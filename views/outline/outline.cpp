@@ -88,6 +88,7 @@ Outline::Outline(Document& document, Selection& selection, QWidget* parent)
     m_search->setPlaceholderText(tr("Search names, or #17"));
     m_search->setToolTip(tr("Shows only what has this in its name. #17 and Enter selects what has "
                             "the id 17; Enter alone selects all that is found."));
+    m_search->setAccessibleName(tr("Search the outline"));
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     connect(m_search, &QLineEdit::textChanged, this, &Outline::search);

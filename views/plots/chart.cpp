@@ -22,11 +22,6 @@ constexpr double headroom = 0.08;  // of the values, above and below
 constexpr double roomy = 0.55;     // values that fill less of their axis are fitted anew
 constexpr double flat = 1e-4;      // of its size: less change than this is shown as no change
 
-QString withUnit(const QString& name, const QString& unit)
-{
-    return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
-}
-
 // The range that the values should fill: some air around them, and never nothing.
 QCPRange around(const QCPRange& values)
 {
@@ -207,20 +202,10 @@ void Chart::scale(Strip& strip) const
     strip.values->setTicker(ticker);
 }
 
-// One curve names its axis itself; several do by what they have in common, and get a legend.
+// The axis has the unit: a name along it would be longer than a strip is high.
 void Chart::label(Strip& strip) const
 {
-    const Curve& first = m_curves[std::size_t(strip.curves.front())];
-    const bool alike = std::all_of(strip.curves.begin(), strip.curves.end(), [&](int curve) {
-        return m_curves[std::size_t(curve)].quantity == first.quantity;
-    });
-    if (strip.curves.size() == 1) {
-        strip.values->setLabel(withUnit(first.name, strip.unit));
-        return;
-    }
-    strip.values->setLabel(alike                  ? withUnit(first.quantity, strip.unit)
-                           : strip.unit.isEmpty() ? tr("no unit")
-                                                  : strip.unit);
+    strip.values->setLabel(strip.unit);
     auto* legend = new QCPLegend;
     strip.rect->insetLayout()->addElement(legend, Qt::AlignTop | Qt::AlignLeft);
     legend->setLayer(QStringLiteral("legend"));
@@ -426,7 +411,5 @@ QSize Chart::minimumSizeHint() const
 
 double Chart::timeFrom() const { return m_strips.front().time->range().lower; }
 double Chart::timeTo() const { return m_strips.front().time->range().upper; }
-
-QString Chart::axisLabel(int strip) const { return m_strips[std::size_t(strip)].values->label(); }
 
 } // namespace ripstop

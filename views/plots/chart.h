@@ -21,7 +21,6 @@ struct Curve
 {
     std::uint32_t probe; // id
     QString name;        // "kite height"
-    QString quantity;    // "Position y"
     QString unit;        // "m"; empty when dimensionless
     QColor color;
 
@@ -59,7 +58,6 @@ public:
     double timeFrom() const;
     double timeTo() const;
     int stripCount() const { return int(m_strips.size()); }
-    QString axisLabel(int strip) const;
 
     QSize minimumSizeHint() const override;
 

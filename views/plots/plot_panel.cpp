@@ -166,7 +166,6 @@ void PlotPanel::rebuildCurves()
         const auto& probe = std::get<Probe>(m_probes[i].item);
         if (probe.plotted)
             curves.push_back({std::uint32_t(m_probes[i].id), QString::fromStdString(probe.name),
-                              choiceLabel(choiceNames<Quantity>[std::size_t(probe.quantity)]),
                               unitOf(m_probes[i].id), curveColor(int(i), palette())});
     }
     m_chart->setCurves(std::move(curves));

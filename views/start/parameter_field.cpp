@@ -157,6 +157,7 @@ QSlider* ParameterField::newSlider()
     m_slider = new QSlider(Qt::Horizontal);
     m_slider->setRange(0, sliderSteps);
     m_slider->setFocusPolicy(Qt::NoFocus); // the arrow keys of the number do the same
+    m_slider->setAccessibleName(label(m_parameter));
     m_slider->setMinimumWidth(60);
     m_slider->installEventFilter(this);
     connect(m_slider, &QSlider::valueChanged, this, [this] {

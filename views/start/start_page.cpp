@@ -101,7 +101,7 @@ QWidget* StartPage::side()
 {
     auto* newScene = new QPushButton(icon(QStringLiteral("new")), tr("New scene"));
     newScene->setObjectName(QStringLiteral("new"));
-    newScene->setToolTip(tr("An empty scene with a ground and air"));
+    newScene->setToolTip(tr("An empty scene, to draw or import into"));
     auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open\u2026"));
     open->setObjectName(QStringLiteral("open"));
     open->setToolTip(tr("A scene from a file"));

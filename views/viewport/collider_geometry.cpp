@@ -114,7 +114,7 @@ Eigen::AlignedBox3d boundsOf(const ColliderBody& body)
         return {Vec3::Constant(-collider.radius), Vec3::Constant(collider.radius)};
     if (collider.shape == ColliderShape::Box)
         return {-0.5 * collider.size, 0.5 * collider.size};
-    if (body.grid) {
+    if (body.grid || (body.isLate && collider.shape == ColliderShape::HeightField)) {
         const Vec3 half(0.5 * collider.size.x(), 0.0, 0.5 * collider.size.z());
         return {-half, half + Vec3(0.0, collider.size.y(), 0.0)};
     }
@@ -261,6 +261,8 @@ double distanceTo(const ColliderBody& body, const Vec3& place, const Vec3& origi
         return within(body.bounds, from, way).in;
     if (body.grid)
         return distanceToGround(*body.grid, body.collider.size, body.bounds, from, way);
+    if (!body.mesh)
+        return never; // late
     const double far = (body.bounds.center() - from).norm() + body.bounds.diagonal().norm();
     const double length = far / way.norm(); // m in the scene
     const auto hit = body.mesh->firstHit(from, from + length * way);

@@ -1,5 +1,7 @@
 #include "viewport/link_layer.h"
 
+#include "viewport/line_color.h"
+
 #include <vtkRenderer.h>
 
 namespace ripstop {
@@ -9,6 +11,31 @@ constexpr std::array width{1.3, 2.4}; // pixels, by LinkKind
 
 // Dense fabric would drown in thick lines.
 constexpr std::size_t manyLinks = 3000;
+
+// The authors' colours, made to be seen. Neighbours in the table mostly have the same.
+class SeenColors
+{
+public:
+    explicit SeenColors(const Theme& theme)
+        : m_theme(theme)
+    {}
+
+    const Color& of(const Color& authored)
+    {
+        if (m_isFirst || authored != m_authored) {
+            m_authored = authored;
+            m_seen = lineColor(authored, m_theme);
+            m_isFirst = false;
+        }
+        return m_seen;
+    }
+
+private:
+    const Theme& m_theme;
+    Color m_authored{};
+    Color m_seen{};
+    bool m_isFirst = true;
+};
 
 } // namespace
 
@@ -77,8 +104,9 @@ void LinkLayer::paint(const Picture& picture, Lines& lines)
         colorByPoints(*lines.data, *lines.mapper, lines.colors);
     } else {
         const std::span<Color> colors = lines.colors.resized(lines.drawn.size());
+        SeenColors seen(picture.theme);
         for (std::size_t i = 0; i < colors.size(); ++i)
-            colors[i] = values.link.empty() ? picture.look.linkColor[lines.drawn[i]]
+            colors[i] = values.link.empty() ? seen.of(picture.look.linkColor[lines.drawn[i]])
                                             : picture.colorOf(values.link[lines.drawn[i]]);
         colorByCells(*lines.data, *lines.mapper, lines.colors);
     }

@@ -381,6 +381,11 @@ void Viewport::fit(const std::vector<Id>& ids)
     auto places = frame ? placesOf(*frame, d->document.scene(), ids) : std::vector<Vec3>();
     if (places.empty() && !ids.empty()) // too new for the frame
         places = placesOf(*sceneFrame(d->document.scene()), d->document.scene(), ids);
+    d->stage.prepare(d->document.scene());
+    for (const ColliderBody& body : d->stage.colliders())
+        if (frame && std::ranges::binary_search(ids, body.id))
+            for (const Vec3& corner : cornersOf(body, placeOf(*frame, body.id, body.collider)))
+                places.push_back(corner);
     if (places.empty())
         return fit();
     d->untouched = false;

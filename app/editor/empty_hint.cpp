@@ -1,0 +1,52 @@
+#include "editor/empty_hint.h"
+
+#include "document/document.h"
+#include "viewport/viewport.h"
+
+#include <QEvent>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+bool isSeen(const Entry& entry)
+{
+    return std::holds_alternative<Part>(entry.item) || std::holds_alternative<Collider>(entry.item);
+}
+
+} // namespace
+
+EmptyHint::EmptyHint(Document& document, Viewport& viewport)
+    : QLabel(&viewport)
+    , m_document(document)
+    , m_viewport(viewport)
+{
+    setObjectName(QStringLiteral("emptyHint"));
+    setText(tr("This scene is empty.\n\n"
+               "Insert brings in a whole kite, glider, parachute or cloth.\n"
+               "File, Import makes fabric of a mesh (Ctrl+Shift+I).\n"
+               "Draw, Links draws one particle after the other (D)."));
+    setAlignment(Qt::AlignCenter);
+    setAttribute(Qt::WA_TransparentForMouseEvents); // clicks of a drawing tool go through it
+    viewport.installEventFilter(this);
+    connect(&document, &Document::changed, this, &EmptyHint::refresh);
+    connect(&document, &Document::replaced, this, &EmptyHint::refresh);
+    refresh();
+}
+
+void EmptyHint::refresh()
+{
+    setVisible(std::ranges::none_of(m_document.scene().items, isSeen));
+    adjustSize();
+    move((m_viewport.width() - width()) / 2, (m_viewport.height() - height()) / 3);
+}
+
+bool EmptyHint::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == &m_viewport && event->type() == QEvent::Resize)
+        refresh();
+    return QLabel::eventFilter(watched, event);
+}
+
+} // namespace ripstop

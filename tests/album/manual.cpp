@@ -1,0 +1,103 @@
+#include "album/manual.h"
+
+#include "album/picture.h"
+#include "app/window_shop.h"
+#include "builders/builder.h"
+
+#include <QDir>
+#include <QtTest>
+
+namespace ripstop {
+namespace {
+
+struct Desk : WindowShop
+{
+    explicit Desk(Scene scene)
+    {
+        window.resize(1280, 800);
+        window.show();
+        QApplication::setActiveWindow(&window); // Xvfb has no window manager to do it
+        document.replace(std::move(scene));
+        window.showScene();
+        (void)QTest::qWaitFor([&] { return player.frame() != nullptr; });
+        settle();
+    }
+    void settle() { QTest::qWait(300); } // docks and view have their sizes, the view its picture
+
+    void click(QPointF place)
+    {
+        press(place);
+        release(place);
+    }
+    void hover(QPointF place)
+    {
+        QMouseEvent event(QEvent::MouseMove, place, viewport.mapToGlobal(place), Qt::NoButton,
+                          Qt::NoButton, {});
+        QApplication::sendEvent(&viewport, &event);
+        QTest::qWait(100);
+    }
+    QPointF share(double x, double y) const
+    {
+        return {x * viewport.width(), y * viewport.height()};
+    }
+};
+
+QImage drawing()
+{
+    Desk desk{Scene{}};
+    desk.run("drawLinks");
+    const QPointF corners[]{desk.share(0.25, 0.42), desk.share(0.45, 0.22), desk.share(0.66, 0.43),
+                            desk.share(0.45, 0.56)};
+    for (const QPointF& corner : corners) {
+        desk.hover(corner);
+        desk.click(corner);
+    }
+    desk.hover(corners[0]);
+    desk.click(corners[0]);
+    desk.hover(desk.share(0.55, 0.7));
+    desk.settle();
+    return pictureOf(desk.window);
+}
+
+QImage rigidity()
+{
+    Desk desk(*build(*findBuilder("frame"), {}));
+    desk.run("floppy");
+    desk.settle();
+    return pictureOf(desk.window);
+}
+
+QImage byHand()
+{
+    Desk desk(*build(*findBuilder("delta_kite"), {}));
+    desk.player.playUntil(6.0);
+    (void)QTest::qWaitFor([&] { return !desk.player.isPlaying() && desk.frame().time > 5.9; },
+                          20000);
+    desk.viewport.fit({Id{1}}); // the kite, without its line
+    desk.run("toolGrab");
+    desk.settle();
+    desk.player.play();
+    QTest::qWait(200);
+    const auto& ids = desk.frame().layout->particleId;
+    const QPointF from = desk.at(desk.now(Id(ids[ids.size() / 3])));
+    const QPointF to = from + QPointF(20.0, 120.0);
+    desk.press(from);
+    desk.move(from, to);
+    (void)QTest::qWaitFor([&] { return desk.frame().held.has_value(); });
+    QTest::qWait(600);
+    const QImage picture = pictureOf(desk.window);
+    desk.release(to);
+    return picture;
+}
+
+} // namespace
+
+void takeManualPictures(const QString& folder)
+{
+    const QDir target(folder);
+    drawing().save(target.filePath("drawing.png"));
+    rigidity().save(target.filePath("rigidity.png"));
+    byHand().save(target.filePath("by-hand.png"));
+}
+
+} // namespace ripstop

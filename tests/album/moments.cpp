@@ -1,0 +1,280 @@
+#include "album/moments.h"
+
+#include "author/select.h"
+#include "builders/builder.h"
+#include "document/rescue.h"
+#include "editor/tour.h"
+#include "io/scene_file.h"
+#include "scene/property.h"
+#include "views/small_scenes.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSlider>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+namespace ripstop {
+namespace {
+
+const QString samples = QStringLiteral(SCENES_DIR "/");
+
+Scene kite() { return *build(*findBuilder("delta_kite"), {}); }
+
+// A loose particle, one that nothing weighs, a link twice, a step too long for its stiffness.
+Scene faulty()
+{
+    Scene scene = kite();
+    const auto entry = std::ranges::find_if(
+        scene.items, [](const Entry& one) { return std::holds_alternative<Part>(one.item); });
+    Part& part = std::get<Part>(entry->item);
+    const Id from = part.particles[0].id, to = part.particles[1].id;
+    part.particles.push_back({.id = scene.nextId, .position = Vec3(0, 30, 0), .mass = 0.1});
+    scene.nextId = Id{std::uint32_t(scene.nextId) + 1};
+    for (int i = 0; i < 2; ++i) {
+        Link link = part.links.front();
+        link.id = scene.nextId;
+        link.from = from;
+        link.to = to;
+        part.links.push_back(link);
+        scene.nextId = Id{std::uint32_t(scene.nextId) + 1};
+    }
+    part.particles[3].mass = 0.0;
+    scene.settings.timeStep = 0.1;
+    scene.settings.substeps = 1;
+    return scene;
+}
+
+// Enough to link, rope or fill: nothing, the first part, two particles, the edge of the fabric, a
+// material.
+std::vector<std::vector<Id>> selectionsOf(const Scene& scene)
+{
+    std::vector<std::vector<Id>> selections(1);
+    const auto first = std::ranges::find_if(
+        scene.items, [](const Entry& entry) { return std::holds_alternative<Part>(entry.item); });
+    if (first == scene.items.end())
+        return selections;
+    const Part& part = std::get<Part>(first->item);
+    selections.push_back({first->id});
+    selections.push_back({part.particles.front().id, part.particles.back().id});
+    selections.push_back(turnedInto(Kind::Particle, scene, boundary(scene, {})));
+    selections.push_back({part.links.front().id});
+    for (const Entry& entry : scene.items)
+        if (std::holds_alternative<Material>(entry.item)) {
+            selections.push_back({entry.id});
+            break;
+        }
+    return selections;
+}
+
+void open(WindowShop& shop, Scene scene)
+{
+    shop.window.show(); // after Quit
+    for (Tour* tour : shop.window.findChildren<Tour*>())
+        tour->close();
+    shop.player.pause();
+    shop.document.replace(std::move(scene));
+    shop.window.showScene();
+    shop.selection.set({});
+    shop.player.reset();
+    QTest::qWait(1);
+}
+
+// One of each kind of thing, as the inspector shows it.
+void inspector(WindowShop& shop, WindowWalk& walk)
+{
+    const Scene& scene = shop.document.scene();
+    shop.window.showDock("inspector");
+    std::set<std::size_t> kinds;
+    for (const Entry& entry : scene.items)
+        if (kinds.insert(entry.item.index()).second) {
+            shop.selection.set({entry.id});
+            walk.window("inspector " + QString::fromStdString(nameOf(entry.item)));
+        }
+    forEachPart(scene, [&](Id, const Part& part) {
+        if (part.particles.size() < 2 || part.panels.empty())
+            return;
+        const std::vector<std::pair<const char*, std::vector<Id>>> some{
+            {"particle", {part.particles[0].id}},
+            {"particles", {part.particles[0].id, part.particles[1].id}},
+            {"link", {part.links[0].id}},
+            {"panel", {part.panels[0].id}}};
+        for (const auto& [name, ids] : some) {
+            shop.selection.set(ids);
+            walk.window(QStringLiteral("inspector one ") + name);
+        }
+    });
+}
+
+void comesByItself(WindowShop& shop, WindowWalk& walk)
+{
+    QTemporaryDir folder;
+    const auto copyTo = [&](const char* name) {
+        const RescuePlace place{folder.path(), name};
+        (void)saveScene(kite(), std::filesystem::path(place.scene().toStdU16String()));
+        QFile about(place.about());
+        (void)about.open(QIODevice::WriteOnly);
+        about.write(QString("{\"title\": \"%1\", \"file\": \"/home/me/kites/%1.ripstop.json\"}")
+                        .arg(name)
+                        .toUtf8());
+    };
+    copyTo("delta, second try");
+    copyTo("untitled");
+    walk.during("left behind", [&] { shop.window.keepWork(folder.path()); });
+
+    const QString file = folder.filePath("my kite.ripstop.json");
+    open(shop, kite());
+    (void)shop.document.save(file);
+    shop.document.push(setValue(shop.document.scene(), settingsId, "title", std::string("Mine")));
+    QFile other(file);
+    (void)other.open(QIODevice::Append);
+    other.write("\n");
+    other.close();
+    (void)other.open(QIODevice::ReadWrite);
+    other.setFileTime(QDateTime::currentDateTime().addSecs(60), QFile::FileModificationTime);
+    other.close();
+    walk.during("changed on the disk", [&] { shop.window.files().lookAtDisk(); });
+    walk.during("save over another", [&] { shop.window.files().save(); });
+    walk.during("unsaved changes", [&] { shop.window.files().startNew(); });
+
+    QFile broken(folder.filePath("broken.ripstop.json"));
+    (void)broken.open(QIODevice::WriteOnly);
+    broken.write("{\"format\": \"ripstop-scene\", ");
+    broken.close();
+    open(shop, kite());
+    walk.during("broken file", [&] { shop.window.files().open(broken.fileName()); });
+
+    QFile mesh(folder.filePath("sail.obj"));
+    (void)mesh.open(QIODevice::WriteOnly);
+    mesh.write("o sail\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 2\nf 1 2 3 4\nf 1 2 3\n");
+    mesh.close();
+    walk.during("import a mesh", [&] { shop.window.importMesh(mesh.fileName()); });
+}
+
+bool isCutOff(const QWidget& widget, int needed)
+{
+    return widget.isVisible() && needed > widget.width() + 1;
+}
+
+QString wordsOn(const QWidget& widget)
+{
+    if (const auto* label = qobject_cast<const QLabel*>(&widget))
+        return label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+        return button->text().isEmpty() ? button->toolTip() : button->text();
+    return widget.objectName();
+}
+
+bool takesInput(const QWidget& widget)
+{
+    return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget)
+           || qobject_cast<const QAbstractSpinBox*>(&widget)
+           || qobject_cast<const QSlider*>(&widget) || qobject_cast<const QPlainTextEdit*>(&widget);
+}
+
+// A part of another input, as the line in a spin box, is named with it.
+bool isNamed(const QWidget& widget, const QWidget& window)
+{
+    if (!widget.accessibleName().isEmpty())
+        return true;
+    for (const QLabel* label : window.findChildren<QLabel*>())
+        if (label->buddy() == &widget)
+            return true;
+    const QWidget* parent = widget.parentWidget();
+    return parent && parent != &window && (takesInput(*parent) || widget.focusProxy())
+           && isNamed(*parent, window);
+}
+
+} // namespace
+
+void prepareViews()
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+void showEverything(WindowShop& shop, const WindowWalk::Look& look)
+{
+    QApplication::setQuitOnLastWindowClosed(false); // Quit is one of the actions
+    WindowWalk walk(shop, look);
+    walk.window("start page");
+    open(shop, Scene{});
+    walk.panels("empty");
+    walk.tools("empty");
+    open(shop, faulty());
+    walk.panels("faulty");
+    open(shop, kite());
+    walk.panels("kite");
+    inspector(shop, walk);
+    walk.menus();
+    walk.contextMenus();
+    shop.selection.set(selectionsOf(shop.document.scene())[1]);
+    walk.tools("kite");
+    QTemporaryDir folder; // a file, as a scene without one asks to be saved
+    const QString file = folder.filePath("delta_kite.ripstop.json");
+    QFile::copy(samples + "delta_kite.ripstop.json", file);
+    const auto reopen = [&] {
+        open(shop, Scene{});
+        (void)shop.document.open(file);
+        QTest::qWait(1);
+    };
+    reopen();
+    const auto selections = selectionsOf(shop.document.scene());
+    walk.actions(selections, reopen);
+    shop.run("tour");
+    walk.window("tour");
+    open(shop, kite());
+    shop.player.playUntil(1.0);
+    (void)QTest::qWaitFor(
+        [&] { return !shop.player.isPlaying() && shop.player.frame()->time >= 1.0; }, 20000);
+    walk.panels("flown");
+    walk.tools("flown");
+    walk.during("adopt pose", [&] { shop.run("adoptPose"); });
+    comesByItself(shop, walk);
+}
+
+QStringList faultsOf(const QWidget& window)
+{
+    QStringList faults;
+    const QSize screen = QSize(1280, 800);
+    if (window.isWindow() && qobject_cast<const QDialog*>(&window)
+        && (window.width() > screen.width() || window.height() > screen.height()))
+        faults << QString("is %1 x %2 pixels").arg(window.width()).arg(window.height());
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible())
+            continue;
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const bool isPlain = label && !label->wordWrap() && label->pixmap().isNull();
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        const auto* tool = qobject_cast<const QToolButton*>(widget);
+        const bool isIcon = tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly;
+        const bool hasText = (isPlain && !label->text().isEmpty())
+                             || (button && !button->text().isEmpty() && !isIcon);
+        if (hasText && isCutOff(*widget, widget->minimumSizeHint().width()))
+            faults << QString("\"%1\" is cut off").arg(wordsOn(*widget));
+        if (label && label->wordWrap()
+            && label->heightForWidth(label->width()) > label->height() + 1)
+            faults << QString("\"%1\" is cut off below").arg(wordsOn(*widget));
+        const bool isQts = qobject_cast<const QFileDialog*>(&window);
+        if (!isQts && takesInput(*widget) && !isNamed(*widget, window))
+            faults << QString("the input %1 %2 in %3 has no name")
+                          .arg(widget->metaObject()->className(), widget->objectName(),
+                               widget->parentWidget()->metaObject()->className());
+        if (button && wordsOn(*widget).isEmpty() && widget->accessibleName().isEmpty()
+            && widget->focusPolicy() != Qt::NoFocus)
+            faults << QString("a button of %1 says nothing")
+                          .arg(widget->parentWidget()->metaObject()->className());
+    }
+    return faults;
+}
+
+} // namespace ripstop

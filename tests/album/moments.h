@@ -1,0 +1,18 @@
+// Which designs and moments the window is shown in, and what can be wrong with a window by rule.
+#pragma once
+
+#include "album/window_walk.h"
+
+namespace ripstop {
+
+void prepareViews(); // before the application exists
+
+// Everything that the window can show: the start page, an empty scene, a kite at rest and in
+// flight, a scene with faults, each with every panel; all menus, actions and tools; and what comes
+// by itself.
+void showEverything(WindowShop& shop, const WindowWalk::Look& look);
+
+// What is cut off, has no name for those who do not see it, or does not fit on the screen.
+QStringList faultsOf(const QWidget& window);
+
+} // namespace ripstop
