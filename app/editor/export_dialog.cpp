@@ -1,6 +1,7 @@
 #include "editor/export_dialog.h"
 
 #include "compile/compile.h"
+#include "document/words.h"
 #include "editor/ask_file.h"
 #include "io/tear_table.h"
 
@@ -141,11 +142,12 @@ void ExportDialog::layOut()
     m_speed->setDecimals(3);
     m_speed->setValue(1.0);
     m_speed->setPrefix(tr("× "));
-    m_speed->setToolTip(tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
+    m_speed->setToolTip(
+        tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
     m_again->setChecked(true);
     const std::pair<QWidget*, const char*> names[]{
-        {m_to, "to"},         {m_fps, "rate"},      {m_speed, "speed"},
-        {m_width, "width"},   {m_height, "height"}, {m_transparent, "transparent"},
+        {m_to, "to"},          {m_fps, "rate"},      {m_speed, "speed"},
+        {m_width, "width"},    {m_height, "height"}, {m_transparent, "transparent"},
         {m_message, "message"}};
     for (const auto& [field, name] : names)
         field->setObjectName(name);
@@ -224,7 +226,10 @@ ExportRange ExportDialog::range() const
 
 ExportDialog::Job ExportDialog::job() const
 {
-    return {choice(), target(), range(), m_fps->value(),
+    return {choice(),
+            target(),
+            range(),
+            m_fps->value(),
             {.size = QSize(m_width->value(), m_height->value()),
              .overlays = m_overlays->isChecked(),
              .time = m_time->isChecked(),
@@ -304,14 +309,13 @@ QString ExportDialog::writeNow() const
                          : *table == RunTable::Tears
                              ? writeTears(m_scene, m_now->tears, file)
                              : writeControlTrack(m_scene, trackOf(*m_now), file);
-    return failure ? QString::fromStdString(failure->message) : QString();
+    return failure ? spoken(failure->message) : QString();
 }
 
 Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
 {
     if (const FilmFormat* film = job.choice.film())
-        return openFilm(*film, job.target, job.picturesPerSecond,
-                        drawnBy(this, m_draw, job.look));
+        return openFilm(*film, job.target, job.picturesPerSecond, drawnBy(this, m_draw, job.look));
     return openSink(*job.choice.mesh(), job.target.toStdString(), Dress(m_scene));
 }
 
@@ -319,16 +323,16 @@ QString ExportDialog::write(const Job& job)
 {
     const auto system = compile(m_scene);
     if (!system)
-        return QString::fromStdString(system.message());
+        return spoken(system.message());
     Simulation simulation(*system);
     const auto sink = open(job);
     if (!sink)
-        return QString::fromStdString(sink.message());
+        return spoken(sink.message());
     const auto failure = exportSeries(simulation, job.range, **sink, [this](double done) {
         m_done = done;
         return !m_cancelled;
     });
-    return failure ? QString::fromStdString(failure->message) : QString();
+    return failure ? spoken(failure->message) : QString();
 }
 
 bool ExportDialog::mayWrite()
@@ -344,8 +348,7 @@ bool ExportDialog::mayWrite()
             : tr("%1 and %2 more exist already. Replace them?")
                   .arg(QDir::toNativeSeparators(there[0]))
                   .arg(there.size() - 1);
-    return QMessageBox::question(this, tr("Replace what is there?"), question)
-           == QMessageBox::Yes;
+    return QMessageBox::question(this, tr("Replace what is there?"), question) == QMessageBox::Yes;
 }
 
 void ExportDialog::watch()
