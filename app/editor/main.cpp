@@ -3,9 +3,11 @@
 #include "document/player.h"
 #include "document/rescue.h"
 #include "document/selection.h"
+#include "editor/language.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/screenshot.h"
+#include "editor/table_texts.h"
 #include "icons/icon.h"
 #include "viewport/scene_frame.h"
 #include "viewport/viewport.h"
@@ -58,7 +60,7 @@ bool asksOnly(int argc, char** argv)
     const std::span<char*> arguments(argv, std::size_t(argc));
     return std::any_of(arguments.begin(), arguments.end(), [](std::string_view one) {
         return one == "-h" || one == "--help" || one == "--help-all" || one == "-v"
-               || one == "--version";
+               || one == "--version" || one == "--table-texts";
     });
 }
 
@@ -72,6 +74,9 @@ int main(int argc, char** argv)
     QString error;
     if (asksOnly(argc, argv)) {
         const QCoreApplication asked(argc, argv);
+        if (asked.arguments().contains("--table-texts")) // for scripts/translations
+            return std::puts(qPrintable(tableTexts().join('\n'))) < 0;
+        const Speech speech(keptLanguage());
         (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
     }
 
@@ -83,11 +88,14 @@ int main(int argc, char** argv)
 
     QApplication application(argc, argv);
     QApplication::setWindowIcon(applicationIcon());
+    Speech speech(keptLanguage());
 
     const std::optional<Options> options = readOptions(application.arguments(), error);
     if (!options)
         return refuse(error, 2);
     applyAppearance(application, options->appearance);
+    if (options->language)
+        speech.speak(*options->language);
 
     Document document;
     if (!options->scene.isEmpty())
