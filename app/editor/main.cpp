@@ -3,6 +3,7 @@
 #include "document/player.h"
 #include "document/rescue.h"
 #include "document/selection.h"
+#include "document/words.h"
 #include "editor/language.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
@@ -100,7 +101,7 @@ int main(int argc, char** argv)
     Document document;
     if (!options->scene.isEmpty())
         if (const auto failure = document.open(options->scene))
-            return refuse(QString::fromStdString(failure->message), 1);
+            return refuse(spoken(failure->message), 1);
     if (!options->fit.isEmpty() && itemCalled(options->fit, document.scene()).empty())
         return refuse(QString("no item of the scene is called \"%1\"").arg(options->fit), 1);
     const Result<std::vector<Id>> selected = meant(options->select, document.scene());

@@ -35,11 +35,6 @@
     </message>
     <message>
         <location filename="actions.cpp"/>
-        <source>&amp;File</source>
-        <translation>&amp;Fichier</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
         <source>&amp;Find an action…</source>
         <translation>&amp;Trouver une action…</translation>
     </message>
@@ -1027,6 +1022,41 @@
         <location filename="detail.cpp"/>
         <source>tears</source>
         <translation>se déchire</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 and %2: distance of their particles</source>
+        <translation>%1 et %2 : distance de leurs particules</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 s: %2 root mean square, %3 at most (particle %4)</source>
+        <translation>%1 s : moyenne quadratique %2, au plus %3 (particule %4)</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>Coloured: the particle that is farthest off. Plain: the root mean square of all %1. Click to look at that time.</source>
+        <translation>En couleur : la particule la plus éloignée. Simple : la moyenne quadratique des %1. Cliquer pour regarder ce moment.</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>Measuring…</source>
+        <translation>Mesure…</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>The two have no particle in common: they are of other designs.</source>
+        <translation>Les deux n’ont aucune particule en commun : elles sont d’autres modèles.</translation>
     </message>
     <message>
         <location filename="draw_bar.cpp"/>
@@ -2878,6 +2908,11 @@
     </message>
     <message>
         <location filename="main_window.cpp"/>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
         <source>Tuning</source>
         <translation>Mise au point</translation>
     </message>
@@ -3631,6 +3666,16 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>tapé : %1</translation>
     </message>
     <message>
+        <location filename="recordings.cpp"/>
+        <source>%1 s of %2</source>
+        <translation>%1 s de %2</translation>
+    </message>
+    <message>
+        <location filename="recordings.cpp"/>
+        <source>Run %1</source>
+        <translation>Simulation %1</translation>
+    </message>
+    <message>
         <location filename="rescue_dialog.cpp"/>
         <source>%1 of %2 is then gone for good.</source>
         <translation>%1 du %2 est alors perdu pour de bon.</translation>
@@ -3912,6 +3957,86 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="rigidity_dialog.cpp"/>
         <source>held by pins</source>
         <translation>tenu par des points fixés</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>%1 is of another design than the one that is open. Open that design, too? The runs of this session are then left.</source>
+        <translation>%1 est d’un autre modèle que celui qui est ouvert. Ouvrir ce modèle aussi ? Les simulations de cette session sont alors quittées.</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>&amp;Open its design</source>
+        <translation>&amp;Ouvrir son modèle</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>A recording of another design</source>
+        <translation>Un enregistrement d’un autre modèle</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Cannot open the recording</source>
+        <translation>Impossible d’ouvrir l’enregistrement</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Cannot save the recording</source>
+        <translation>Impossible d’enregistrer la simulation</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Each run keeps up to this much of itself in memory (MB); older moments go to a temporary file. 0 records nothing. It holds from the next run on.</source>
+        <translation>Chaque simulation garde jusqu’à cette part d’elle-même en mémoire (Mo) ; les moments plus anciens vont dans un fichier temporaire. 0 n’enregistre rien. Vaut à partir de la prochaine simulation.</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Memory for recordings</source>
+        <translation>Mémoire des enregistrements</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Nothing is recorded yet: run the simulation first (Space).</source>
+        <translation>Rien n’est encore enregistré : lancer d’abord la simulation (Espace).</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Only &amp;compare</source>
+        <translation>Seulement &amp;comparer</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Opened %1</source>
+        <translation>%1 ouvert</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Recordings (*.ripstop-run);;All files (*)</source>
+        <translation>Enregistrements (*.ripstop-run);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Save the recording</source>
+        <translation>Enregistrer la simulation</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Saving %1…</source>
+        <translation>Enregistrement de %1…</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>The recording is damaged</source>
+        <translation>L’enregistrement est endommagé</translation>
     </message>
     <message>
         <location filename="run_rows.cpp"/>
@@ -8659,6 +8784,441 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>deux particules</translation>
     </message>
     <message>
+        <location filename="timeline.cpp"/>
+        <source> · full</source>
+        <translation> · plein</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>%1 s · frame %2 of %3</source>
+        <translation>%1 s · image %2 sur %3</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>%1, from %2</source>
+        <translation>%1, à partir de %2</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;No ghost</source>
+        <translation>&amp;Aucun fantôme</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;No loop</source>
+        <translation>Sans &amp;boucle</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Plot the difference</source>
+        <translation>&amp;Tracer la différence</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Remove a mark</source>
+        <translation>&amp;Retirer un repère</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Remove this run</source>
+        <translation>&amp;Supprimer cette simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Rename…</source>
+        <translation>Reno&amp;mmer…</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>A frame back</source>
+        <translation>Une image en arrière</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>A frame on</source>
+        <translation>Une image en avant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Back to the event before: a tear, an edit, a hand, a control</source>
+        <translation>Revenir à l’événement précédent : une déchirure, une modification, une main, une commande</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Back to the run as it stands now</source>
+        <translation>Revenir à la simulation telle qu’elle est maintenant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Begin a new run at this moment, from the exact state and with the design as it is now. The run that is shown is kept.</source>
+        <translation>Commencer une nouvelle simulation à ce moment, à partir de l’état exact et avec le modèle tel qu’il est maintenant. Celle qui est montrée est gardée.</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Bookmark</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Continue from here</source>
+        <translation>Continuer d’ici</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>From &amp;here on</source>
+        <translation>À partir d'&amp;ici</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Hold</source>
+        <translation>Suspendre</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>In memory: %1, on disk: %2</source>
+        <translation>En mémoire : %1, sur le disque : %2</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Live</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Mark this moment</source>
+        <translation>Marquer ce moment</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Mark this moment, or go to one that is marked</source>
+        <translation>Marquer ce moment, ou aller à un moment marqué</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Name of the mark:</source>
+        <translation>Nom du repère :</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Name of the run:</source>
+        <translation>Nom de la simulation :</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Next event</source>
+        <translation>Événement suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>No run yet</source>
+        <translation>Pas encore de simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>On to the next event</source>
+        <translation>Aller à l’événement suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>One frame back; Shift and the left key in the timeline go ten</source>
+        <translation>Une image en arrière ; Maj et la touche gauche dans la chronologie en font dix</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>One frame on</source>
+        <translation>Une image en avant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Play a range again and again</source>
+        <translation>Rejouer une plage encore et encore</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Play back</source>
+        <translation>Rejouer</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Play the recording back from where you look</source>
+        <translation>Rejouer l’enregistrement à partir de ce moment</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Previous event</source>
+        <translation>Événement précédent</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Recorded seconds per second of the clock</source>
+        <translation>Secondes enregistrées par seconde d’horloge</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Rename or remove the run</source>
+        <translation>Renommer ou supprimer la simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Rename the run</source>
+        <translation>Renommer la simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Run</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Show another run at the same time as a ghost</source>
+        <translation>Montrer une autre simulation en même temps comme un fantôme</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Speed of playing back</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>The runs that are kept</source>
+        <translation>Les simulations gardées</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>There is no other run yet: reset and play again, continue from here, or open a recording</source>
+        <translation>Il n’y a pas encore d’autre simulation : réinitialiser et relancer, continuer d’ici, ou ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>This run</source>
+        <translation>Cette simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Up &amp;to here</source>
+        <translation>&amp;Jusqu’ici</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Continue from here</source>
+        <translation>&amp;Continuer d’ici</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Mark this moment…</source>
+        <translation>&amp;Marquer ce moment…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Next event</source>
+        <translation>É&amp;vénement suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Play back</source>
+        <translation>&amp;Rejouer</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Show the timeline</source>
+        <translation>&amp;Montrer la chronologie</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>A frame &amp;back</source>
+        <translation>Une image en a&amp;rrière</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>A frame &amp;on</source>
+        <translation>Une image en a&amp;vant</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Back to the &amp;run</source>
+        <translation>Revenir à la si&amp;mulation</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Back to the bookmark before.</source>
+        <translation>Revenir au repère précédent.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Back to the tear, edit, hand or control before.</source>
+        <translation>Revenir à la déchirure, la modification, la main ou la commande précédente.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Begin a new run at this moment, with the design as it is now. The run that is shown is kept.</source>
+        <translation>Commencer une nouvelle simulation à ce moment, avec le modèle tel qu’il est maintenant. Celle qui est montrée est gardée.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Give the run that is shown another name.</source>
+        <translation>Donner un autre nom à la simulation montrée.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Give this moment a name, to find it again.</source>
+        <translation>Donner un nom à ce moment, pour le retrouver.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>How much of a run stays in memory before it goes to the disk.</source>
+        <translation>Combien d’une simulation reste en mémoire avant d’aller sur le disque.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look at a run that was saved, compare with it, or go on from it.</source>
+        <translation>Regarder une simulation enregistrée, la comparer, ou continuer à partir d’elle.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look at the frame before.</source>
+        <translation>Regarder l’image précédente.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look at the next frame.</source>
+        <translation>Regarder l’image suivante.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look back at runs: every moment is kept.</source>
+        <translation>Revoir les simulations : chaque moment est gardé.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>M&amp;emory for recordings…</source>
+        <translation>Mémoire des &amp;enregistrements…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Next mar&amp;k</source>
+        <translation>Repère &amp;suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>On to the next bookmark.</source>
+        <translation>Aller au repère suivant.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>On to the next tear, edit, hand or control.</source>
+        <translation>Aller à la déchirure, la modification, la main ou la commande suivante.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Open reco&amp;rding…</source>
+        <translation>Ouvrir un enre&amp;gistrement…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Play the recording back from where you look, or hold it.</source>
+        <translation>Rejouer l’enregistrement à partir de ce moment, ou le suspendre.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Pre&amp;vious event</source>
+        <translation>Événement &amp;précédent</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Previous ma&amp;rk</source>
+        <translation>Repère préc&amp;édent</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Rename the r&amp;un…</source>
+        <translation>Reno&amp;mmer la simulation…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Sa&amp;ve recording…</source>
+        <translation>E&amp;nregistrer la simulation…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Save the run that the timeline shows, every step of it.</source>
+        <translation>Enregistrer la simulation que montre la chronologie, chacun de ses pas.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Show the run as it stands now.</source>
+        <translation>Montrer la simulation telle qu’elle est maintenant.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Ti&amp;meline</source>
+        <translation>&amp;Chronologie</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: %2 links tore, link %3 first</source>
+        <translation>%1 s : %2 liaisons ont rompu, la liaison %3 d’abord</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: a control was moved</source>
+        <translation>%1 s : une commande a été déplacée</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: bookmark “%2”</source>
+        <translation>%1 s : repère « %2 »</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: link %2 tore</source>
+        <translation>%1 s : la liaison %2 a rompu</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: something was done by hand</source>
+        <translation>%1 s : quelque chose a été fait à la main</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: the design was edited</source>
+        <translation>%1 s : le modèle a été modifié</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: the simulation could not go on</source>
+        <translation>%1 s : la simulation n’a pas pu continuer</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>Drag to look back. Left and right: a frame, with Shift ten. Page up and down: events. Wheel: zoom.</source>
+        <translation>Glisser pour regarder en arrière. Gauche et droite : une image, avec Maj dix. Page préc. et suiv. : événements. Molette : zoom.</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>Nothing is recorded yet. Play (Space), and every moment is kept here to look back at.</source>
+        <translation>Rien n’est encore enregistré. Lancer (Espace), et chaque moment est gardé ici pour être revu.</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
         <location filename="totals.cpp"/>
         <source>%1 long</source>
         <translation>%1 de long</translation>
@@ -8908,11 +9468,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="transport.cpp"/>
         <source>Reset</source>
         <translation>Réinitialiser</translation>
-    </message>
-    <message>
-        <location filename="transport.cpp"/>
-        <source>Run</source>
-        <translation>Simulation</translation>
     </message>
     <message>
         <location filename="transport.cpp"/>
@@ -9434,6 +9989,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="words.cpp"/>
         <source>Winds</source>
         <translation>Vents</translation>
+    </message>
+    <message>
+        <location filename="work_dialog.cpp"/>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 </TS>
