@@ -10,6 +10,7 @@
 #include "editor/files.h"
 #include "editor/group_menus.h"
 #include "editor/insert_rows.h"
+#include "editor/language.h"
 #include "editor/measure_rows.h"
 #include "editor/run_rows.h"
 #include "editor/select_rows.h"
@@ -148,6 +149,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         rows.insert(place, more.begin(), more.end());
     };
     insertBefore("&View", selectRows(bench, actions));
+    insertBefore("&Run", languageRows(bench));
     insertBefore("&Tools", handRows(bench, actions));
     insertBefore("&Tools", tuningActionRows(bench));
     insertBefore("&Help", measureRows(bench, actions));

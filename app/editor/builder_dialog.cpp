@@ -68,7 +68,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     })
 {
     for (const Builder& one : allBuilders())
-        m_builders->addItem(text(one.label), text(one.name));
+        m_builders->addItem(spoken(one.label), text(one.name));
     const Part* part = m_open ? findItem<Part>(m_open->document.scene(), m_open->part) : nullptr;
     if (part) {
         setWindowTitle(tr("Parameters of %1").arg(QString::fromStdString(part->name)));
@@ -169,7 +169,7 @@ void BuilderDialog::showParameters()
 {
     const Builder& builder = chosen();
     m_isNew = true;
-    m_help->setText(text(builder.help));
+    m_help->setText(spoken(builder.help));
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -184,7 +184,7 @@ void BuilderDialog::showParameters()
         m_table->setTabChangesFocus(true);
         m_table->setPlaceholderText(
             tr("Empty: by the numbers above. Or paste from a spreadsheet."));
-        m_table->setToolTip(text(builder.table->help));
+        m_table->setToolTip(spoken(builder.table->help));
         m_table->setFixedHeight(5 * fontMetrics().lineSpacing());
         auto* label = new QLabel(
             tr("%1 (%2)").arg(choiceLabel(builder.table->key), text(builder.table->unit)));
@@ -208,7 +208,7 @@ void BuilderDialog::showValuesOf(const Part& part)
         for (const std::vector<double>& row : tableOf(part.parameters, *chosen().table)) {
             QStringList cells;
             for (const double cell : row)
-                cells << compactNumber(cell);
+                cells << QString::number(cell, 'g', QLocale::FloatingPointShortest);
             rows << cells.join(QChar('\t'));
         }
         m_table->setPlainText(rows.join(QChar('\n')));
@@ -244,7 +244,7 @@ std::optional<BuildJob> BuilderDialog::job()
         Result<NumberRows> table =
             tableFromText(*job.builder->table, m_table->toPlainText().toStdString());
         if (!table) {
-            refuse(QString::fromStdString(table.message()));
+            refuse(spoken(table.message()));
             return std::nullopt;
         }
         setTable(job.parameters, *job.builder->table, *table);
@@ -285,7 +285,7 @@ void BuilderDialog::collect()
     if (!outcome || outcome->number != m_number || m_delay.isActive())
         return; // of values that have changed since
     if (!outcome->refusal.empty())
-        return refuse(QString::fromStdString(outcome->refusal));
+        return refuse(spoken(outcome->refusal));
     m_outcome = std::move(outcome);
     QStringList lines{textOf(m_outcome->figures)};
     if (m_outcome->substeps > 0)

@@ -106,7 +106,7 @@ void ConditionDialog::fillKeys()
                 kinds << kindPluralLabel(kind).toLower();
         auto* row = new QTreeWidgetItem(m_keys, {QString::fromStdString(key.key),
                                                  QString::fromStdString(key.unit), kinds.join(", "),
-                                                 QString::fromStdString(key.help)});
+                                                 spoken(key.help)});
         row->setToolTip(3, row->text(3));
     }
     for (const int column : {0, 1, 2})
@@ -151,7 +151,7 @@ void ConditionDialog::look()
     const auto ids = found();
     if (!ids) {
         m_sign->setPixmap(icon("warning").pixmap(signSide));
-        return m_verdict->setText(QString::fromStdString(ids.message()));
+        return m_verdict->setText(spoken(ids.message()));
     }
     m_select->setEnabled(true);
     m_sign->setPixmap(icon("ok").pixmap(signSide));

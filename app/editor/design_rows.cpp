@@ -5,6 +5,7 @@
 #include "document/clipboard.h"
 #include "document/document.h"
 #include "document/selection.h"
+#include "document/words.h"
 #include "editor/actions.h"
 #include "editor/operation_dialog.h"
 #include "outline/outline.h"
@@ -99,7 +100,7 @@ public:
     {
         Result<Copies> copies = pasteFromClipboard(m_document.scene());
         if (!copies)
-            return say(QString::fromStdString(copies.message()));
+            return say(spoken(copies.message()));
         m_tool.goToDesign();
         take(std::move(*copies));
     }

@@ -14,7 +14,7 @@ QString tr(const char* text, int n = -1)
     return QCoreApplication::translate("ExportDialog", text, nullptr, n);
 }
 
-QString rounded(double value) { return QString::number(value, 'g', 4); }
+QString rounded(double value) { return QLocale().toString(value, 'g', 4); }
 
 QString sizeInWords(double bytes)
 {
@@ -63,7 +63,8 @@ QString tearsInWords(const Frame* frame)
     if (!frame || frame->tears.empty())
         return tr("Nothing has torn in the run on the screen: the table will be empty.");
     const TearReport report = tearReport(frame->tears);
-    return tr("Links that broke in the run on the screen: %1, the first at %2 s. The tear went %3 m "
+    return tr("Links that broke in the run on the screen: %1, the first at %2 s. The tear went %3 "
+              "m "
               "far and released %4 J.")
         .arg(report.count)
         .arg(rounded(frame->tears.front().time), rounded(report.front.back().distance),
@@ -86,24 +87,23 @@ QString contentInWords(const ExportChoice& choice, const ExportRange& range, con
         return *table == RunTable::Tears ? tearsInWords(now) : controlsInWords(now);
     const std::size_t frames = frameCount(range);
     if (choice.film())
-        return choice.film()->codec
-                   ? tr("%1 frames of %2 × %3 pixels.")
-                         .arg(frames)
-                         .arg(picture.width())
-                         .arg(picture.height())
-                   : tr("%1 frames of %2 × %3 pixels, about %4.")
-                         .arg(frames)
-                         .arg(picture.width())
-                         .arg(picture.height())
-                         .arg(sizeInWords(bytesOfPictures(picture, frames)));
+        return choice.film()->codec ? tr("%1 frames of %2 × %3 pixels.")
+                                          .arg(frames)
+                                          .arg(picture.width())
+                                          .arg(picture.height())
+                                    : tr("%1 frames of %2 × %3 pixels, about %4.")
+                                          .arg(frames)
+                                          .arg(picture.width())
+                                          .arg(picture.height())
+                                          .arg(sizeInWords(bytesOfPictures(picture, frames)));
     if (!now)
         return {};
     const ExportFormat& format = *choice.mesh();
     const QString size =
         sizeInWords(expectedSize(format, *now->layout, choice.isSeries() ? frames : 1));
-    return choice.isSeries() ? tr("%1 frames, about %2.").arg(frames).arg(size)
-                             : tr("The shape on the screen, at %1 s, about %2.")
-                                   .arg(rounded(now->time), size);
+    return choice.isSeries()
+               ? tr("%1 frames, about %2.").arg(frames).arg(size)
+               : tr("The shape on the screen, at %1 s, about %2.").arg(rounded(now->time), size);
 }
 
 } // namespace
@@ -135,8 +135,9 @@ std::vector<ExportChoice> exportChoices()
         choices.push_back({&format, format.ending,
                            QCoreApplication::translate("Film", format.label),
                            QCoreApplication::translate("Film", format.note)});
-    choices.push_back({RunTable::Tears, "_tears.csv", tr("Table of what has torn, CSV"),
-                       tr("A row for each link that broke: when, where, at which strain and force.")});
+    choices.push_back(
+        {RunTable::Tears, "_tears.csv", tr("Table of what has torn, CSV"),
+         tr("A row for each link that broke: when, where, at which strain and force.")});
     choices.push_back({RunTable::Controls, "_controls.csv", tr("Control track of this run, CSV"),
                        tr("ripstop-cli run --controls does it again, in this or another design.")});
     return choices;

@@ -1,6 +1,7 @@
 #include "editor/export_dialog.h"
 
 #include "compile/compile.h"
+#include "document/words.h"
 #include "editor/ask_file.h"
 #include "io/tear_table.h"
 
@@ -309,7 +310,7 @@ QString ExportDialog::writeNow() const
                          : *table == RunTable::Tears
                              ? writeTears(m_scene, m_now->tears, file)
                              : writeControlTrack(m_scene, trackOf(*m_now), file);
-    return failure ? QString::fromStdString(failure->message) : QString();
+    return failure ? spoken(failure->message) : QString();
 }
 
 Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
@@ -323,16 +324,16 @@ QString ExportDialog::write(const Job& job)
 {
     const auto system = compile(m_scene);
     if (!system)
-        return QString::fromStdString(system.message());
+        return spoken(system.message());
     Simulation simulation(*system);
     const auto sink = open(job);
     if (!sink)
-        return QString::fromStdString(sink.message());
+        return spoken(sink.message());
     const auto failure = exportSeries(simulation, job.range, **sink, [this](double done) {
         m_done = done;
         return !m_cancelled;
     });
-    return failure ? QString::fromStdString(failure->message) : QString();
+    return failure ? spoken(failure->message) : QString();
 }
 
 bool ExportDialog::mayWrite()

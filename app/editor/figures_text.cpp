@@ -12,7 +12,7 @@ QString words(const char* text) { return QCoreApplication::translate("Figures", 
 
 QString quantity(double value, const char* unit)
 {
-    return QString::number(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
+    return QLocale().toString(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
 }
 
 // "12.4 m", "4.5 m²", "320 g"
@@ -43,7 +43,7 @@ QString textOf(const Figures& figures)
     QStringList shape;
     if (figures.aspect)
         shape << words("Span %1").arg(quantity(figures.span, "m"))
-              << words("aspect ratio %1").arg(QString::number(*figures.aspect, 'g', 3));
+              << words("aspect ratio %1").arg(QLocale().toString(*figures.aspect, 'g', 3));
     else
         shape << box;
     shape << words("%1 substeps of %2")

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/player.h"
+#include "document/words.h"
 #include "editor/ask_file.h"
 #include "editor/builder_dialog.h"
 #include "editor/export_dialog.h"
@@ -74,8 +75,7 @@ bool Files::open(const QString& file)
     if (!mayDiscard())
         return false;
     if (const auto failure = m_document.open(file)) {
-        QMessageBox::warning(&m_window, tr("Cannot open the scene"),
-                             QString::fromStdString(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot open the scene"), spoken(failure->message));
         return false;
     }
     remember(file);
@@ -134,8 +134,7 @@ void Files::saveAsTemplate()
     QDir().mkpath(QFileInfo(file).path());
     const std::filesystem::path path(file.toStdU16String());
     if (const auto failure = saveScene(m_document.scene(), path))
-        QMessageBox::warning(&m_window, tr("Cannot save the template"),
-                             QString::fromStdString(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot save the template"), spoken(failure->message));
     else
         emit said(tr("Saved the template %1").arg(name));
 }
@@ -146,8 +145,7 @@ void Files::startFromTemplate(const QString& file)
         return;
     Result<Scene> scene = readScene(std::filesystem::path(file.toStdU16String()));
     if (!scene) {
-        QMessageBox::warning(&m_window, tr("Cannot open the template"),
-                             QString::fromStdString(scene.message()));
+        QMessageBox::warning(&m_window, tr("Cannot open the template"), spoken(scene.message()));
         return;
     }
     m_document.replace(std::move(*scene), templateName(file));
@@ -174,8 +172,7 @@ void Files::lookAtDisk()
     if (box.clickedButton() != open)
         return;
     if (const auto failure = m_document.open(m_document.file()))
-        QMessageBox::warning(&m_window, tr("Cannot open the scene"),
-                             QString::fromStdString(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot open the scene"), spoken(failure->message));
 }
 
 bool Files::mayOverwrite()
@@ -193,8 +190,7 @@ bool Files::write(const QString& file)
     if (file == m_document.file() && m_document.isOlderThanFile() && !mayOverwrite())
         return false;
     if (const auto failure = m_document.save(file)) {
-        QMessageBox::warning(&m_window, tr("Cannot save the scene"),
-                             QString::fromStdString(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot save the scene"), spoken(failure->message));
         return false;
     }
     remember(file);

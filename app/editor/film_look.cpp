@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFontDatabase>
+#include <QLocale>
 #include <QPainter>
 
 #include <cmath>
@@ -13,16 +14,17 @@ QStringList linesOf(const Frame& frame, const FilmLook& look)
 {
     QStringList lines;
     if (look.time)
-        lines << QString("%1 s").arg(frame.time, 0, 'f', 2);
+        lines << QString("%L1 s").arg(frame.time, 0, 'f', 2);
     for (std::size_t i = 0; look.probes && i < frame.probe.size(); ++i) {
         const Layout::Probe& probe = frame.layout->probes[i];
         if (!probe.plotted)
             continue;
-        const QString value =
-            std::isfinite(frame.probe[i]) ? QString::number(frame.probe[i], 'g', 4)
-                                          : QCoreApplication::translate("Film", "none");
-        lines << QString("%1  %2 %3").arg(QString::fromStdString(probe.name), value,
-                                          QString::fromStdString(probe.unit));
+        const QString value = std::isfinite(frame.probe[i])
+                                  ? QLocale().toString(frame.probe[i], 'g', 4)
+                                  : QCoreApplication::translate("Film", "none");
+        lines << QString("%1  %2 %3")
+                     .arg(QString::fromStdString(probe.name), value,
+                          QString::fromStdString(probe.unit));
     }
     return lines;
 }

@@ -84,8 +84,7 @@ private:
             const Part& part = *findItem<Part>(m_document.scene(), id);
             QStringList labels;
             for (const Parameter& parameter : builderOf(part)->parameters)
-                labels << QString::fromUtf8(parameter.key.data(), qsizetype(parameter.key.size()))
-                              .replace(QChar('_'), QChar(' '));
+                labels << choiceLabel(parameter.key).toLower();
             const int shown = 6;
             const QString some = labels.mid(0, shown).join(QStringLiteral(", "));
             lines << Actions::tr("%1 keeps its %2 and %3 as they are, with all that was changed by "
@@ -121,10 +120,10 @@ std::vector<MenuRow> insertRows(const Workbench& bench)
         const bool isObstacle = builder.family == Family::Obstacles;
         rows.push_back({"&Insert",
                         idOf(i),
-                        text(builder.label) + QChar(0x2026),
+                        spoken(builder.label) + QChar(0x2026),
                         isObstacle ? "collider" : "builder",
                         {},
-                        text(builder.help),
+                        spoken(builder.help),
                         [insert, name = text(builder.name)] { insert(name); }});
     }
     const Shop shop(bench);

@@ -131,7 +131,7 @@ void KeysDialog::addPointing()
                         const QString& help) {
         new QTreeWidgetItem(under, {key, does, help});
     };
-    row(view, tr("Left drag"), tr("Turn"), tr("The horizon stays level."));
+    row(view, tr("Left drag"), tr("Turn", "the view"), tr("The horizon stays level."));
     row(view, tr("Middle or Shift + left drag"), tr("Move"), {});
     row(view, tr("Ctrl + left drag"), tr("Grab"),
         tr("Pulls at fabric and lines, carries colliders, moves what controls move."));
@@ -140,7 +140,7 @@ void KeysDialog::addPointing()
         tr("With Shift, add to the selection; with Ctrl, take away."));
     row(view, tr("Left drag, with box or lasso"), tr("Select what lies inside"),
         tr("With Shift, add; with Ctrl, take away; Escape gives up."));
-    row(view, tr("Right drag, with box or lasso"), tr("Turn"), {});
+    row(view, tr("Right drag, with box or lasso"), tr("Turn", "the view"), {});
     auto* handle = section(tr("While a handle is pulled"));
     row(handle, tr("X, Y, Z"), tr("Keep to an axis"), tr("The same key again lets it go."));
     row(handle, tr("0 to 9, −, ."), tr("Type the amount"),

@@ -3,9 +3,12 @@
 #include "document/player.h"
 #include "document/rescue.h"
 #include "document/selection.h"
+#include "document/words.h"
+#include "editor/language.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/screenshot.h"
+#include "editor/table_texts.h"
 #include "icons/icon.h"
 #include "viewport/scene_frame.h"
 #include "viewport/viewport.h"
@@ -58,7 +61,7 @@ bool asksOnly(int argc, char** argv)
     const std::span<char*> arguments(argv, std::size_t(argc));
     return std::any_of(arguments.begin(), arguments.end(), [](std::string_view one) {
         return one == "-h" || one == "--help" || one == "--help-all" || one == "-v"
-               || one == "--version";
+               || one == "--version" || one == "--table-texts";
     });
 }
 
@@ -72,6 +75,9 @@ int main(int argc, char** argv)
     QString error;
     if (asksOnly(argc, argv)) {
         const QCoreApplication asked(argc, argv);
+        if (asked.arguments().contains("--table-texts")) // for scripts/translations
+            return std::puts(qPrintable(tableTexts().join('\n'))) < 0;
+        const Speech speech(keptLanguage());
         (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
     }
 
@@ -83,16 +89,19 @@ int main(int argc, char** argv)
 
     QApplication application(argc, argv);
     QApplication::setWindowIcon(applicationIcon());
+    Speech speech(keptLanguage());
 
     const std::optional<Options> options = readOptions(application.arguments(), error);
     if (!options)
         return refuse(error, 2);
     applyAppearance(application, options->appearance);
+    if (options->language)
+        speech.speak(*options->language);
 
     Document document;
     if (!options->scene.isEmpty())
         if (const auto failure = document.open(options->scene))
-            return refuse(QString::fromStdString(failure->message), 1);
+            return refuse(spoken(failure->message), 1);
     if (!options->fit.isEmpty() && itemCalled(options->fit, document.scene()).empty())
         return refuse(QString("no item of the scene is called \"%1\"").arg(options->fit), 1);
     const Result<std::vector<Id>> selected = meant(options->select, document.scene());

@@ -419,7 +419,7 @@ void MainWindow::keepWork(const QString& folder)
         return;
     if (const auto failure = m_autosave->recover(*dialog.chosen()))
         QMessageBox::warning(this, tr("Cannot open what was left behind"),
-                             QString::fromStdString(failure->message));
+                             spoken(failure->message));
     else
         showScene();
 }

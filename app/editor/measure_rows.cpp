@@ -53,7 +53,7 @@ void measure(const Workbench& bench, const Actions& actions, Quantity quantity)
     if (!added) {
         bench.window.statusBar()->showMessage(
             Actions::tr("%1 is measured on %2: select that first.")
-                .arg(labelOf(quantity), QString::fromStdString(asks(quantity))),
+                .arg(labelOf(quantity), spoken(asks(quantity))),
             8000);
         return;
     }

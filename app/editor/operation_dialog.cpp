@@ -22,11 +22,6 @@ constexpr int patience = 150;            // ms after the last change
 constexpr std::size_t mostShown = 20000; // particles that are selected
 constexpr int margin = 24;               // pixels, from the edge of the window
 
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
-}
-
 // What the particles weigh whose mass is set, and weighed before.
 QString weightOf(const Scene& before, const Edit& edit)
 {
@@ -82,7 +77,7 @@ OperationDialog::OperationDialog(const Operation& operation, Document& document,
     , m_outcome(new QLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
-    setWindowTitle(text(operation.label));
+    setWindowTitle(spoken(operation.label));
     layOut();
     m_pause.setSingleShot(true);
     m_pause.setInterval(patience);
@@ -98,7 +93,7 @@ OperationDialog::OperationDialog(const Operation& operation, Document& document,
 
 void OperationDialog::layOut()
 {
-    auto* help = new QLabel(text(m_operation.help));
+    auto* help = new QLabel(spoken(m_operation.help));
     help->setWordWrap(true);
     help->setForegroundRole(QPalette::PlaceholderText);
     connect(m_form, &ParameterForm::changed, this, &OperationDialog::soon);
@@ -109,7 +104,7 @@ void OperationDialog::layOut()
     m_outcome->setWordWrap(true);
     m_outcome->setMinimumHeight(3 * fontMetrics().lineSpacing()); // for a long sentence
     m_outcome->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_buttons->button(QDialogButtonBox::Ok)->setText(text(m_operation.label));
+    m_buttons->button(QDialogButtonBox::Ok)->setText(spoken(m_operation.label));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(help);
     layout->addWidget(m_form);
@@ -148,7 +143,7 @@ void OperationDialog::preview()
     takeBack();
     Result<Shaped> outcome = shaped();
     if (!outcome)
-        return say(QString::fromStdString(outcome.message()), true);
+        return say(spoken(outcome.message()), true);
     say(outcomeOf(m_document.scene(), outcome->edit), false);
     if (!m_preview->isChecked() || outcome->edit.changes.empty())
         return;
@@ -162,7 +157,7 @@ void OperationDialog::accept()
     takeBack();
     Result<Shaped> outcome = shaped();
     if (!outcome)
-        return say(QString::fromStdString(outcome.message()), true);
+        return say(spoken(outcome.message()), true);
     m_document.push(std::move(outcome->edit));
     if (outcome->selected)
         m_selection.set(std::move(*outcome->selected));

@@ -52,6 +52,9 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     const QCommandLineOption size("size", tr("Size of the window (1280x800)."), "WxH");
     const QCommandLineOption theme("theme", tr("Colours: desktop, light or dark."), "NAME",
                                    "desktop");
+    const QCommandLineOption language(
+        "language", tr("Language of the window: system, en or fr; as chosen in the View menu."),
+        "CODE");
     const QCommandLineOption colorBy(
         "color-by", tr("Colour by material, strain, tension, speed, load or tear."), "NAME", "material");
     const QCommandLineOption select(
@@ -63,8 +66,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         "NAME");
     const QCommandLineOption action(
         "action", tr("Do this as from a menu, once the window is there: \"insert bridle\"."), "ID");
-    parser.addOptions({action, play, screenshot, after, frames, viewOnly, size, theme, colorBy,
-                       select, fit, dock});
+    parser.addOptions({action, play, screenshot, after, frames, viewOnly, size, theme, language,
+                       colorBy, select, fit, dock});
     parser.process(arguments);
 
     Options options;
@@ -96,6 +99,10 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     }
     if (parser.isSet(size) && !(options.size = sizeFrom(parser.value(size)))) {
         error = tr("--size needs a size like 1280x800, not \"%1\"").arg(parser.value(size));
+        return std::nullopt;
+    }
+    if (parser.isSet(language) && !(options.language = languageFromCode(parser.value(language)))) {
+        error = tr("--language is system, en or fr, not \"%1\"").arg(parser.value(language));
         return std::nullopt;
     }
     const auto appearance = appearances.indexOf(parser.value(theme));

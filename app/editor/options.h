@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/appearance.h"
+#include "editor/language.h"
 #include "viewport/quantity_values.h"
 
 #include <QSize>
@@ -23,6 +24,7 @@ struct Options
     bool viewOnly = false;
     std::optional<QSize> size;
     Appearance appearance = Appearance::Desktop;
+    std::optional<Language> language; // none: as it was kept
     ColorBy colorBy = ColorBy::Material;
     QString select;    // name of an item
     QString fit;       // name of an item

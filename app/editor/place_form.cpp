@@ -1,11 +1,12 @@
 #include "editor/place_form.h"
 
+#include "scene/typed_number.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QVBoxLayout>
 
 namespace ripstop {
@@ -77,10 +78,8 @@ QString PlaceForm::refusal() const
     if (PlaceAt(m_at->currentIndex()) != PlaceAt::Shift)
         return {};
     for (int axis = 0; axis < 3; ++axis) {
-        bool isNumber = false;
         const QString typed = m_shift[std::size_t(axis)]->text();
-        QLocale::c().toDouble(typed, &isNumber);
-        if (!isNumber)
+        if (!typedValue(typed.toStdString(), "m").number)
             return tr("%1 must be a number of metres, not \"%2\".")
                 .arg(QChar('x' + axis))
                 .arg(typed);
@@ -95,7 +94,10 @@ InsertWish PlaceForm::wish() const
     wish.place = m_focus;
     if (wish.at == PlaceAt::Shift)
         for (int axis = 0; axis < 3; ++axis)
-            wish.place[axis] = QLocale::c().toDouble(m_shift[std::size_t(axis)]->text());
+            if (const Typed typed =
+                    typedValue(m_shift[std::size_t(axis)]->text().toStdString(), "m");
+                typed.number)
+                wish.place[axis] = typed.number->number;
     wish.withSurroundings = m_surroundings->isChecked();
     wish.withInstruments = m_instruments->isChecked();
     return wish;

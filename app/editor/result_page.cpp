@@ -183,7 +183,7 @@ void ResultPage::take(int start, int row, const ResultTable::Outcome& outcome)
 void ResultPage::finish()
 {
     m_running = false;
-    m_run->setText(tr("&Run"));
+    m_run->setText(tr("&Run", "the cases"));
     m_filter->setEnabled(true);
     showSummary();
     emit finished();

@@ -149,7 +149,7 @@ void RigidityDialog::lookAgain()
         m_braces = bracesFor(*m_rigidity);
         say();
     } else {
-        m_verdict->setText(QString::fromStdString(found.message()));
+        m_verdict->setText(spoken(found.message()));
         m_sums->clear();
     }
     fillModes();

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/recordings.h"
+#include "document/words.h"
 #include "editor/ask_file.h"
 #include "editor/files.h"
 #include "editor/work_dialog.h"
@@ -67,11 +68,11 @@ void RunFiles::open(const QString& file)
     if (!*opened) {
         if (opened->message() != "Cancelled.")
             QMessageBox::warning(&m_window, tr("Cannot open the recording"),
-                                 QString::fromStdString(opened->message()));
+                                 spoken(opened->message()));
         return;
     }
     const std::shared_ptr<Recording> recording = (*opened)->recording;
-    const QString damage = QString::fromStdString((*opened)->damage);
+    const QString damage = spoken((*opened)->damage);
     if (!damage.isEmpty())
         QMessageBox::warning(&m_window, tr("The recording is damaged"), damage);
     if (!mayShow(*recording, file))
@@ -135,8 +136,7 @@ void RunFiles::save()
     if (!failure)
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     else if (failure->message != "Cancelled.")
-        QMessageBox::warning(&m_window, tr("Cannot save the recording"),
-                             QString::fromStdString(failure->message));
+        QMessageBox::warning(&m_window, tr("Cannot save the recording"), spoken(failure->message));
 }
 
 void RunFiles::askForMemory()

@@ -27,7 +27,7 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
     , m_title(new QLabel)
     , m_text(new QLabel)
     , m_count(new QLabel)
-    , m_back(new QPushButton(tr("&Back")))
+    , m_back(new QPushButton(tr("&Back", "to the stop before")))
     , m_next(new QPushButton)
 {
     setAttribute(Qt::WA_DeleteOnClose);

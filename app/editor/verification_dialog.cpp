@@ -1,5 +1,6 @@
 #include "editor/verification_dialog.h"
 
+#include "document/words.h"
 #include "editor/result_page.h"
 #include "verify/case.h"
 #include "verify/reference.h"
@@ -28,7 +29,7 @@ ResultTable tableOfCases()
     const auto cases = std::make_shared<const std::vector<Case>>(allCases());
     for (const Case& one : *cases)
         table.rows.push_back(
-            {words(one.section),
+            {spoken(one.section),
              {QString(), words(one.id), words(one.title), words(digits(one.expected)), QString(),
               words(one.unit), words(textOf(one.tolerance, one.unit)), words(one.source)}});
     table.compute = [cases](int row) -> ResultTable::Outcome {
@@ -49,9 +50,10 @@ ResultTable tableOfReferences()
         {tr("Simulated as"), 230}};
     const auto references = std::make_shared<const std::vector<Reference>>(allReferences());
     for (const Reference& one : *references) {
-        table.rows.push_back({words(one.section),
-                              {words(one.title), words(publishedText(one.low, one.high)), QString(),
-                               words(one.unit), QString(), words(one.source), words(one.note)}});
+        table.rows.push_back(
+            {spoken(one.section),
+             {words(one.title), words(publishedText(one.low, one.high)), QString(),
+              words(one.unit), QString(), words(one.source), words(one.note)}});
     }
     table.compute = [references](int row) -> ResultTable::Outcome {
         const ReferenceResult result = run((*references)[std::size_t(row)]);

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/follower.h"
+#include "document/words.h"
 #include "io/scene_file.h"
 
 #include <QDir>
@@ -127,8 +128,7 @@ void Autosave::collect()
         m_hasFailed = false;
         emit kept(outcome->place.scene());
     } else if (!std::exchange(m_hasFailed, true))
-        emit failed(tr("Unsaved work is not kept: %1")
-                        .arg(QString::fromStdString(outcome->failure->message)));
+        emit failed(tr("Unsaved work is not kept: %1").arg(spoken(outcome->failure->message)));
 }
 
 } // namespace ripstop

@@ -1,6 +1,7 @@
 #include "document/player.h"
 
 #include "document/document.h"
+#include "document/words.h"
 
 #include <algorithm>
 #include <limits>
@@ -271,7 +272,7 @@ bool Player::refuse()
     if (current && !m_problem.isEmpty())
         emit stopped(m_problem, m_culprit);
     else if (current && stands && !m_frame->stopped.empty())
-        emit stopped(QString::fromStdString(m_frame->stopped), m_frame->culprit);
+        emit stopped(spoken(m_frame->stopped), m_frame->culprit);
     else
         return false;
     return true;
@@ -294,7 +295,7 @@ void Player::takeCompiled(const Compiled& outcome)
     if (runs)
         m_runner.handle(m_hands); // and with empty hands
 
-    const QString problem = QString::fromStdString(outcome.problem);
+    const QString problem = spoken(outcome.problem);
     const bool disappoints = !problem.isEmpty() && (m_playing || m_orders);
     const bool isNews = problem != m_problem || disappoints;
     m_problem = problem;
@@ -332,7 +333,7 @@ void Player::takeFrame()
     if (halts)
         emit stateChanged();
     if (gotStuck)
-        emit stopped(QString::fromStdString(m_frame->stopped), m_frame->culprit);
+        emit stopped(spoken(m_frame->stopped), m_frame->culprit);
 }
 
 } // namespace ripstop

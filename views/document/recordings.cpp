@@ -1,5 +1,7 @@
 #include "document/recordings.h"
 
+#include "document/words.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -228,7 +230,7 @@ void Recordings::take()
         return; // back to live meanwhile
     if (!shown->frame) {
         pause();
-        emit failed(QString::fromStdString(shown->failure));
+        emit failed(spoken(shown->failure));
         return;
     }
     m_showsPast = true;
@@ -353,7 +355,7 @@ void Recordings::takeMoment()
     else
         m_origin.clear();
     if (!begin->moment && !m_cancelled)
-        emit failed(QString::fromStdString(begin->failure));
+        emit failed(spoken(begin->failure));
     emit stateChanged();
 }
 

@@ -36,12 +36,18 @@ constexpr std::array<KindWords, kindCount> kindWords{{
 const KindWords& wordsOf(Kind kind) { return kindWords[std::size_t(kind)]; }
 
 // Words of the table are literals, and so end with a zero as translate() wants.
-QString translated(const char* context, std::string_view text)
+QString translated(const char* context, const char* text)
 {
-    return text.empty() ? QString() : QCoreApplication::translate(context, text.data());
+    return QCoreApplication::translate(context, text);
 }
 
 } // namespace
+
+QString spoken(std::string_view english)
+{
+    return english.empty() ? QString()
+                           : QCoreApplication::translate("Model", std::string(english).c_str());
+}
 
 QString kindLabel(Kind kind) { return translated("Kind", wordsOf(kind).one); }
 
@@ -65,11 +71,11 @@ QString countsOf(const Toll& toll)
     return counts.join(QStringLiteral(", "));
 }
 
-QString labelOf(const Property& property) { return translated("Property", property.label); }
+QString labelOf(const Property& property) { return spoken(property.label); }
 
-QString helpOf(const Property& property) { return translated("Property", property.help); }
+QString helpOf(const Property& property) { return spoken(property.help); }
 
-QString choiceLabel(std::string_view choice)
+QString englishLabel(std::string_view choice)
 {
     QString text = QString::fromUtf8(choice.data(), qsizetype(choice.size())).replace('_', ' ');
     for (const char* name : {"euler", "verlet", "gauss", "seidel", "jacobi"}) {
@@ -80,6 +86,8 @@ QString choiceLabel(std::string_view choice)
         text[0] = text.at(0).toUpper();
     return text;
 }
+
+QString choiceLabel(std::string_view choice) { return spoken(englishLabel(choice).toStdString()); }
 
 QString nameOf(const Scene& scene, Id id)
 {
@@ -97,7 +105,8 @@ QString compactNumber(double value)
 {
     const QString exact = QString::number(value, 'g', QLocale::FloatingPointShortest);
     const QString rounded = QString::number(value, 'g', 6);
-    return exact.size() <= rounded.size() ? exact : rounded;
+    QString number = exact.size() <= rounded.size() ? exact : rounded;
+    return number.replace(QChar('.'), QLocale().decimalPoint());
 }
 
 QString describe(const Scene& scene, const std::vector<Id>& ids)

@@ -8,6 +8,9 @@
 
 namespace ripstop {
 
+// A text of the model, which is written in English, in the language of the window.
+QString spoken(std::string_view english);
+
 QString kindLabel(Kind kind);            // "Particle"
 QString kindPluralLabel(Kind kind);      // "Particles"
 QString counted(Kind kind, qsizetype n); // "1 particle", "20,000 particles"
@@ -15,12 +18,14 @@ QString countsOf(const Toll& toll);      // "5 particles, 10 links"; empty for n
 
 QString labelOf(const Property& property);
 QString helpOf(const Property& property);
-QString choiceLabel(std::string_view choice); // "Semi implicit Euler"
+QString choiceLabel(std::string_view choice);  // "Semi implicit Euler"
+QString englishLabel(std::string_view choice); // the same before it is translated
 
 // "kite", "particle 17", "Settings"; "#17" when there is no such thing.
 QString nameOf(const Scene& scene, Id id);
 
-// A number as short as it can be shown: six digits, or exact when that is shorter.
+// A number as short as it can be shown: six digits, or exact when that is shorter. With the comma
+// where the language of the window has one; typedNumber() reads either.
 QString compactNumber(double value);
 
 // "kite", "particle 17 of kite", "3 particles of kite", "5 particles, 4 links". `ids` are in

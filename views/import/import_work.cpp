@@ -1,15 +1,12 @@
 #include "import/import_work.h"
 
+#include "document/words.h"
 #include "shapes/mesh_file.h"
 
 #include <set>
 
 namespace ripstop {
-namespace {
-
-QString words(const std::string& text) { return QString::fromStdString(text); }
-
-} // namespace
+namespace {} // namespace
 
 ImportWork::ImportWork(QObject* parent)
     : QObject(parent)
@@ -51,7 +48,7 @@ bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress&
         Result<PolygonMesh> read =
             readPolygonFile(wish.file.toStdString(), stageOf(progress, 0.0, 0.4));
         if (!read) {
-            outcome.refusal = words(read.message());
+            outcome.refusal = spoken(read.message());
             return false;
         }
         m_kept.file = wish.file;
@@ -67,7 +64,7 @@ bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress&
         m_kept.mesh = nullptr;
         Result<PreparedMesh> mesh = prepared(read, wish.shape, stageOf(progress, 0.4, 0.7));
         if (!mesh) {
-            outcome.refusal = words(mesh.message());
+            outcome.refusal = spoken(mesh.message());
             return false;
         }
         m_kept.shape = wish.shape;
@@ -95,7 +92,7 @@ ImportOutcome ImportWork::work(const Job& job)
         if (made)
             outcome.made = std::move(*made);
         else
-            outcome.refusal = words(made.message());
+            outcome.refusal = spoken(made.message());
     } catch (const std::bad_alloc&) {
         outcome.refusal = tr("There is not enough memory for this mesh.");
     }

@@ -1,6 +1,7 @@
 #include "inspector/preset_chooser.h"
 
 #include "document/document.h"
+#include "document/words.h"
 #include "scene/check.h"
 #include "scene/element_index.h"
 #include "scene/presets.h"
@@ -17,8 +18,6 @@
 
 namespace ripstop {
 namespace {
-
-QString words(const std::string& text) { return QString::fromStdString(text); }
 
 // The preset that all these materials have, or null.
 const Preset* presetOf(const std::vector<ConstRef>& refs)
@@ -73,8 +72,9 @@ void PresetChooser::fillMenu()
     }
     for (const Preset& preset : allPresets()) {
         QAction* action = menus[std::size_t(preset.kind)]->addAction(
-            words(preset.label), this, [this, &preset] { apply(preset); });
-        action->setToolTip(QStringLiteral("<qt>%1</qt>").arg(words(preset.source).toHtmlEscaped()));
+            spoken(preset.label), this, [this, &preset] { apply(preset); });
+        action->setToolTip(QStringLiteral("<qt>%1</qt>")
+                               .arg(QString::fromStdString(preset.source).toHtmlEscaped()));
     }
     m_button->setMenu(menu);
 }
@@ -83,12 +83,12 @@ void PresetChooser::apply(const Preset& preset)
 {
     const Scene& scene = m_subject.document().scene();
     if (const auto problem = firstError(scene, ElementIndex(scene))) {
-        m_warning = words(problem->message);
+        m_warning = spoken(problem->message);
         return refresh();
     }
     Result<PresetEdit> made = presetEdit(scene, preset, m_subject.ids());
     if (!made) {
-        m_warning = words(made.message());
+        m_warning = spoken(made.message());
         return refresh();
     }
     const bool isWeighed = made->notWeighed.empty();
@@ -102,8 +102,9 @@ void PresetChooser::apply(const Preset& preset)
 void PresetChooser::refresh()
 {
     const Preset* preset = presetOf(m_subject.refs());
-    m_button->setText(preset ? words(preset->label) : tr("Choose\u2026"));
-    QStringList notes{std::exchange(m_warning, {}), preset ? words(preset->source) : QString()};
+    m_button->setText(preset ? spoken(preset->label) : tr("Choose\u2026"));
+    QStringList notes{std::exchange(m_warning, {}),
+                      preset ? QString::fromStdString(preset->source) : QString()};
     notes.removeAll({});
     m_note->setText(notes.join(' '));
     m_note->setVisible(!notes.isEmpty());

@@ -189,7 +189,7 @@ void PropertyForm::toggleSlider(const Property& property)
     for (const Row& row : m_rows)
         if (row.property == &property) {
             row.slider->setChecked(m_sliders.has(property, m_subject.ids()));
-            row.complaint->setText(failure ? QString::fromStdString(failure->message) : QString());
+            row.complaint->setText(failure ? spoken(failure->message) : QString());
             row.complaint->setVisible(failure.has_value());
         }
 }
@@ -238,7 +238,9 @@ void PropertyForm::refresh()
         QString tip = row.tip;
         if (row.isChanged)
             tip = tr("%1<br>The default is %2.")
-                      .arg(tip, QString::fromStdString(textFromValue(property.initial)));
+                      .arg(tip, property.choices.empty()
+                                    ? QString::fromStdString(textFromValue(property.initial))
+                                    : choiceLabel(std::get<std::string>(property.initial)));
         if (!idle.isEmpty())
             tip = tr("<b>Does nothing now:</b> %1.<br>%2").arg(idle.toHtmlEscaped(), tip);
         row.label->setToolTip(QStringLiteral("<qt>%1</qt>").arg(tip));

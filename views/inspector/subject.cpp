@@ -73,7 +73,7 @@ std::optional<QString> Subject::refusal(const Property& property, const Transfor
 {
     for (const Value& value : values(property))
         if (const auto reason = ripstop::refusal(property, transform(value)))
-            return QString::fromStdString(*reason);
+            return spoken(*reason);
     return std::nullopt;
 }
 

@@ -15,7 +15,7 @@ QString words(const char* text) { return QCoreApplication::translate("Totals", t
 
 QString quantity(double value, const char* unit)
 {
-    return QString::number(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
+    return QLocale().toString(value, 'g', 4) + QChar(0xa0) + QString::fromUtf8(unit);
 }
 
 QString whole(qsizetype count) { return QLocale().toString(count); }
@@ -115,10 +115,9 @@ QString built(const Part& part)
         return {};
     QStringList parameters;
     for (const auto& [name, value] : part.parameters)
-        parameters << QStringLiteral("%1 %2").arg(QString::fromStdString(name),
+        parameters << QStringLiteral("%1 %2").arg(choiceLabel(name).toLower(),
                                                   compactNumber(value));
-    const QString by =
-        words("Built by %1").arg(QString::fromStdString(part.builder).replace('_', ' '));
+    const QString by = words("Built by %1").arg(choiceLabel(part.builder).toLower());
     return parameters.isEmpty() ? by
                                 : by + QStringLiteral(": ") + parameters.join(QStringLiteral(", "));
 }

@@ -120,12 +120,12 @@ ValueEdit* TuningRow::endEdit(double SliderRange::*end, const QString& name)
         const Typed typed = typedNumber(text.toStdString(), unit);
         SliderRange range = m_slider.range;
         if (!typed.number) {
-            complaint = QString::fromStdString(typed.complaint);
+            complaint = spoken(typed.complaint);
             return range;
         }
         range.*end = typed.number->appliedTo(range.*end);
         if (const auto reason = refusal(property, range))
-            complaint = QString::fromStdString(*reason);
+            complaint = spoken(*reason);
         return range;
     };
     auto* edit = new ValueEdit([rangeOf, name](const QString& text) {

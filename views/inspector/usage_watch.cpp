@@ -1,6 +1,7 @@
 #include "inspector/usage_watch.h"
 
 #include "document/document.h"
+#include "document/words.h"
 
 namespace ripstop {
 namespace {
@@ -35,7 +36,7 @@ QString UsageWatch::whyIdle(const Property& property, const std::vector<Id>& ids
         if (!reason)
             return {};
         if (i == 0)
-            first = QString::fromStdString(*reason);
+            first = spoken(*reason);
     }
     return first;
 }

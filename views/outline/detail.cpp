@@ -27,10 +27,7 @@ struct Writer
 {
     const Scene& scene;
 
-    QString operator()(const Part& part) const
-    {
-        return QString::fromStdString(part.builder).replace('_', ' ');
-    }
+    QString operator()(const Part& part) const { return choiceLabel(part.builder).toLower(); }
     QString operator()(const Material& material) const
     {
         return material.tearRule == TearRule::Never ? QString() : words("tears");
@@ -46,7 +43,7 @@ struct Writer
     QString operator()(const Wind& wind) const
     {
         const double speed = wind.kind == WindKind::Gusts ? wind.gustiness : wind.velocity.norm();
-        return QString::number(speed, 'g', 3) + QStringLiteral(" m/s");
+        return QLocale().toString(speed, 'g', 3) + QStringLiteral(" m/s");
     }
     QString operator()(const Control& control) const
     {

@@ -3,6 +3,7 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "document/words.h"
 #include "icons/tinted.h"
 #include "problems/stability_list.h"
 
@@ -107,8 +108,7 @@ void ProblemList::rebuild()
     m_list->clear();
     for (const Problem& problem : all) {
         const bool isError = problem.severity == Severity::Error;
-        auto* item = new QListWidgetItem(signOf(problem.severity),
-                                         QString::fromStdString(problem.message), m_list);
+        auto* item = new QListWidgetItem(signOf(problem.severity), spoken(problem.message), m_list);
         item->setData(Qt::UserRole, std::uint32_t(problem.culprit));
         item->setData(Qt::AccessibleTextRole,
                       (isError ? tr("Error: %1") : tr("Warning: %1")).arg(item->text()));

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/selection.h"
+#include "document/words.h"
 #include "icons/tinted.h"
 
 #include <QHBoxLayout>
@@ -53,8 +54,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
     for (std::size_t row = 0; row < findings.size(); ++row) {
         const Finding& finding = findings[row];
         const bool isPoor = finding.verdict == Finding::Verdict::Poor;
-        auto* item = new QTreeWidgetItem(this, {QString::fromStdString(finding.subject),
-                                                QString::fromStdString(finding.message)});
+        auto* item = new QTreeWidgetItem(this, {spoken(finding.subject), spoken(finding.message)});
         item->setIcon(Subject, isPoor ? tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f))
                                       : tinted(QStringLiteral("ok"), QColor(0x3c, 0x9a, 0x5f)));
         item->setData(Subject, Qt::AccessibleTextRole,
@@ -62,7 +62,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
         item->setToolTip(Message, item->text(Message));
         if (!finding.repair)
             continue;
-        auto* button = new QPushButton(QString::fromStdString(finding.repair->label));
+        auto* button = new QPushButton(spoken(finding.repair->label));
         button->setToolTip(tr("Repairs it as one step that can be undone."));
         connect(button, &QPushButton::clicked, this, [this, row] { repair(row); });
         auto* place = new QWidget; // a row may be higher than its button

@@ -1,5 +1,6 @@
 #include "start/parameter_form.h"
 
+#include "document/words.h"
 #include "start/parameter_field.h"
 
 #include <QFormLayout>
@@ -16,7 +17,7 @@ QString text(std::string_view words)
 
 QLabel* headingOf(std::string_view words)
 {
-    auto* heading = new QLabel(text(words));
+    auto* heading = new QLabel(spoken(words));
     QFont bold = heading->font();
     bold.setBold(true);
     heading->setFont(bold);

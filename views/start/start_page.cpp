@@ -1,6 +1,7 @@
 #include "start/start_page.h"
 
 #include "builders/builder.h"
+#include "document/words.h"
 #include "icons/icon.h"
 #include "start/card.h"
 #include "start/card_grid.h"
@@ -151,11 +152,8 @@ QWidget* StartPage::builders()
         if (builder.family == Family::Obstacles)
             continue; // nothing that moves
         const QString name = QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size()));
-        const auto text = [](std::string_view words) {
-            return QString::fromUtf8(words.data(), qsizetype(words.size()));
-        };
-        QToolButton* button = entry(text(builder.label) + QStringLiteral("\u2026"),
-                                    QStringLiteral("builder"), text(builder.help));
+        QToolButton* button = entry(spoken(builder.label) + QStringLiteral("\u2026"),
+                                    QStringLiteral("builder"), spoken(builder.help));
         button->setObjectName(QStringLiteral("build ") + name);
         connect(button, &QToolButton::clicked, this, [this, name] { emit builderRequested(name); });
         layout->addWidget(button);
@@ -173,7 +171,8 @@ QWidget* StartPage::samples()
     const QStringList files = sampleFiles();
     for (const QString& file : files) {
         const Sample sample = readSample(file);
-        auto* card = new Card(sample.title, sample.note, pictureOf(sample), QStringLiteral("part"));
+        auto* card = new Card(spoken(sample.title.toStdString()), spoken(sample.note.toStdString()),
+                              pictureOf(sample), QStringLiteral("part"));
         card->setObjectName(QStringLiteral("sample ") + sample.name);
         connect(card, &Card::clicked, this, [this, file] { emit openRequested(file); });
         grid->add(card);

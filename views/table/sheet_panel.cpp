@@ -157,7 +157,7 @@ void SheetPanel::reload()
     if (!condition.empty()) {
         auto found = matching(m_document.scene(), m_gauge(), condition);
         if (!found)
-            return complain(QString::fromStdString(found.message()));
+            return complain(spoken(found.message()));
         limit = std::move(*found);
     }
     if (m_onlySelected->isChecked()) {
@@ -263,7 +263,7 @@ void SheetPanel::paste()
     const std::vector<SheetColumn> columns(
         firstColumn, isOne ? m_model.columns().begin() + right + 1 : m_model.columns().end());
     auto edit = pasted(m_document.scene(), ids, columns, block.toStdString());
-    complain(edit ? QString() : QString::fromStdString(edit.message()));
+    complain(edit ? QString() : spoken(edit.message()));
     if (edit)
         m_document.push(std::move(*edit));
 }

@@ -1,6 +1,7 @@
 #include "timeline/timeline.h"
 
 #include "document/recordings.h"
+#include "document/words.h"
 #include "icons/icon.h"
 #include "timeline/difference_dialog.h"
 #include "timeline/timeline_strip.h"
@@ -305,7 +306,7 @@ void Timeline::refresh()
     if (count == 0)
         return m_where->setText({});
     const auto size = recording->size();
-    const QString trouble = QString::fromStdString(recording->trouble());
+    const QString trouble = spoken(recording->trouble());
     m_where->setText(tr("%1 s \u00b7 frame %2 of %3")
                          .arg(QLocale().toString(m_recordings.time(), 'f', 3))
                          .arg(QLocale().toString(qulonglong(m_recordings.frame() + 1)))

@@ -31,7 +31,7 @@ std::optional<Vec3> meeting(const Projection::Ray& ray, const Vec3& point, const
 
 QString placeText(const Vec3& place)
 {
-    const auto number = [](double value) { return QString::number(value, 'f', 3); };
+    const auto number = [](double value) { return QLocale().toString(value, 'f', 3); };
     return QStringLiteral("%1  %2  %3 m")
         .arg(number(place.x()), number(place.y()), number(place.z()));
 }

@@ -137,7 +137,7 @@ Motion Pull::motion(const Vec3& numbers) const
 QString Pull::told(const Vec3& numbers) const
 {
     const auto text = [](double value, int digits) {
-        return QString::number(value, 'f', digits).replace('-', QChar(0x2212));
+        return QLocale().toString(value, 'f', digits).replace('-', QChar(0x2212));
     };
     QStringList words;
     if (start.shaping == Shaping::Turn)

@@ -1,0 +1,9999 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr_FR" sourcelanguage="en">
+<context>
+    <name>ripstop</name>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;About Ripstop</source>
+        <translation>À &amp;propos de Ripstop</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Arrows</source>
+        <translation>&amp;Flèches</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Back</source>
+        <translation>De de&amp;rrière</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Corner</source>
+        <translation>De trois &amp;quarts</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Find an action…</source>
+        <translation>&amp;Trouver une action…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Find in outline</source>
+        <translation>Rec&amp;hercher dans l’arborescence</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Fit</source>
+        <translation>Tout voi&amp;r</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Help</source>
+        <translation>Ai&amp;de</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Keys…</source>
+        <translation>&amp;Raccourcis clavier…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Left</source>
+        <translation>De &amp;gauche</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;New scene</source>
+        <translation>&amp;Nouvelle scène</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;None</source>
+        <translation>A&amp;ucune</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Play</source>
+        <translation>&amp;Lancer</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Polar of an air law</source>
+        <translation>&amp;Polaire d’une loi d’air</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rétablir : %1</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Reset</source>
+        <translation>&amp;Réinitialiser</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Step</source>
+        <translation>&amp;Avancer d’un pas</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Tension</source>
+        <translation>&amp;Tension</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Top</source>
+        <translation>De &amp;dessus</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Tour</source>
+        <translation>&amp;Visite guidée</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Annuler : %1</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Velocity</source>
+        <translation>&amp;Vitesse</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&amp;Verification…</source>
+        <translation>Véri&amp;fication…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;An editor and simulator for fabric that flies: kites, hang gliders, parachutes, cloth.&lt;/p&gt;&lt;p&gt;Every number on the screen can be made again by &lt;tt&gt;ripstop-cli&lt;/tt&gt;, bit for bit.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, nlohmann/json, CLI11, muParser and QCustomPlot.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;Un éditeur et simulateur de tissu qui vole : cerfs-volants, deltaplanes, parachutes, toiles.&lt;/p&gt;&lt;p&gt;Chaque nombre à l’écran peut être recalculé par &lt;tt&gt;ripstop-cli&lt;/tt&gt;, au bit près.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, VTK, Eigen, oneTBB, nlohmann/json, CLI11, muParser et QCustomPlot.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>A kite, glider, parachute, cloth or rope from its dimensions.</source>
+        <translation>Un cerf-volant, un deltaplane, un parachute, une toile ou une corde à partir de ses dimensions.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>About Ripstop</source>
+        <translation>À propos de Ripstop</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>All keys, to see and to change, and those of the controls of this scene.</source>
+        <translation>Toutes les touches, à consulter et à changer, et celles des commandes de cette scène.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>An empty scene, to draw or import into.</source>
+        <translation>Une scène vide, pour dessiner ou importer.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Back to the design; controls return to zero.</source>
+        <translation>Revenir au modèle ; les commandes reviennent à zéro.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Botto&amp;m</source>
+        <translation>De desso&amp;us</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Colour by &amp;material</source>
+        <translation>Colorer par &amp;matériau</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Colour by &amp;strain</source>
+        <translation>Colorer par dé&amp;formation</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Colour by panel loa&amp;d</source>
+        <translation>Colorer par c&amp;harge des panneaux</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Colour by s&amp;peed</source>
+        <translation>Colorer par vit&amp;esse</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Colour by t&amp;ension</source>
+        <translation>Colorer par t&amp;ension</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Colour by tea&amp;r limit</source>
+        <translation>Colorer par &amp;limite de rupture</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Draw a dot at each particle.</source>
+        <translation>Dessiner un point à chaque particule.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Draw an arrow for the wind.</source>
+        <translation>Dessiner une flèche pour le vent.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Draw arrows for the wind all around the design.</source>
+        <translation>Dessiner des flèches de vent tout autour du modèle.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Draw springs, rods and lines.</source>
+        <translation>Dessiner les ressorts, les tiges et les lignes.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Draw the fabric.</source>
+        <translation>Dessiner le tissu.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>F&amp;ollow</source>
+        <translation>Sui&amp;vre</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Fit sele&amp;ction</source>
+        <translation>Cadrer la &amp;sélection</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Fro&amp;nt</source>
+        <translation>De &amp;face</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How far links are stretched.</source>
+        <translation>De combien les liaisons sont étirées.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How fast each particle moves, and where to.</source>
+        <translation>À quelle vitesse chaque particule se déplace, et vers où.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How fast particles move.</source>
+        <translation>À quelle vitesse les particules se déplacent.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How hard each link pulls at its ends.</source>
+        <translation>Avec quelle force chaque liaison tire à ses bouts.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How hard links pull.</source>
+        <translation>Avec quelle force les liaisons tirent.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How hard the air pushes each panel.</source>
+        <translation>Avec quelle force l’air pousse chaque panneau.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How hard the air pushes panels, per area.</source>
+        <translation>Avec quelle force l’air pousse les panneaux, par unité d’aire.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>How much of what it tears at each link bears.</source>
+        <translation>Quelle part de sa limite de rupture porte chaque liaison.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Keep the design as one to begin new ones from.</source>
+        <translation>Garder cette scène comme point de départ de nouvelles.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Leave Ripstop.</source>
+        <translation>Quitter Ripstop.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Look from a corner above.</source>
+        <translation>Regarder depuis un coin, d’en haut.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Look from above.</source>
+        <translation>Regarder d’en haut.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Look from behind.</source>
+        <translation>Regarder de derrière.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Look from below.</source>
+        <translation>Regarder d’en bas.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Look from the front.</source>
+        <translation>Regarder de face.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Look from the left.</source>
+        <translation>Regarder depuis la gauche.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Look from the right.</source>
+        <translation>Regarder depuis la droite.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF or Collada.</source>
+        <translation>Faire du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF ou Collada.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Make the last edit again that was taken back.</source>
+        <translation>Refaire la dernière modification annulée.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Mark the centre of gravity of what is selected, or of the whole design, with its mass.</source>
+        <translation>Marquer le centre de gravité de la sélection, ou de tout le modèle, avec sa masse.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Meshes for Blender, series for ParaView, tables of the probes and of what has torn.</source>
+        <translation>Maillages pour Blender, séries pour ParaView, tableaux des sondes et des déchirures.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>New from &amp;builder…</source>
+        <translation>Nouveau à partir d’un &amp;générateur…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>New from te&amp;mplate</source>
+        <translation>Nouveau à partir d’un &amp;modèle</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>No arrows on particles, panels and links.</source>
+        <translation>Aucune flèche sur les particules, panneaux et liaisons.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>None yet: File, Save as template</source>
+        <translation>Aucun pour l’instant : Fichier, Enregistrer comme modèle</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>O&amp;rthographic</source>
+        <translation>&amp;Orthographique</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>One time step.</source>
+        <translation>Un pas de temps.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Open &amp;recent</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Open a scene file.</source>
+        <translation>Ouvrir un fichier de scène.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Panel &amp;load</source>
+        <translation>&amp;Charge des panneaux</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Panels and &amp;docks</source>
+        <translation>Pa&amp;nneaux de la fenêtre</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>R&amp;ight</source>
+        <translation>De droi&amp;te</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Remove what is selected, and all that hangs on it.</source>
+        <translation>Supprimer la sélection et tout ce qui y est attaché.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Run the cases whose answer is known, and see what comes out.</source>
+        <translation>Exécuter les cas dont la réponse est connue, et voir ce qui en sort.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Run the simulation, or hold it.</source>
+        <translation>Lancer la simulation, ou la suspendre.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>S&amp;tart page</source>
+        <translation>Page d'&amp;accueil</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Samples, recent files and builders.</source>
+        <translation>Exemples, fichiers récents et générateurs.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Save &amp;picture…</source>
+        <translation>Enregistrer une i&amp;mage…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Save as &amp;template…</source>
+        <translation>Enregistrer &amp;comme modèle…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Save the scene in another file.</source>
+        <translation>Enregistrer la scène dans un autre fichier.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Save the scene in its file.</source>
+        <translation>Enregistrer la scène dans son fichier.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Search the outline by name.</source>
+        <translation>Chercher par nom dans l’arborescence.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show &amp;wind</source>
+        <translation>Montrer le ven&amp;t</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show centre of &amp;gravity</source>
+        <translation>Montrer le centre de grav&amp;ité</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show lin&amp;ks</source>
+        <translation>Montrer les &amp;liaisons</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show p&amp;anels</source>
+        <translation>Montrer les p&amp;anneaux</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show partic&amp;les</source>
+        <translation>Montrer les &amp;particules</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show the &amp;folder</source>
+        <translation>Afficher le &amp;dossier</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show the whole scene.</source>
+        <translation>Montrer toute la scène.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show what &amp;probes read</source>
+        <translation>Montrer ce que lisent les &amp;sondes</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show what is selected, or the whole scene when nothing is.</source>
+        <translation>Montrer la sélection, ou toute la scène si rien n’est sélectionné.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show wind fiel&amp;d</source>
+        <translation>Montrer le &amp;champ de vent</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Take back the last edit.</source>
+        <translation>Annuler la dernière modification.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>The 3D view as a PNG or JPEG file.</source>
+        <translation>La vue 3D dans un fichier PNG ou JPEG.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>The camera goes with the fabric.</source>
+        <translation>La caméra accompagne le tissu.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>The colours of the materials.</source>
+        <translation>Les couleurs des matériaux.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Type to find anything that the menus can do.</source>
+        <translation>Taper pour trouver tout ce que les menus savent faire.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Version and licence.</source>
+        <translation>Version et licence.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>What the air law of a material does to a flat plate, beside published curves.</source>
+        <translation>Ce que la loi d’air d’un matériau fait à une plaque plane, à côté de courbes publiées.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>What the parts of the window are for, in a minute.</source>
+        <translation>À quoi servent les parties de la fenêtre, en une minute.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Without perspective: parallels stay parallel.</source>
+        <translation>Sans perspective : les parallèles restent parallèles.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Write the values of probes beside what they look at.</source>
+        <translation>Écrire les valeurs des sondes à côté de ce qu’elles regardent.</translation>
+    </message>
+    <message>
+        <location filename="autosave.cpp"/>
+        <source>Unsaved work cannot be kept in %1: make the folder one that you may write to, or save often.</source>
+        <translation>Le travail non enregistré ne peut pas être gardé dans %1 : permettre l’écriture dans ce dossier, ou enregistrer souvent.</translation>
+    </message>
+    <message>
+        <location filename="autosave.cpp"/>
+        <source>Unsaved work is not kept: %1</source>
+        <translation>Le travail non enregistré n’est pas gardé : %1</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Build</source>
+        <translation>Construire</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Change</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Defaults</source>
+        <translation>Valeurs par défaut</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Design</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Empty: by the numbers above. Or paste from a spreadsheet.</source>
+        <translation>Vide : d’après les nombres ci-dessus. Ou coller depuis un tableur.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Insert</source>
+        <translation>Insérer</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>New from builder</source>
+        <translation>Nouveau à partir d’un générateur</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Parameters of %1</source>
+        <translation>Paramètres de %1</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Raises the substeps of the scene to %1.</source>
+        <translation>Porte les sous-pas de la scène à %1.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Sets every parameter to what it was at first.</source>
+        <translation>Redonne à chaque paramètre sa valeur de départ.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Show in the view</source>
+        <translation>Montrer dans la vue</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>The design shows the outcome while this dialog is open.</source>
+        <translation>Le modèle montre le résultat tant que cette fenêtre est ouverte.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>Too large to be shown while you type.</source>
+        <translation>Trop grand pour être montré pendant la saisie.</translation>
+    </message>
+    <message>
+        <location filename="centre_mark.cpp"/>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <location filename="chart.cpp"/>
+        <source>no unit</source>
+        <translation>sans unité</translation>
+    </message>
+    <message>
+        <location filename="chart.cpp"/>
+        <source>time (s)</source>
+        <translation>temps (s)</translation>
+    </message>
+    <message>
+        <location filename="compass.cpp"/>
+        <source>No wind</source>
+        <translation>Pas de vent</translation>
+    </message>
+    <message>
+        <location filename="compass.cpp"/>
+        <source>Wind %1 m/s</source>
+        <translation>Vent %1 m/s</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>%1 match now.</source>
+        <translation>%1 correspondent pour l’instant.</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Add to the selection</source>
+        <translation>Ajouter à la sélection</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Double click to put it into the condition.</source>
+        <translation>Un double-clic la met dans la condition.</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Keep only those selected already</source>
+        <translation>Ne garder que ce qui est déjà sélectionné</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Meaning</source>
+        <translation>Signification</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Nothing matches now.</source>
+        <translation>Rien ne correspond pour l’instant.</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Particles, links and panels with</source>
+        <translation>Particules, liaisons et panneaux avec</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Property</source>
+        <translation>Propriété</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Replace the selection</source>
+        <translation>Remplacer la sélection</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Select by property</source>
+        <translation>Sélectionner par propriété</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Take away from the selection</source>
+        <translation>Retirer de la sélection</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>Write a property, a comparison and a value; "and" joins several.</source>
+        <translation>Écrire une propriété, une comparaison et une valeur ; « and » en joint plusieurs.</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>strain &gt; 5 %    mass &lt; 1 g and not pinned    material = ripstop</source>
+        <translation>strain &gt; 5 %    mass &lt; 1 g and not pinned    material = ripstop</translation>
+    </message>
+    <message>
+        <location filename="control_strip.cpp"/>
+        <source>%1%2 m for each press of %3</source>
+        <translation>%1%2 m à chaque appui sur %3</translation>
+    </message>
+    <message>
+        <location filename="control_strip.cpp"/>
+        <source>%1%2 m. It has no key yet; set one in the inspector.</source>
+        <translation>%1%2 m. Pas encore de touche ; en choisir une dans l’inspecteur.</translation>
+    </message>
+    <message>
+        <location filename="control_strip.cpp"/>
+        <source>No controls. Add one in the outline to steer with keys.</source>
+        <translation>Aucune commande. En ajouter une dans l’arborescence pour piloter au clavier.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Align</source>
+        <translation>&amp;Aligner</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Design</source>
+        <translation>&amp;Modèle</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Flatten</source>
+        <translation>Aplat&amp;ir</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Move</source>
+        <translation>Dé&amp;placer</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Paste</source>
+        <translation>C&amp;oller</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Tourner</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Scale</source>
+        <translation>Mettre à l’é&amp;chelle</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Add the other half of what is selected, in one piece with it.</source>
+        <translation>Ajouter l’autre moitié de la sélection, d’un seul tenant avec elle.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Along %1</source>
+        <translation>Le long de %1</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Array in a rin&amp;g…</source>
+        <translation>Répétition circ&amp;ulaire…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Array in a ro&amp;w…</source>
+        <translation>Répétition &amp;linéaire…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Bring all to the greatest %1 of what is selected.</source>
+        <translation>Amener tout au plus grand %1 de la sélection.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Bring all to the least %1 of what is selected.</source>
+        <translation>Amener tout au plus petit %1 de la sélection.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Bring all to the middle of what is selected along %1.</source>
+        <translation>Amener tout au milieu de la sélection le long de %1.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Copied.</source>
+        <translation>Copié.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Copies around an axis: gores, spokes.</source>
+        <translation>Des copies autour d’un axe : fuseaux, rayons.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Copies in a row: ribs, rows of lines.</source>
+        <translation>Des copies en ligne : nervures, rangées de suspentes.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Copy what is selected within its part, and move the copy.</source>
+        <translation>Copier la sélection dans sa pièce, et déplacer la copie.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Copy what is selected, and remove it.</source>
+        <translation>Copier la sélection, et la supprimer.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Copy what is selected, with the links and panels among it, for this or another scene.</source>
+        <translation>Copier la sélection, avec ses liaisons et panneaux, pour cette scène ou une autre.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Couper</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>D&amp;istribute</source>
+        <translation>Répart&amp;ir</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>D&amp;uplicate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Even steps along %1 between the outermost ones.</source>
+        <translation>Pas égaux le long de %1 entre les deux extrêmes.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Give the selected particles mass: each, by length, by area, or a total to share.</source>
+        <translation>Donner une masse aux particules sélectionnées : chacune, par longueur, par aire, ou un total à répartir.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Hold the selected particles where they are, or let them go when all are held.</source>
+        <translation>Tenir en place les particules sélectionnées, ou les lâcher quand toutes sont tenues.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Least %1</source>
+        <translation>%1 minimal</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>M&amp;ass…</source>
+        <translation>&amp;Masse…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Make one particle of those that lie together, or of all that are selected.</source>
+        <translation>Faire une seule particule de celles qui sont confondues, ou de toutes celles qui sont sélectionnées.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Make several links of each selected one, with particles between them.</source>
+        <translation>Faire plusieurs liaisons de chaque liaison sélectionnée, avec des particules entre elles.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Make what is selected larger or smaller: pull a box or the middle, or type a factor.</source>
+        <translation>Agrandir ou réduire la sélection : tirer un cube ou le centre, ou taper un facteur.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Middle %1</source>
+        <translation>%1 médian</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Mirr&amp;or…</source>
+        <translation>S&amp;ymétrie…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Most %1</source>
+        <translation>%1 maximal</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Move what is selected: pull an arrow, a square or the middle, or type how far.</source>
+        <translation>Déplacer la sélection : tirer une flèche, un carré ou le centre, ou taper la distance.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Pi&amp;n or unpin</source>
+        <translation>&amp;Fixer ou libérer</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Pinned.</source>
+        <translation>Fixé.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Put what is selected into the plane that fits it best.</source>
+        <translation>Mettre la sélection dans le plan qui lui convient le mieux.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Put what was copied into this scene, as a part of its own, and move it.</source>
+        <translation>Mettre ce qui a été copié dans cette scène, comme pièce à part, et le déplacer.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>S&amp;plit links…</source>
+        <translation>Di&amp;viser les liaisons…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Select particles to pin.</source>
+        <translation>Sélectionner des particules à fixer.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Select three or more particles to flatten.</source>
+        <translation>Sélectionner au moins trois particules à aplatir.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Select three or more things to distribute.</source>
+        <translation>Sélectionner au moins trois choses à répartir.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Select two or more things to align.</source>
+        <translation>Sélectionner au moins deux choses à aligner.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Select what is to be copied first.</source>
+        <translation>Sélectionner d’abord ce qui est à copier.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Turn what is selected: pull a ring, or type an angle.</source>
+        <translation>Tourner la sélection : tirer un anneau, ou taper un angle.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Unpinned.</source>
+        <translation>Libéré.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>W&amp;eld…</source>
+        <translation>&amp;Souder…</translation>
+    </message>
+    <message>
+        <location filename="detail.cpp"/>
+        <source>tears</source>
+        <translation>se déchire</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 and %2: distance of their particles</source>
+        <translation>%1 et %2 : distance de leurs particules</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 s: %2 root mean square, %3 at most (particle %4)</source>
+        <translation>%1 s : moyenne quadratique %2, au plus %3 (particule %4)</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>Coloured: the particle that is farthest off. Plain: the root mean square of all %1. Click to look at that time.</source>
+        <translation>En couleur : la particule la plus éloignée. Simple : la moyenne quadratique des %1. Cliquer pour regarder ce moment.</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>Measuring…</source>
+        <translation>Mesure…</translation>
+    </message>
+    <message>
+        <location filename="difference_dialog.cpp"/>
+        <source>The two have no particle in common: they are of other designs.</source>
+        <translation>Les deux n’ont aucune particule en commun : elles sont d’autres modèles.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>(new material)</source>
+        <translation>(nouveau matériau)</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>(new part)</source>
+        <translation>(nouvelle pièce)</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>A click on a panel puts the particle there, and not in the plane.</source>
+        <translation>Un clic sur un panneau y met la particule, et non dans le plan.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Click from particle to particle, or where one is to be. The last one again, or Esc, ends the line.</source>
+        <translation>Cliquer de particule en particule, ou là où il en faut une. De nouveau la dernière, ou Échap, termine la ligne.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Click the three corners. Esc begins again.</source>
+        <translation>Cliquer les trois coins. Échap recommence.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Click where they are to be: in the plane, on fabric. A right drag turns the view.</source>
+        <translation>Cliquer là où elles doivent être : dans le plan, sur le tissu. Glisser du bouton droit tourne la vue.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Draw links</source>
+        <translation>Dessiner des liaisons</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Draw panels</source>
+        <translation>Dessiner des panneaux</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Draw particles</source>
+        <translation>Dessiner des particules</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Facing plane</source>
+        <translation>Plan face à la vue</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Front plane</source>
+        <translation>Plan de face</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Level plane</source>
+        <translation>Plan horizontal</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Lines</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Of new links and panels.</source>
+        <translation>Des nouvelles liaisons et des nouveaux panneaux.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>On fabric</source>
+        <translation>Sur le tissu</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Rods</source>
+        <translation>Tiges</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Rods keep their length, lines only do not grow longer, springs pull with a force.</source>
+        <translation>Les tiges gardent leur longueur, les lignes ne s’allongent pas, les ressorts tirent avec une force.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Side plane</source>
+        <translation>Plan de profil</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Springs</source>
+        <translation>Ressorts</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Where new particles go. Links and panels go to the part of their first particle.</source>
+        <translation>Où vont les nouvelles particules. Liaisons et panneaux vont dans la pièce de leur première particule.</translation>
+    </message>
+    <message>
+        <location filename="draw_bar.cpp"/>
+        <source>Where places off the fabric lie: in a plane through the particle that was clicked last, or through the origin.</source>
+        <translation>Où se trouvent les points hors du tissu : dans un plan par la dernière particule cliquée, ou par l’origine.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>&amp;Fill with panels…</source>
+        <translation>&amp;Remplir de panneaux…</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>&amp;Links</source>
+        <translation>&amp;Liaisons</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>&amp;Particles</source>
+        <translation>&amp;Particules</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>&amp;Rope…</source>
+        <translation>&amp;Corde…</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>&amp;Spar…</source>
+        <translation>L&amp;ongeron…</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>A rope or line of many links between two selected particles.</source>
+        <translation>Une corde ou une ligne de plusieurs liaisons entre deux particules sélectionnées.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>A stiff spar along the selected particles.</source>
+        <translation>Un longeron raide le long des particules sélectionnées.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Click from particle to particle, or where one is to be: rods, lines, springs, ropes of many segments.</source>
+        <translation>Cliquer de particule en particule, ou là où il en faut une : tiges, lignes, ressorts, cordes à plusieurs segments.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Click the three corners of a panel.</source>
+        <translation>Cliquer les trois coins d’un panneau.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Click where particles are to be: in a plane, on fabric.</source>
+        <translation>Cliquer là où doivent être les particules : dans un plan, sur le tissu.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Close the hole that the selected particles surround.</source>
+        <translation>Fermer le trou que les particules sélectionnées entourent.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>D&amp;raw</source>
+        <translation>&amp;Dessin</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>In which ways the selection, or the design, gives way without a link growing longer, and the rods that would stop it.</source>
+        <translation>De quelles façons la sélection, ou le modèle, cède sans qu’une liaison s’allonge, et les tiges qui l’empêcheraient.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>L&amp;ink selected…</source>
+        <translation>Lier la &amp;sélection…</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>P&amp;anels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Particles on both sides of the selected ones, tied to each, so that they keep their shape.</source>
+        <translation>Des particules de part et d’autre de celles sélectionnées, attachées à chacune, pour qu’elles gardent leur forme.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Ri&amp;gidity particles…</source>
+        <translation>Particules de ri&amp;gidité…</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>Tie the selected particles to each other, in a line, a ring, or each with each.</source>
+        <translation>Attacher les particules sélectionnées les unes aux autres, en ligne, en anneau, ou chacune à chacune.</translation>
+    </message>
+    <message>
+        <location filename="draw_rows.cpp"/>
+        <source>What gives &amp;way…</source>
+        <translation>Ce &amp;qui cède…</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>
+%1 m long</source>
+        <translation>
+%1 m de long</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>A panel. The next one begins with the next click.</source>
+        <translation>Un panneau. Le suivant commence au prochain clic.</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>A particle at %1.</source>
+        <translation>Une particule en %1.</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>Click the other corners of the panel.</source>
+        <translation>Cliquer les autres coins du panneau.</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>Click where the link ends; click the last particle again to stop.</source>
+        <translation>Cliquer là où finit la liaison ; recliquer la dernière particule pour arrêter.</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>Draw a link</source>
+        <translation>Dessiner une liaison</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>Draw a panel</source>
+        <translation>Dessiner un panneau</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>Draw a particle</source>
+        <translation>Dessiner une particule</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>Ended.</source>
+        <translation>Terminé.</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>The plane is seen on edge here: turn the view, or choose another plane.</source>
+        <translation>Le plan est vu de chant ici : tourner la vue, ou choisir un autre plan.</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>There is a particle here already.</source>
+        <translation>Il y a déjà une particule ici.</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>cloth</source>
+        <translation>toile</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>cord</source>
+        <translation>cordelette</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>drawing</source>
+        <translation>dessin</translation>
+    </message>
+    <message>
+        <location filename="draw_tool.cpp"/>
+        <source>on a particle</source>
+        <translation>sur une particule</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>%1 frames of %2 × %3 pixels, about %4.</source>
+        <translation>%1 images de %2 × %3 pixels, environ %4.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>%1 frames of %2 × %3 pixels.</source>
+        <translation>%1 images de %2 × %3 pixels.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>%1 frames, about %2.</source>
+        <translation>%1 images, environ %2.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>%1 is there and will be replaced.</source>
+        <translation>%1 est là et sera remplacé.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>%1 of these files are there and will be replaced.</source>
+        <translation>%1 de ces fichiers sont là et seront remplacés.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>A row for each link that broke: when, where, at which strain and force.</source>
+        <translation>Un rang pour chaque liaison rompue : quand, où, à quelle déformation et quelle force.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>Control track of this run, CSV</source>
+        <translation>Piste des commandes de cette simulation, CSV</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>Links that broke in the run on the screen: %1, the first at %2 s. The tear went %3 m far and released %4 J.</source>
+        <translation>Liaisons rompues dans la simulation à l’écran : %1, la première à %2 s. La déchirure s’est étendue sur %3 m et a libéré %4 J.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>No control and no hand has moved anything in this run.</source>
+        <translation>Aucune commande et aucune main n’a rien bougé dans cette simulation.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>Nothing has torn in the run on the screen: the table will be empty.</source>
+        <translation>Rien ne s’est déchiré dans la simulation à l’écran : le tableau sera vide.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>Table of what has torn, CSV</source>
+        <translation>Tableau des déchirures, CSV</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>The shape on the screen, at %1 s, about %2.</source>
+        <translation>La forme à l’écran, à %1 s, environ %2.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>What the pilot and your hands did in this run: %1 commands, %2 moves of the hand.</source>
+        <translation>Ce que le pilote et vos mains ont fait dans cette simulation : %1 commandes, %2 gestes de la main.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>Writes %1.</source>
+        <translation>Écrit %1.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>ripstop-cli run --controls does it again, in this or another design.</source>
+        <translation>ripstop-cli run --controls la refait, dans ce modèle ou un autre.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source> per s</source>
+        <translation> par s</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>%1 and %2 more exist already. Replace them?</source>
+        <translation>%1 et %2 autres existent déjà. Les remplacer ?</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 existe déjà. Le remplacer ?</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>&amp;Legend and compass</source>
+        <translation>&amp;Légende et boussole</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>&amp;Probes that are plotted</source>
+        <translation>&amp;Sondes tracées</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>&amp;Speed</source>
+        <translation>&amp;Vitesse</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>&amp;To</source>
+        <translation>&amp;À</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Cancelled; nothing was kept.</source>
+        <translation>Annulé ; rien n’a été gardé.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Choose the file</source>
+        <translation>Choisir le fichier</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Do again what the pilot and your hands did</source>
+        <translation>Refaire ce que le pilote et vos mains ont fait</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Export as</source>
+        <translation>Exporter sous</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormat</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>F&amp;rom</source>
+        <translation>&amp;De</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Fi&amp;le</source>
+        <translation>F&amp;ichier</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Frames per second: of simulated time for meshes and tables, of the film for films.</source>
+        <translation>Images par seconde : de temps simulé pour les maillages et tableaux, de film pour les films.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>How fast the film shows the flight; 0.1 is ten times slower than it is.</source>
+        <translation>À quelle vitesse le film montre le vol ; 0,1 est dix fois plus lent qu’en vrai.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>R&amp;ate</source>
+        <translation>&amp;Cadence</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Replace what is there?</source>
+        <translation>Remplacer ce qui est là ?</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Si&amp;ze</source>
+        <translation>Tai&amp;lle</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>T&amp;ime</source>
+        <translation>T&amp;emps</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>The scene is simulated anew from its start.</source>
+        <translation>La scène est simulée de nouveau depuis son début.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>The series ends before it begins: make To later than From.</source>
+        <translation>La série finit avant de commencer : choisir À après De.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>There is nothing on the screen to export; see the list of problems.</source>
+        <translation>Il n’y a rien à exporter à l’écran ; voir la liste des problèmes.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>Transparent &amp;background</source>
+        <translation>&amp;Fond transparent</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>pixels</source>
+        <translation>pixels</translation>
+    </message>
+    <message>
+        <location filename="fan_tool.cpp"/>
+        <source>%1 m/s · wheel: strength · Ctrl + wheel: spread %2°</source>
+        <translation>%1 m/s · molette : force · Ctrl + molette : ouverture %2°</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>A name is needed.</source>
+        <translation>Il faut un nom.</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>Choose a colour</source>
+        <translation>Choisir une couleur</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>Choose a colour.</source>
+        <translation>Choisir une couleur.</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>Choose a file</source>
+        <translation>Choisir un fichier</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>Choose a file.</source>
+        <translation>Choisir un fichier.</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>No key is called so; try Left, A or Ctrl+Up.</source>
+        <translation>Aucune touche ne s’appelle ainsi ; essayer Left, A ou Ctrl+Up.</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>Rows are numbers with commas between them and a semicolon after each row; %1.</source>
+        <translation>Les rangs sont des nombres séparés par des virgules, avec un point-virgule après chaque rang ; %1.</translation>
+    </message>
+    <message>
+        <location filename="field.cpp"/>
+        <source>The %1 %2.</source>
+        <translation>« %1 » %2.</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 added rows</source>
+        <translation>%1 rangs ajoutés</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 changed rows</source>
+        <translation>%1 rangs modifiés</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 moved</source>
+        <translation>%1 déplacées</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 of cloth</source>
+        <translation>%1 de toile</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 of line</source>
+        <translation>%1 de ligne</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 removed rows</source>
+        <translation>%1 rangs supprimés</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 substeps of %2</source>
+        <translation>%1 sous-pas de %2</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>%1 wide, %2 high, %3 deep</source>
+        <translation>largeur %1, hauteur %2, profondeur %3</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>Lets go of what %1 others point at.</source>
+        <translation>Lâche ce que désignent %1 autres.</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>Span %1</source>
+        <translation>Envergure %1</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>Takes back what was done by hand: %1. To keep it, detach the part instead.</source>
+        <translation>Défait ce qui a été fait à la main : %1. Pour le garder, détacher plutôt la pièce.</translation>
+    </message>
+    <message>
+        <location filename="figures_text.cpp"/>
+        <source>aspect ratio %1</source>
+        <translation>allongement %1</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source> Your changes are then lost.</source>
+        <translation> Vos modifications sont alors perdues.</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>%1 cannot be written: choose a folder that you may write to, and the ending .png or .jpg.</source>
+        <translation>%1 ne peut pas être écrit : choisir un dossier où vous pouvez écrire, et l’extension .png ou .jpg.</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>%1 has changes that are not saved. Save them first?</source>
+        <translation>%1 a des modifications non enregistrées. Les enregistrer d’abord ?</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>&amp;Keep mine</source>
+        <translation>&amp;Garder le mien</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>&amp;Open again</source>
+        <translation>&amp;Rouvrir</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Another program has written %1 since you opened it. Replace what it wrote?</source>
+        <translation>Un autre programme a écrit %1 depuis que vous l’avez ouvert. Remplacer ce qu’il a écrit ?</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Another program has written %1. Open it again?%2</source>
+        <translation>Un autre programme a écrit %1. L’ouvrir de nouveau ?%2</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Cannot open the scene</source>
+        <translation>Impossible d’ouvrir la scène</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Cannot open the template</source>
+        <translation>Impossible d’ouvrir le modèle</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Cannot save the picture</source>
+        <translation>Impossible d’enregistrer l’image</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Cannot save the scene</source>
+        <translation>Impossible d’enregistrer la scène</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Cannot save the template</source>
+        <translation>Impossible d’enregistrer le modèle</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Changed on the disk</source>
+        <translation>Modifié sur le disque</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Exported %1</source>
+        <translation>%1 exporté</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Imported %1. Pin what is to be held: nothing holds it yet.</source>
+        <translation>%1 importé. Fixer ce qui doit être tenu : rien ne le tient encore.</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Name of the template:</source>
+        <translation>Nom du modèle :</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Open a scene</source>
+        <translation>Ouvrir une scène</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Pictures (*.png *.jpg)</source>
+        <translation>Images (*.png *.jpg)</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Ripstop scenes (*.ripstop.json);;All files (*)</source>
+        <translation>Scènes Ripstop (*.ripstop.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Save as template</source>
+        <translation>Enregistrer comme modèle</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Save the scene as</source>
+        <translation>Enregistrer la scène sous</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Save the view as a picture</source>
+        <translation>Enregistrer la vue comme image</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Saved the template %1</source>
+        <translation>Modèle %1 enregistré</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>There is a template %1. Replace it?</source>
+        <translation>Il existe un modèle %1. Le remplacer ?</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <location filename="files.cpp"/>
+        <source>untitled</source>
+        <translation>sans titre</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>%1 was not written; ffmpeg says: %2</source>
+        <translation>%1 n’a pas été écrit ; ffmpeg dit : %2</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>Film, MP4</source>
+        <translation>Film, MP4</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>Film, WebM</source>
+        <translation>Film, WebM</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>For texts and slides; 256 colours, large. Made by ffmpeg.</source>
+        <translation>Pour textes et diapositives ; 256 couleurs, volumineux. Fait par ffmpeg.</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>H.264, which everything plays. Made by ffmpeg.</source>
+        <translation>H.264, que tout lit. Fait par ffmpeg.</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>Moving picture, GIF</source>
+        <translation>Image animée, GIF</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>One picture for each frame, exact; for other programs and for papers.</source>
+        <translation>Une image exacte pour chaque instant ; pour d’autres programmes et pour des articles.</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>Pictures, PNG</source>
+        <translation>Images, PNG</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>The program ffmpeg, which makes films, is not installed. Install it (Debian: apt install ffmpeg), or choose pictures.</source>
+        <translation>Le programme ffmpeg, qui fait les films, n’est pas installé. L’installer (Debian : apt install ffmpeg), ou choisir des images.</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>VP9 for web pages; keeps a transparent background. Made by ffmpeg.</source>
+        <translation>VP9 pour les pages web ; garde un fond transparent. Fait par ffmpeg.</translation>
+    </message>
+    <message>
+        <location filename="film_look.cpp"/>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <location filename="grab_tool.cpp"/>
+        <source>%1 N/m, all that the time step allows</source>
+        <translation>%1 N/m, tout ce que permet le pas de temps</translation>
+    </message>
+    <message>
+        <location filename="grab_tool.cpp"/>
+        <source>%1, when it runs</source>
+        <translation>%1, en marche</translation>
+    </message>
+    <message>
+        <location filename="grab_tool.cpp"/>
+        <source>P pins</source>
+        <translation>P fixe</translation>
+    </message>
+    <message>
+        <location filename="grab_tool.cpp"/>
+        <source>pinned, P lets go</source>
+        <translation>fixé, P libère</translation>
+    </message>
+    <message>
+        <location filename="grab_tool.cpp"/>
+        <source>the most it may</source>
+        <translation>le plus qu’il peut</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>&amp;Remove from group</source>
+        <translation>Retire&amp;r du groupe</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>A&amp;dd to group</source>
+        <translation>A&amp;jouter au groupe</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>By gro&amp;up</source>
+        <translation>Par gro&amp;upe</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>Group selection</source>
+        <translation>Grouper la sélection</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>Make the selected elements members of a group.</source>
+        <translation>Faire des éléments sélectionnés des membres d’un groupe.</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>Name of the group of %1:</source>
+        <translation>Nom du groupe de %1 :</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>No groups yet</source>
+        <translation>Pas encore de groupes</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>None of them belongs to the group.</source>
+        <translation>Aucun d’eux n’appartient au groupe.</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>Select particles, links or panels first.</source>
+        <translation>Sélectionner d’abord des particules, des liaisons ou des panneaux.</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>Select the members of a group.</source>
+        <translation>Sélectionner les membres d’un groupe.</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>Take the selected elements out of a group.</source>
+        <translation>Retirer les éléments sélectionnés d’un groupe.</translation>
+    </message>
+    <message>
+        <location filename="group_menus.cpp"/>
+        <source>They all belong to the group already.</source>
+        <translation>Ils appartiennent déjà tous au groupe.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>%1 From %2 to %3 %4.</source>
+        <translation>%1 De %2 à %3 %4.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>All the way through</source>
+        <translation>De part en part</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Drag fabric, lines, controls, colliders. Wheel: nearer or farther. P: pin.</source>
+        <translation>Tirer le tissu, les lignes, les commandes, les obstacles. Molette : plus près ou plus loin. P : fixer.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Draw across links and fabric. A right drag turns the view.</source>
+        <translation>Tracer à travers les liaisons et le tissu. Glisser du bouton droit tourne la vue.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Fan</source>
+        <translation>Ventilateur</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Grab</source>
+        <translation>Saisir</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Half the angle of the jet. A narrow one reaches farther.</source>
+        <translation>La moitié de l’angle du jet. Un jet étroit porte plus loin.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Hold the button and aim. Wheel: strength, with Ctrl: spread.</source>
+        <translation>Tenir le bouton et viser. Molette : force, avec Ctrl : ouverture.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>How stiff the spring is between the cursor and what it holds. Empty, it follows from the weight and the size of the design. A time step that is too long for it makes it softer; the view says so.</source>
+        <translation>Raideur du ressort entre le pointeur et ce qu’il tient. Vide, elle suit du poids et de la taille du modèle. Un pas de temps trop long pour elle la rend plus douce ; la vue le dit.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Let go of all that was pinned by hand in this run.</source>
+        <translation>Lâcher tout ce qui a été fixé à la main dans cette simulation.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Of the air in the nozzle; it slows down as the jet widens.</source>
+        <translation>De l’air dans la buse ; il ralentit à mesure que le jet s’élargit.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Off, the knife goes through the first fabric under it; on, through all that lies behind as well.</source>
+        <translation>Décoché, le couteau traverse le premier tissu sous lui ; coché, aussi tout ce qui est derrière.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Paused: nothing moves until it runs (Space). </source>
+        <translation>En pause : rien ne bouge avant le lancement (Espace). </translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Pull out pins</source>
+        <translation>Retirer les épingles</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Spread</source>
+        <translation>Ouverture</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>Strength</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>The most that the hand pulls with, however far it goes. Empty, it is five times the weight of all that is free, and 5 N or more.</source>
+        <translation>La plus grande force de la main, aussi loin qu’elle aille. Vide, c’est cinq fois le poids de tout ce qui est libre, et au moins 5 N.</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>at most</source>
+        <translation>au plus</translation>
+    </message>
+    <message>
+        <location filename="hand_bar.cpp"/>
+        <source>automatic %1</source>
+        <translation>automatique %1</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
+        <source>%1 is one thing, not several.</source>
+        <translation>« %1 » désigne une seule chose, pas plusieurs.</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
+        <source>%1 must be a %2; there is none called "%3".</source>
+        <translation>« %1 » attend : %2 ; rien de tel ne s’appelle « %3 ».</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
+        <source>Choose or pick %1.</source>
+        <translation>Choisir ou prendre : %1.</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
+        <source>Pick in the view or the outline</source>
+        <translation>Prendre dans la vue ou l’arborescence</translation>
+    </message>
+    <message>
+        <location filename="id_field.cpp"/>
+        <source>whole scene</source>
+        <translation>toute la scène</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>%1 rods</source>
+        <translation>%1 tiges</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>%1 springs</source>
+        <translation>%1 ressorts</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Another file…</source>
+        <translation>Autre fichier…</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Choose a line to see in the picture where the first ones are.</source>
+        <translation>Choisir une ligne pour voir dans l’image où sont les premiers.</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Import a mesh</source>
+        <translation>Importer un maillage</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Maillages (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Nothing is wrong with this mesh.</source>
+        <translation>Ce maillage n’a aucun défaut.</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>OBJ, STL, PLY, OFF, glTF, GLB or Collada.</source>
+        <translation>OBJ, STL, PLY, OFF, glTF, GLB ou Collada.</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>Reading…</source>
+        <translation>Lecture…</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>What was found in the mesh</source>
+        <translation>Ce qui a été trouvé dans le maillage</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <location filename="import_dialog.cpp"/>
+        <source>no links</source>
+        <translation>aucune liaison</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>%1 (of this scene)</source>
+        <translation>%1 (de cette scène)</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>A fabric that one can buy, or a material of this scene.</source>
+        <translation>Un tissu du commerce, ou un matériau de cette scène.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Across faces</source>
+        <translation>À travers les faces</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Along edges</source>
+        <translation>Le long des arêtes</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>As the file says</source>
+        <translation>Comme le dit le fichier</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Bend links: from each particle to the next but one. The bending stiffness of a material does the same at every fineness of the mesh.</source>
+        <translation>Liaisons de flexion : de chaque particule à la deuxième suivante. La rigidité en flexion d’un matériau fait de même à toute finesse du maillage.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Centimetres</source>
+        <translation>Centimètres</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Each triangle gives a third of its mass to each of its corners.</source>
+        <translation>Chaque triangle donne un tiers de sa masse à chacun de ses coins.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Fabric</source>
+        <translation>Tissu</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Feet</source>
+        <translation>Pieds</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Inches</source>
+        <translation>Pouces</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Join vertices within</source>
+        <translation>Joindre les sommets à moins de</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Longest side</source>
+        <translation>Plus grand côté</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Makes as many materials as the file has, with their names and colours and all the numbers of this one.</source>
+        <translation>Fait autant de matériaux que le fichier en a, avec leurs noms et couleurs et tous les nombres de celui-ci.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Makes the front of every face its back. Air meets both sides alike, but a canopy holds its air behind the back.</source>
+        <translation>Fait de l’endroit de chaque face son envers. L’air rencontre les deux côtés de la même façon, mais une voilure tient son air derrière l’envers.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Mass per area</source>
+        <translation>Masse surfacique</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Metres</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Millimetres</source>
+        <translation>Millimètres</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Most mesh programs have z up. In Ripstop, y is up.</source>
+        <translation>La plupart des logiciels de maillage ont z vers le haut. Dans Ripstop, c’est y.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>No links</source>
+        <translation>Aucune liaison</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>OBJ, STL, PLY and OFF do not say what one unit is; look at the size that results.</source>
+        <translation>OBJ, STL, PLY et OFF ne disent pas ce qu’est une unité ; regarder la taille obtenue.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>One for each object</source>
+        <translation>Une pour chaque objet</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>One for each of %1 in the file</source>
+        <translation>Un pour chacun des %1 du fichier</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>One for each of %1 objects</source>
+        <translation>Une pour chacun des %1 objets</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>One for each of the file</source>
+        <translation>Un pour chacun du fichier</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>One part</source>
+        <translation>Une pièce</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Over two edges</source>
+        <translation>Par-dessus deux arêtes</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Scale to a size</source>
+        <translation>Mettre à une taille</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Shear links: both diagonals of quads, and between the corners across the edge of two triangles. Triangles resist shear without them.</source>
+        <translation>Liaisons de cisaillement : les deux diagonales des quadrilatères, et entre les coins de part et d’autre de l’arête de deux triangles. Les triangles résistent au cisaillement sans elles.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Structural links: the threads of the fabric. Rods are stable however stiff the fabric is; springs can need many substeps.</source>
+        <translation>Liaisons de structure : les fils du tissu. Les tiges sont stables aussi raide que soit le tissu ; les ressorts peuvent demander beaucoup de sous-pas.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>The mesh is scaled until the longest side of the box around it is this long.</source>
+        <translation>Le maillage est mis à l’échelle jusqu’à ce que le plus grand côté de sa boîte ait cette longueur.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Turn the fabric over</source>
+        <translation>Retourner le tissu</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Unit of the file</source>
+        <translation>Unité du fichier</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Up in the file</source>
+        <translation>Haut dans le fichier</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Vertices nearer to each other than this become one particle, so that a sail does not burst at its seams.</source>
+        <translation>Les sommets plus proches que cela deviennent une seule particule, pour qu’une voile n’éclate pas à ses coutures.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>What the part will be called.</source>
+        <translation>Comment la pièce s’appellera.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Whether each object of the file becomes a part of its own. In one part, objects become groups, and fabric is joined where they touch.</source>
+        <translation>Si chaque objet du fichier devient une pièce à part. Dans une seule pièce, les objets deviennent des groupes, et le tissu est joint là où ils se touchent.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Y, as in Ripstop</source>
+        <translation>Y, comme dans Ripstop</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>g/m²</source>
+        <translation>g/m²</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>joins %1 vertices</source>
+        <translation>joint %1 sommets</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>joins 1 vertex</source>
+        <translation>joint 1 sommet</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>joins none</source>
+        <translation>n’en joint aucun</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>mesh</source>
+        <translation>maillage</translation>
+    </message>
+    <message>
+        <location filename="import_work.cpp"/>
+        <source>There is not enough memory for this mesh.</source>
+        <translation>La mémoire ne suffit pas pour ce maillage.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>%1 keeps its %2 and %3 as they are, with all that was changed by hand.</source>
+        <translation>%1 garde telles quelles ses %2 et %3, avec tout ce qui a été changé à la main.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>&amp;Detach from builder…</source>
+        <translation>&amp;Détacher du générateur…</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>&amp;Insert</source>
+        <translation>&amp;Insertion</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Build the selected part again with other parameters; it keeps its place and what was tuned.</source>
+        <translation>Reconstruire la pièce sélectionnée avec d’autres paramètres ; elle garde sa place et ce qui a été réglé.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Change &amp;parameters…</source>
+        <translation>Changer les &amp;paramètres…</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Detach</source>
+        <translation>Détacher</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Detach from builder</source>
+        <translation>Détacher du générateur</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>It loses its %1 parameters (%2…): they can no longer be changed, and the mesh no finer or coarser.</source>
+        <translation>Elle perd ses %1 paramètres (%2…) : ils ne peuvent plus être changés, ni le maillage affiné ou grossi.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Keep the selected part as it is, to be shaped by hand only; says what is lost.</source>
+        <translation>Garder la pièce sélectionnée telle quelle, à façonner seulement à la main ; dit ce qui est perdu.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Nothing of a builder is selected.</source>
+        <translation>Rien d’un générateur n’est sélectionné.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Nothing of a builder is selected: parts that were drawn, imported or detached have no parameters.</source>
+        <translation>Rien d’un générateur n’est sélectionné : les pièces dessinées, importées ou détachées n’ont pas de paramètres.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Select one part only.</source>
+        <translation>Ne sélectionner qu’une pièce.</translation>
+    </message>
+    <message>
+        <location filename="insert_rows.cpp"/>
+        <source>Undo attaches it again.</source>
+        <translation>Annuler la rattache.</translation>
+    </message>
+    <message>
+        <location filename="inspector.cpp"/>
+        <source>%1: select it in the view or in the outline. Escape stops this.</source>
+        <translation>%1 : le sélectionner dans la vue ou l’arborescence. Échap arrête.</translation>
+    </message>
+    <message>
+        <location filename="inspector.cpp"/>
+        <source>Find a property</source>
+        <translation>Trouver une propriété</translation>
+    </message>
+    <message>
+        <location filename="inspector.cpp"/>
+        <source>How the scene is run. Select something to edit it.</source>
+        <translation>Comment la scène est simulée. Sélectionner quelque chose pour le modifier.</translation>
+    </message>
+    <message>
+        <location filename="inspector.cpp"/>
+        <source>No property is about "%1".</source>
+        <translation>Aucune propriété ne parle de « %1 ».</translation>
+    </message>
+    <message>
+        <location filename="inspector.cpp"/>
+        <source>Shows the rows whose name or help has these words.</source>
+        <translation>Montre les lignes dont le nom ou l’aide contient ces mots.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>"%1" has this key, and would lose it.</source>
+        <translation>« %1 » a cette touche, et la perdrait.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>&amp;Set</source>
+        <translation>&amp;Attribuer</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>&amp;Usual</source>
+        <translation>&amp;Habituelle</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>0 to 9, −, .</source>
+        <translation>0 à 9, −, , ou .</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>All &amp;usual</source>
+        <translation>Toutes &amp;habituelles</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Choose an action to change its key:</source>
+        <translation>Choisir une action pour changer sa touche :</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Controls of this scene</source>
+        <translation>Commandes de cette scène</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Ctrl + left drag</source>
+        <translation>Ctrl + glisser à gauche</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Does</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Drags what controls move: corners, pilots, colliders.</source>
+        <translation>Tire ce que les commandes déplacent : coins, pilotes, obstacles.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Esc, right button</source>
+        <translation>Échap, bouton droit</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Every action gets the key that it had at first.</source>
+        <translation>Chaque action reprend la touche qu’elle avait au départ.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Everywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>In the 3D view</source>
+        <translation>Dans la vue 3D</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Keep to an axis</source>
+        <translation>Rester sur un axe</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Key for "%1":</source>
+        <translation>Touche pour « %1 » :</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Keys</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Left drag</source>
+        <translation>Glisser à gauche</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Left drag, with box or lasso</source>
+        <translation>Glisser à gauche, au rectangle ou lasso</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Less and more, %1 m each time.</source>
+        <translation>Moins et plus, %1 m à chaque fois.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Metres, degrees or a factor. Enter takes it.</source>
+        <translation>Mètres, degrés ou un facteur. Entrée l’applique.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Middle or Shift + left drag</source>
+        <translation>Glisser au milieu ou Maj + gauche</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Press the keys, then Set.</source>
+        <translation>Appuyer sur les touches, puis Attribuer.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Right drag, with box or lasso</source>
+        <translation>Glisser à droite, au rectangle ou lasso</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Search a key or what it does</source>
+        <translation>Chercher une touche ou ce qu’elle fait</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Select what lies inside</source>
+        <translation>Sélectionner ce qui est dedans</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Snap</source>
+        <translation>Aimanter</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Steer</source>
+        <translation>Piloter</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Take back</source>
+        <translation>Annuler le geste</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>The horizon stays level.</source>
+        <translation>L’horizon reste de niveau.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>The key that it had at first.</source>
+        <translation>La touche qu’elle avait au départ.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>The same key again lets it go.</source>
+        <translation>La même touche le relâche.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>To a grid, to particles, to 15°, to tenths.</source>
+        <translation>À une grille, à des particules, à 15°, à des dixièmes.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Towards the cursor.</source>
+        <translation>Vers le pointeur.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Turn</source>
+        <comment>the view</comment>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Type the amount</source>
+        <translation>Taper la quantité</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Wheel</source>
+        <translation>Molette</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>While a handle is pulled</source>
+        <translation>Pendant qu’une poignée est tirée</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>With Shift, add to the selection; with Ctrl, take away.</source>
+        <translation>Avec Maj, ajouter à la sélection ; avec Ctrl, retirer.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>With Shift, add; with Ctrl, take away; Escape gives up.</source>
+        <translation>Avec Maj, ajouter ; avec Ctrl, retirer ; Échap abandonne.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Zoom</source>
+        <translation>Zoomer</translation>
+    </message>
+    <message>
+        <location filename="language.cpp"/>
+        <source>&amp;System</source>
+        <translation>&amp;Système</translation>
+    </message>
+    <message>
+        <location filename="language.cpp"/>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <location filename="language.cpp"/>
+        <source>English, from the next start on.</source>
+        <translation>L’anglais, dès le prochain démarrage.</translation>
+    </message>
+    <message>
+        <location filename="language.cpp"/>
+        <source>French, from the next start on.</source>
+        <translation>Le français, dès le prochain démarrage.</translation>
+    </message>
+    <message>
+        <location filename="language.cpp"/>
+        <source>Lan&amp;guage</source>
+        <translation>Lan&amp;gue</translation>
+    </message>
+    <message>
+        <location filename="language.cpp"/>
+        <source>The language is kept, and heard when Ripstop starts the next time.</source>
+        <translation>La langue est retenue, et parlée dès le prochain démarrage de Ripstop.</translation>
+    </message>
+    <message>
+        <location filename="language.cpp"/>
+        <source>The language of the desktop, from the next start on.</source>
+        <translation>La langue du bureau, dès le prochain démarrage.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Of tear limit, %</source>
+        <translation>Part de la limite, %</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Panel load, N/m²</source>
+        <translation>Charge des panneaux, N/m²</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Speed, m/s</source>
+        <translation>Vitesse, m/s</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Strain, %</source>
+        <translation>Déformation, %</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Tension, N</source>
+        <translation>Tension, N</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>The largest value of the moment stands below; click to select what has it.</source>
+        <translation>La plus grande valeur du moment est dessous ; cliquer pour sélectionner ce qui l’a.</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>peak %1</source>
+        <translation>pic %1</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>%1[*] – Ripstop</source>
+        <translation>%1[*] – Ripstop</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Cannot open what was left behind</source>
+        <translation>Impossible d’ouvrir ce qui est resté</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Click a step to go back to it, or forward again.</source>
+        <translation>Cliquer une étape pour y revenir, ou y retourner.</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are at the upper left. Keys G, R and S move, turn and scale what is selected.</source>
+        <translation>Glisser pour tourner, molette pour zoomer, glisser au milieu pour déplacer. Un clic sélectionne ; rectangle et lasso sont en haut à gauche. Les touches G, R et S déplacent, tournent et mettent à l’échelle la sélection.</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Everything else</source>
+        <translation>Tout le reste</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Everything that the scene is made of: parts, materials, groups, controls, colliders. The tab History goes back to any step.</source>
+        <translation>Tout ce dont la scène est faite : pièces, matériaux, groupes, commandes, obstacles. L’onglet Historique revient à n’importe quelle étape.</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Fly it</source>
+        <translation>Faire voler</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Main</source>
+        <translation>Principale</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Measure it</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>New from builder begins with a whole kite, glider or parachute; Import makes fabric of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the keys.</source>
+        <translation>Nouveau à partir d’un générateur part d’un cerf-volant, d’un deltaplane ou d’un parachute entier ; Importer fait du tissu d’un maillage ; Exporter sert Blender et ParaView. F3 trouve toute action, F1 montre les touches.</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Outline</source>
+        <translation>Arborescence</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Plots</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Problems (%1)</source>
+        <translation>Problèmes (%1)</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Selected: %1</source>
+        <translation>Sélection : %1</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Space plays and pauses, the full stop does one step, Ctrl+R goes back to the design. Keys of the controls steer; they stand under Controls.</source>
+        <translation>Espace lance et suspend, le point fait un pas, Ctrl+R revient au modèle. Les touches des commandes pilotent ; elles sont sous Commandes.</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Strain, energy, forces and probes as they happen. Problems of the design stand beside, each with a click to what it is about.</source>
+        <translation>Déformation, énergie, forces et sondes en direct. Les problèmes du modèle sont à côté, chacun à un clic de ce qu’il concerne.</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>The design as it was opened</source>
+        <translation>Le modèle tel qu’il a été ouvert</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>The design, and its flight</source>
+        <translation>Le modèle, et son vol</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>The values of what is selected, one thing or thousands. Type with units (12 cm, 25 g), drag a label sideways, or change a value while the simulation runs.</source>
+        <translation>Les valeurs de la sélection, une chose ou des milliers. Taper avec des unités (12 cm, 25 g), faire glisser un libellé de côté, ou changer une valeur pendant que la simulation tourne.</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <location filename="main_window.cpp"/>
+        <source>Tuning</source>
+        <translation>Mise au point</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
+        <source>%1 is measured on %2: select that first.</source>
+        <translation>« %1 » se mesure sur : %2 ; le sélectionner d’abord.</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
+        <source>&amp;Air</source>
+        <translation>A&amp;ir</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
+        <source>&amp;Between particles</source>
+        <translation>&amp;Entre particules</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesurer</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
+        <source>&amp;Place and motion</source>
+        <translation>&amp;Place et mouvement</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <location filename="measure_rows.cpp"/>
+        <source>&amp;Whole scene</source>
+        <translation>&amp;Toute la scène</translation>
+    </message>
+    <message>
+        <location filename="mesh_preview.cpp"/>
+        <source>Drag or use the arrow keys to turn, the wheel to zoom; a double click shows all. Blue is the front of the fabric, ochre its back.</source>
+        <translation>Glisser ou utiliser les flèches pour tourner, la molette pour zoomer ; un double-clic montre tout. Le bleu est l’endroit du tissu, l’ocre son envers.</translation>
+    </message>
+    <message>
+        <location filename="mesh_preview.cpp"/>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <location filename="number_field.cpp"/>
+        <source>%1 %2; or change it by *1.1, +5 % or +0.2.</source>
+        <translation>« %1 » %2 ; ou le changer par *1,1, +5 % ou +0,2.</translation>
+    </message>
+    <message>
+        <location filename="number_field.cpp"/>
+        <source>Drag sideways to change the value.</source>
+        <translation>Faire glisser de côté pour changer la valeur.</translation>
+    </message>
+    <message>
+        <location filename="number_field.cpp"/>
+        <source>from material</source>
+        <translation>du matériau</translation>
+    </message>
+    <message>
+        <location filename="number_field.cpp"/>
+        <source>from material (%1)</source>
+        <translation>du matériau (%1)</translation>
+    </message>
+    <message>
+        <location filename="operation_dialog.cpp"/>
+        <source>Adds %1.</source>
+        <translation>Ajoute %1.</translation>
+    </message>
+    <message>
+        <location filename="operation_dialog.cpp"/>
+        <source>Changes %1.</source>
+        <translation>Change %1.</translation>
+    </message>
+    <message>
+        <location filename="operation_dialog.cpp"/>
+        <source>Removes %1.</source>
+        <translation>Supprime %1.</translation>
+    </message>
+    <message>
+        <location filename="operation_dialog.cpp"/>
+        <source>They weigh %1 kg, before %2 kg.</source>
+        <translation>Elles pèsent %1 kg, avant %2 kg.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>--after needs a time in seconds, not "%1"</source>
+        <translation>--after demande un temps en secondes, et non « %1 »</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>--color-by is one of %1</source>
+        <translation>--color-by vaut l’un de %1</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>--frames needs a number of pictures, not "%1"</source>
+        <translation>--frames demande un nombre d’images, et non « %1 »</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>--language is system, en or fr, not "%1"</source>
+        <translation>--language vaut system, en ou fr, et non « %1 »</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>--size needs a size like 1280x800, not "%1"</source>
+        <translation>--size demande une taille comme 1280x800, et non « %1 »</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>--theme is one of %1</source>
+        <translation>--theme vaut l’un de %1</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Bring a panel to the front: tuning, table, problems, ...; more than once.</source>
+        <translation>Amener un panneau au premier plan : tuning, table, problems, ... ; plusieurs fois possible.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Colour by material, strain, tension, speed, load or tear.</source>
+        <translation>Colorer par material, strain, tension, speed, load ou tear.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Colours: desktop, light or dark.</source>
+        <translation>Couleurs : desktop, light ou dark.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Do this as from a menu, once the window is there: "insert bridle".</source>
+        <translation>Faire ceci comme depuis un menu, une fois la fenêtre là : "insert bridle".</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Fill the picture with the item of this name.</source>
+        <translation>Remplir l’image de l’objet de ce nom.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Language of the window: system, en or fr; as chosen in the View menu.</source>
+        <translation>Langue de la fenêtre : system, en ou fr ; celle du menu Affichage sinon.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Only the 3D view, without legend and compass.</source>
+        <translation>La vue 3D seule, sans légende ni boussole.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Ripstop, an editor and simulator for fabric that flies.
+
+ripstop-cli does the same work without a window.</source>
+        <translation>Ripstop, un éditeur et simulateur de tissu qui vole.
+
+ripstop-cli fait le même travail sans fenêtre.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Save a picture of the window as FILE (PNG) and quit.</source>
+        <translation>Enregistrer une image de la fenêtre dans FILE (PNG) et quitter.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Scene file to open (*.ripstop.json), or a mesh to import (*.obj, *.stl, ...).</source>
+        <translation>Fichier de scène à ouvrir (*.ripstop.json), ou maillage à importer (*.obj, *.stl, ...).</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Select the item of this name, or what meets this condition: "mass &lt; 1 g".</source>
+        <translation>Sélectionner l’objet de ce nom, ou ce qui remplit cette condition : "mass &lt; 1 g".</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Size of the window (1280x800).</source>
+        <translation>Taille de la fenêtre (1280x800).</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Start the simulation at once.</source>
+        <translation>Lancer la simulation tout de suite.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Take N pictures at equal steps up to that time; %1 in FILE becomes the number.</source>
+        <translation>Prendre N images à pas égaux jusqu’à ce temps ; %1 dans FILE devient le numéro.</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>Take the picture after this much simulated time (0).</source>
+        <translation>Prendre l’image après ce temps simulé (0).</translation>
+    </message>
+    <message>
+        <location filename="options.cpp"/>
+        <source>one scene at a time; "%1" is one too many</source>
+        <translation>une scène à la fois ; « %1 » est de trop</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Add %1</source>
+        <translation>Ajouter : %1</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Add a material, collider, wind, control, probe or group.</source>
+        <translation>Ajouter un matériau, un obstacle, un vent, une commande, une sonde ou un groupe.</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Add item</source>
+        <translation>Ajouter un objet</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Delete %1, and with it what hangs on it: %2?</source>
+        <translation>Supprimer %1, et avec ce qui y est attaché : %2 ?</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Remove %1</source>
+        <translation>Supprimer %1</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Search names, or #17</source>
+        <translation>Chercher un nom, ou #17</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Select what is made of it</source>
+        <translation>Sélectionner ce qui en est fait</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Select what it refers to</source>
+        <translation>Sélectionner ce qu’il désigne</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
+        <source>Shows only what has this in its name. #17 and Enter selects what has the id 17; Enter alone selects all that is found.</source>
+        <translation>Ne montre que ce qui a ceci dans son nom. #17 et Entrée sélectionne ce qui a l’id 17 ; Entrée seule sélectionne tout ce qui est trouvé.</translation>
+    </message>
+    <message>
+        <location filename="outline_model.cpp"/>
+        <source>%1 %2, id %3</source>
+        <translation>%1 %2, id %3</translation>
+    </message>
+    <message>
+        <location filename="outline_model.cpp"/>
+        <source>Hidden; click to show it in the view.</source>
+        <translation>Caché ; cliquer pour le montrer dans la vue.</translation>
+    </message>
+    <message>
+        <location filename="outline_model.cpp"/>
+        <source>Hide %1</source>
+        <translation>Cacher %1</translation>
+    </message>
+    <message>
+        <location filename="outline_model.cpp"/>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
+    </message>
+    <message>
+        <location filename="outline_model.cpp"/>
+        <source>Show %1</source>
+        <translation>Montrer %1</translation>
+    </message>
+    <message>
+        <location filename="outline_model.cpp"/>
+        <source>Shown in the view; click to hide it.</source>
+        <translation>Montré dans la vue ; cliquer pour le cacher.</translation>
+    </message>
+    <message>
+        <location filename="palette.cpp"/>
+        <source>%1 (on)</source>
+        <translation>%1 (activé)</translation>
+    </message>
+    <message>
+        <location filename="palette.cpp"/>
+        <source>Find an action</source>
+        <translation>Trouver une action</translation>
+    </message>
+    <message>
+        <location filename="palette.cpp"/>
+        <source>Type what you want to do: mirror, pin, wind…</source>
+        <translation>Taper ce que vous voulez faire : symétrie, fixer, vent…</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>%1 must be %2 from %3.</source>
+        <translation>« %1 » doit être %2 de %3.</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>%1 to %2%3</source>
+        <translation>%1 à %2%3</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>%1; at first %2%3.</source>
+        <translation>%1 ; au départ %2%3.</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>At first %1.</source>
+        <translation>Au départ %1.</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>On the command line: %1</source>
+        <translation>En ligne de commande : %1</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <location filename="parameter_field.cpp"/>
+        <source>on</source>
+        <translation>activé</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>%1 must be a number of metres, not "%2".</source>
+        <translation>%1 doit être un nombre de mètres, et non « %2 ».</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>A second wind adds to the first. On at first where the design has neither ground nor wind.</source>
+        <translation>Un second vent s’ajoute au premier. Coché au départ si le modèle n’a ni sol ni vent.</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Beside what is there</source>
+        <translation>À côté de ce qui est là</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Builders put their designs over the origin, at the height that they fly or hang at. Afterwards G moves what was inserted.</source>
+        <translation>Les générateurs mettent leurs modèles au-dessus de l’origine, à la hauteur où ils volent ou pendent. Ensuite G déplace ce qui a été inséré.</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>In the middle of the view</source>
+        <translation>Au milieu de la vue</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Its controls and probes</source>
+        <translation>Ses commandes et ses sondes</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Its ground, wind and settings</source>
+        <translation>Son sol, son vent et ses réglages</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Keys that steer it and what is measured of it.</source>
+        <translation>Les touches qui le pilotent et ce qui en est mesuré.</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Moved by</source>
+        <translation>Déplacé de</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Moved by, %1</source>
+        <translation>Déplacé de, %1</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Place</source>
+        <translation>Placer</translation>
+    </message>
+    <message>
+        <location filename="place_form.cpp"/>
+        <source>Where the builder has it</source>
+        <translation>Là où le générateur le met</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>%1 cannot be written.</source>
+        <translation>%1 ne peut pas être écrit.</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 ne peut pas être écrit : %2.</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Follow the run</source>
+        <translation>Suivre la simulation</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>No probes. Add one in the outline to plot it.</source>
+        <translation>Aucune sonde. En ajouter une dans l’arborescence pour la tracer.</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Off, the latest half minute is shown.</source>
+        <translation>Décoché, la dernière demi-minute est montrée.</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>PNG (*.png);;PDF (*.pdf)</source>
+        <translation>PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Save as CSV…</source>
+        <translation>Enregistrer en CSV…</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Save picture…</source>
+        <translation>Enregistrer l’image…</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Save the curves</source>
+        <translation>Enregistrer les courbes</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Save the picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Show the whole run</source>
+        <translation>Montrer toute la simulation</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Tick a probe to plot it.</source>
+        <translation>Cocher une sonde pour tracer sa courbe.</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>at %1 s</source>
+        <translation>à %1 s</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>now</source>
+        <translation>maintenant</translation>
+    </message>
+    <message>
+        <location filename="polar_chart.cpp"/>
+        <source>Angle of attack (degrees)</source>
+        <translation>Angle d’attaque (degrés)</translation>
+    </message>
+    <message>
+        <location filename="polar_dialog.cpp"/>
+        <source>&amp;Coefficient</source>
+        <translation>&amp;Coefficient</translation>
+    </message>
+    <message>
+        <location filename="polar_dialog.cpp"/>
+        <source>&amp;Material</source>
+        <translation>&amp;Matériau</translation>
+    </message>
+    <message>
+        <location filename="polar_dialog.cpp"/>
+        <source>Drag coefficient</source>
+        <translation>Coefficient de traînée</translation>
+    </message>
+    <message>
+        <location filename="polar_dialog.cpp"/>
+        <source>Lift coefficient</source>
+        <translation>Coefficient de portance</translation>
+    </message>
+    <message>
+        <location filename="polar_dialog.cpp"/>
+        <source>Normal force coefficient</source>
+        <translation>Coefficient de force normale</translation>
+    </message>
+    <message>
+        <location filename="polar_dialog.cpp"/>
+        <source>Polar of an air law</source>
+        <translation>Polaire d’une loi d’air</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>&amp;Adopt pose</source>
+        <translation>&amp;Adopter la pose</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Adds %1 where the mesh has parted.</source>
+        <translation>Ajoute %1 là où le maillage s’est ouvert.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Adopt pose</source>
+        <translation>Adopter la pose</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>As fast as they are now</source>
+        <translation>À la vitesse qu’elles ont maintenant</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>At rest</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Keep them: links stay as stretched as they are</source>
+        <translation>Les garder : les liaisons restent étirées comme elles le sont</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Leaves %1 where a hand has put them.</source>
+        <translation>Laisse %1 là où une main les a mis.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Making the design…</source>
+        <translation>Création du modèle…</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Moves %1.</source>
+        <translation>Déplace %1.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Particles &amp;start</source>
+        <translation>Les particules &amp;partent</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Pins %1 that a hand has pinned.</source>
+        <translation>Fixe %1 qu’une main a fixées.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Rebind them: links have no strain in the new design</source>
+        <translation>Les recaler : les liaisons sont sans déformation dans le nouveau modèle</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Removes %1 that are torn or cut.</source>
+        <translation>Supprime %1, déchirés ou coupés.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>Rest &amp;lengths</source>
+        <translation>&amp;Longueurs au repos</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>The next run goes on as this one would.</source>
+        <translation>La prochaine simulation continue comme celle-ci l’aurait fait.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>The next run starts with this motion in links that are free of load.</source>
+        <translation>La prochaine simulation part avec ce mouvement et des liaisons sans charge.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>The shape is the new unloaded shape: under load it gives way a little more.</source>
+        <translation>Cette forme est la nouvelle forme sans charge : sous charge elle cède un peu plus.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>What hangs still now hangs still in the new design: its links carry the same loads.</source>
+        <translation>Ce qui pend immobile le reste dans le nouveau modèle : ses liaisons portent les mêmes charges.</translation>
+    </message>
+    <message>
+        <location filename="pose_dialog.cpp"/>
+        <source>What the run has come to after %1 s becomes the design. Undo brings the old one back.</source>
+        <translation>Ce que la simulation est devenue après %1 s devient le modèle. Annuler ramène l’ancien.</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Fabrics</source>
+        <translation>Tissus</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Particles keep their mass, because the density of before or of the preset is not known.</source>
+        <translation>Les particules gardent leur masse, car la densité d’avant ou celle du préréglage n’est pas connue.</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Spars</source>
+        <translation>Longerons</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Take the numbers of a fabric, a line or a spar that one can buy.</source>
+        <translation>Prendre les nombres d’un tissu, d’une ligne ou d’un longeron du commerce.</translation>
+    </message>
+    <message>
+        <location filename="problem_list.cpp"/>
+        <source>Click a problem to select what causes it.</source>
+        <translation>Cliquer un problème pour sélectionner ce qui le cause.</translation>
+    </message>
+    <message>
+        <location filename="problem_list.cpp"/>
+        <source>Error: %1</source>
+        <translation>Erreur : %1</translation>
+    </message>
+    <message>
+        <location filename="problem_list.cpp"/>
+        <source>No problems</source>
+        <translation>Aucun problème</translation>
+    </message>
+    <message>
+        <location filename="problem_list.cpp"/>
+        <source>Warning: %1</source>
+        <translation>Avertissement : %1</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>%1&lt;br&gt;The default is %2.</source>
+        <translation>%1&lt;br&gt;La valeur par défaut est %2.</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>&lt;b&gt;Does nothing now:&lt;/b&gt; %1.&lt;br&gt;%2</source>
+        <translation>&lt;b&gt;Sans effet pour l’instant :&lt;/b&gt; %1.&lt;br&gt;%2</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Above %1</source>
+        <translation>Au-dessus de %1</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Also with a unit (25 g, 2*15 cm), or *1.1, +5 %, +0.2; drag the label sideways.</source>
+        <translation>Aussi avec une unité (25 g, 2*15 cm), ou *1,1, +5 %, +0,2 ; faire glisser le libellé de côté.</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Back to the default</source>
+        <translation>Revenir à la valeur par défaut</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Back to the default.</source>
+        <translation>Revenir à la valeur par défaut.</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Copy path, for --set</source>
+        <translation>Copier le chemin, pour --set</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>From %1</source>
+        <translation>À partir de %1</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Keep a slider for this in the tuning panel (Ctrl+T).</source>
+        <translation>Garder un curseur pour ceci dans le panneau de mise au point (Ctrl+T).</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Range: %1 to %2</source>
+        <translation>Plage : %1 à %2</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Reset %1</source>
+        <translation>Ramener %1</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Slider for %1</source>
+        <translation>Curseur pour %1</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Slider in the tuning panel</source>
+        <translation>Curseur dans le panneau de mise au point</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Takes effect on reset</source>
+        <translation>Prend effet à la réinitialisation</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Unit: %1</source>
+        <translation>Unité : %1</translation>
+    </message>
+    <message>
+        <location filename="pull.cpp"/>
+        <source>typed: %1</source>
+        <translation>tapé : %1</translation>
+    </message>
+    <message>
+        <location filename="recordings.cpp"/>
+        <source>%1 s of %2</source>
+        <translation>%1 s de %2</translation>
+    </message>
+    <message>
+        <location filename="recordings.cpp"/>
+        <source>Run %1</source>
+        <translation>Simulation %1</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>%1 of %2 is then gone for good.</source>
+        <translation>%1 du %2 est alors perdu pour de bon.</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>%1, which is newer</source>
+        <translation>%1, qui est plus récent</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Supprimer…</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>&amp;Later</source>
+        <translation>&amp;Plus tard</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>(never saved)</source>
+        <translation>(jamais enregistré)</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>Ask again at the next start.</source>
+        <translation>Demander de nouveau au prochain démarrage.</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>Delete unsaved work</source>
+        <translation>Supprimer le travail non enregistré</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>Kept</source>
+        <translation>Gardé</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>Later state of</source>
+        <translation>État plus récent de</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>Ripstop ended before this was saved. Open it to go on where it was; the file that it belongs to stays as it is until you save.</source>
+        <translation>Ripstop s’est terminé avant que ceci soit enregistré. L’ouvrir pour continuer là où c’était ; le fichier correspondant reste tel quel jusqu’à l’enregistrement.</translation>
+    </message>
+    <message>
+        <location filename="rescue_dialog.cpp"/>
+        <source>Unsaved work</source>
+        <translation>Travail non enregistré</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 ne peut pas être écrit : %2</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>%1 of %2 do not hold; %3 run.</source>
+        <translation>%1 sur %2 ne tiennent pas ; %3 exécutés.</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>%1 of %2 run.</source>
+        <translation>%1 sur %2 exécutés.</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>%1 of %2 run; all hold.</source>
+        <translation>%1 sur %2 exécutés ; tous tiennent.</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>%1 rows, not yet run.</source>
+        <translation>%1 rangs, pas encore exécutés.</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>&amp;Copy</source>
+        <translation>Co&amp;pier</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>&amp;Run</source>
+        <comment>the cases</comment>
+        <translation>E&amp;xécuter</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>&amp;Save as CSV…</source>
+        <translation>&amp;Enregistrer en CSV…</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>All %1 hold.</source>
+        <translation>Les %1 tiennent.</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Copy the table, for a spreadsheet.</source>
+        <translation>Copier le tableau, pour un tableur.</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Filter by any word of a row, or by section</source>
+        <translation>Filtrer par un mot d’un rang, ou par section</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Only what &amp;fails</source>
+        <translation>Seulement les é&amp;checs</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Save the table</source>
+        <translation>Enregistrer le tableau</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>Verification</source>
+        <translation>Vérification</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>fails</source>
+        <translation>échoue</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>holds</source>
+        <translation>tient</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>✓ holds</source>
+        <translation>✓ tient</translation>
+    </message>
+    <message>
+        <location filename="result_page.cpp"/>
+        <source>✗ fails</source>
+        <translation>✗ échoue</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>%1 motions of the whole are free</source>
+        <translation>%1 mouvements de l’ensemble sont libres</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>%1 of the links redundant</source>
+        <translation>%1 des liaisons redondantes</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>%1. %2 moves most, %3 in all</source>
+        <translation>%1. %2 bouge le plus, %3 en tout</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>&amp;Add these rods</source>
+        <translation>&amp;Ajouter ces tiges</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>&amp;Look at the selection</source>
+        <translation>&amp;Examiner la sélection</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>&amp;Move it in the view</source>
+        <translation>&amp;L’animer dans la vue</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>&amp;Select what moves</source>
+        <translation>&amp;Sélectionner ce qui bouge</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>.
+Links count as if they resisted both ways, and small motions only.</source>
+        <translation>.
+Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de petits mouvements seulement.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>Each takes one way away; there is no smaller set. One step of undo.</source>
+        <translation>Chacune ôte un mouvement ; il n’y a pas d’ensemble plus petit. Une seule étape à annuler.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>It gives way in %1 ways.</source>
+        <translation>Il cède de %1 façons.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>It gives way in 1 way.</source>
+        <translation>Il cède d’une façon.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>It is rigid.</source>
+        <translation>C’est rigide.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>Length (m)</source>
+        <translation>Longueur (m)</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>No rod between these particles can stop them: what is flat gives way across its plane. Draw, Rigidity particles puts something beside the plane.</source>
+        <translation>Aucune tige entre ces particules ne peut les arrêter : ce qui est plat cède en travers de son plan. Dessiner, Particules de rigidité met quelque chose à côté du plan.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>No rod is missing.</source>
+        <translation>Il ne manque aucune tige.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>Rigidity</source>
+        <translation>Rigidité</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>The fewest rods that stop them all:</source>
+        <translation>Le moins de tiges qui les arrêtent toutes :</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>These rods stop %1 of them. The others are across the plane: Draw, Rigidity particles puts something beside it.</source>
+        <translation>Ces tiges en arrêtent %1. Les autres sont en travers du plan : Dessiner, Particules de rigidité met quelque chose à côté.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>What is selected now, in place of what was.</source>
+        <translation>Ce qui est sélectionné maintenant, à la place de ce qui l’était.</translation>
+    </message>
+    <message>
+        <location filename="rigidity_dialog.cpp"/>
+        <source>held by pins</source>
+        <translation>tenu par des points fixés</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>%1 is of another design than the one that is open. Open that design, too? The runs of this session are then left.</source>
+        <translation>%1 est d’un autre modèle que celui qui est ouvert. Ouvrir ce modèle aussi ? Les simulations de cette session sont alors quittées.</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>&amp;Open its design</source>
+        <translation>&amp;Ouvrir son modèle</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>A recording of another design</source>
+        <translation>Un enregistrement d’un autre modèle</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Cannot open the recording</source>
+        <translation>Impossible d’ouvrir l’enregistrement</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Cannot save the recording</source>
+        <translation>Impossible d’enregistrer la simulation</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Each run keeps up to this much of itself in memory (MB); older moments go to a temporary file. 0 records nothing. It holds from the next run on.</source>
+        <translation>Chaque simulation garde jusqu’à cette part d’elle-même en mémoire (Mo) ; les moments plus anciens vont dans un fichier temporaire. 0 n’enregistre rien. Vaut à partir de la prochaine simulation.</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Memory for recordings</source>
+        <translation>Mémoire des enregistrements</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Nothing is recorded yet: run the simulation first (Space).</source>
+        <translation>Rien n’est encore enregistré : lancer d’abord la simulation (Espace).</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Only &amp;compare</source>
+        <translation>Seulement &amp;comparer</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Opened %1</source>
+        <translation>%1 ouvert</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Recordings (*.ripstop-run);;All files (*)</source>
+        <translation>Enregistrements (*.ripstop-run);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Save the recording</source>
+        <translation>Enregistrer la simulation</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>Saving %1…</source>
+        <translation>Enregistrement de %1…</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
+        <source>The recording is damaged</source>
+        <translation>L’enregistrement est endommagé</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>&amp;Cut</source>
+        <translation>&amp;Couper</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>&amp;Fan</source>
+        <translation>&amp;Ventilateur</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>&amp;Grab</source>
+        <translation>&amp;Saisir</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Blow with the mouse: hold the left button. The wheel makes it blow harder, with Ctrl wider.</source>
+        <translation>Souffler avec la souris : tenir le bouton gauche. La molette souffle plus fort, avec Ctrl plus large.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Draw a stroke across links and fabric: they part where it runs.</source>
+        <translation>Tracer un trait à travers liaisons et tissu : ils se séparent là où il passe.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Make the shape of the run the design. Undo brings the old design back.</source>
+        <translation>Faire de la forme simulée le modèle. Annuler ramène l’ancien.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Nothing is pinned by hand: grab it and press P.</source>
+        <translation>Rien n’est fixé à la main : saisir et appuyer sur P.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Pull &amp;out pins</source>
+        <translation>Retirer les épin&amp;gles</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Pull at fabric and lines, carry colliders, move controls: drag them. The wheel moves the hand nearer or farther, P pins what it holds. Ctrl and a drag does this with any tool.</source>
+        <translation>Tirer sur le tissu et les lignes, porter des obstacles, déplacer des commandes : les faire glisser. La molette approche ou éloigne la main, P fixe ce qu’elle tient. Ctrl et glisser fait de même avec tout outil.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Run until all hangs still, then pause.</source>
+        <translation>Simuler jusqu’à ce que tout pende immobile, puis suspendre.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>S&amp;ettle…</source>
+        <translation>&amp;Mettre au repos…</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>The design stands at its start; run it first (Space).</source>
+        <translation>Le modèle est à son départ ; le lancer d’abord (Espace).</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>What is shown is no run of the design as it is now: mend its problems, or wait for the next step.</source>
+        <translation>Ce qui est montré n’est pas une simulation du modèle tel qu’il est : corriger ses problèmes, ou attendre le pas suivant.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;All</source>
+        <translation>&amp;Tout</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Bias</source>
+        <translation>&amp;Biais</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Box</source>
+        <translation>&amp;Rectangle</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Free particles</source>
+        <translation>Particules l&amp;ibres</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Grow</source>
+        <translation>&amp;Agrandir</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Invert</source>
+        <translation>&amp;Inverser</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Lasso</source>
+        <translation>&amp;Lasso</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Pointer</source>
+        <translation>P&amp;ointeur</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Rods</source>
+        <translation>&amp;Tiges</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Select</source>
+        <translation>&amp;Sélectionner</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Shrink</source>
+        <translation>R&amp;éduire</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Springs</source>
+        <translation>&amp;Ressorts</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Threads</source>
+        <translation>Fil&amp;s</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>&amp;Turn into</source>
+        <translation>&amp;Convertir en</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>A click takes what is under it, Shift adds, Ctrl takes away; a drag turns the view. Escape comes back to this.</source>
+        <translation>Un clic prend ce qui est dessous, Maj ajoute, Ctrl retire ; glisser tourne la vue. Échap revient à cet outil.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Add all that hangs together with the selection by links and panels.</source>
+        <translation>Ajouter tout ce qui tient à la sélection par des liaisons et des panneaux.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Add one ring: the neighbours of particles, the links and panels that touch the selected ones.</source>
+        <translation>Ajouter un anneau : les voisines des particules, les liaisons et panneaux qui touchent la sélection.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All elements of these kinds in the same parts.</source>
+        <translation>Tous les éléments de ces genres dans les mêmes pièces.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All links and panels of the materials of the selected ones.</source>
+        <translation>Toutes les liaisons et tous les panneaux des matériaux de la sélection.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All links of the role of the selected ones: line, thread or bias.</source>
+        <translation>Toutes les liaisons du rôle de celles sélectionnées : ligne, fil ou biais.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All links that keep their length.</source>
+        <translation>Toutes les liaisons qui gardent leur longueur.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All links that pull with a force.</source>
+        <translation>Toutes les liaisons qui tirent avec une force.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All links that run along the threads of a fabric.</source>
+        <translation>Toutes les liaisons qui suivent les fils d’un tissu.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All links that stand for a line or a spar by itself.</source>
+        <translation>Toutes les liaisons qui sont une ligne ou un longeron à elles seules.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All links that stand for the shear of a fabric.</source>
+        <translation>Toutes les liaisons qui rendent le cisaillement d’un tissu.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All members of the groups that the selected ones belong to.</source>
+        <translation>Tous les membres des groupes auxquels appartient la sélection.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All panels.</source>
+        <translation>Tous les panneaux.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All particles that are held in place.</source>
+        <translation>Toutes les particules tenues en place.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All particles that can move.</source>
+        <translation>Toutes les particules qui peuvent bouger.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All particles.</source>
+        <translation>Toutes les particules.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All springs and rods.</source>
+        <translation>Tous les ressorts et toutes les tiges.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All springs where a spring is selected, all rods, pinned particles, free particles, panels.</source>
+        <translation>Tous les ressorts si un ressort est sélectionné, toutes les tiges, particules fixées, particules libres, panneaux.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>All with the mass, the rest length or the area of the selected ones, within 1 %.</source>
+        <translation>Tout ce qui a la masse, la longueur au repos ou l’aire de la sélection, à 1 % près.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Box and lasso also take what is hidden behind fabric and colliders, and the knife cuts it.</source>
+        <translation>Rectangle et lasso prennent aussi ce qui est caché derrière tissu et obstacles, et le couteau le coupe.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>By &amp;property…</source>
+        <translation>Par pro&amp;priété…</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>By &amp;type</source>
+        <translation>Par t&amp;ype</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Clicks, box and lasso take links.</source>
+        <translation>Clic, rectangle et lasso prennent les liaisons.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Clicks, box and lasso take panels.</source>
+        <translation>Clic, rectangle et lasso prennent les panneaux.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Clicks, box and lasso take particles; with links and panels off also those without a dot.</source>
+        <translation>Clic, rectangle et lasso prennent les particules ; liaisons et panneaux décochés, aussi celles sans point.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Co&amp;nnected</source>
+        <translation>&amp;Connexe</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Drag a box around what to select; Shift adds, Ctrl takes away; a right drag turns the view.</source>
+        <translation>Tirer un rectangle autour de ce qui est à sélectionner ; Maj ajoute, Ctrl retire ; glisser à droite tourne la vue.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Draw a line around what to select; Shift adds, Ctrl takes away; a right drag turns the view.</source>
+        <translation>Entourer d’un trait ce qui est à sélectionner ; Maj ajoute, Ctrl retire ; glisser à droite tourne la vue.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Edge o&amp;f fabric</source>
+        <translation>Bor&amp;d du tissu</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Follow the selected links or particles both ways: along a line, along a thread, around an edge.</source>
+        <translation>Suivre les liaisons ou particules sélectionnées dans les deux sens : une ligne, un fil, un bord.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Give the selected elements a name, as a group.</source>
+        <translation>Donner un nom aux éléments sélectionnés, comme groupe.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Group sele&amp;ction…</source>
+        <translation>Grouper la sé&amp;lection…</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>L&amp;oop or line</source>
+        <translation>B&amp;oucle ou ligne</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Li&amp;nes and spars</source>
+        <translation>Li&amp;gnes et longerons</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Mouse ta&amp;kes</source>
+        <translation>La souris pren&amp;d</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Non&amp;e</source>
+        <translation>Rie&amp;n</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>P&amp;inned particles</source>
+        <translation>Particules &amp;fixées</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Same &amp;group</source>
+        <translation>Même &amp;groupe</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Same &amp;material</source>
+        <translation>Même &amp;matériau</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Same &amp;part</source>
+        <translation>Même &amp;pièce</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Same &amp;role</source>
+        <translation>Même &amp;rôle</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Same &amp;size</source>
+        <translation>Même t&amp;aille</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Same &amp;type</source>
+        <translation>Même &amp;type</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Select all others of the same kinds: the other particles, where particles are selected.</source>
+        <translation>Sélectionner toutes les autres choses des mêmes genres : les autres particules, là où des particules sont sélectionnées.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Select all particles, links and panels.</source>
+        <translation>Sélectionner toutes les particules, liaisons et panneaux.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Select by what things are: strain &gt; 5 %, mass &lt; 1 g, material = ripstop.</source>
+        <translation>Sélectionner par ce que sont les choses : strain &gt; 5 %, mass &lt; 1 g, material = ripstop.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Select nothing; the inspector then shows the settings.</source>
+        <translation>Ne rien sélectionner ; l’inspecteur montre alors les réglages.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Select t&amp;hrough</source>
+        <translation>Sélectionner à tra&amp;vers</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Si&amp;milar</source>
+        <translation>&amp;Semblables</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Take one ring away: whatever has a neighbour that is not selected.</source>
+        <translation>Ôter un anneau : tout ce qui a un voisin non sélectionné.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>The edge of the selected panels, or of all fabric.</source>
+        <translation>Le bord des panneaux sélectionnés, ou de tout le tissu.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>The links between the selected.</source>
+        <translation>Les liaisons entre ce qui est sélectionné.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>The panels between the selected.</source>
+        <translation>Les panneaux entre ce qui est sélectionné.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>The particles at the ends of the selected links and the corners of the selected panels.</source>
+        <translation>Les particules aux bouts des liaisons sélectionnées et aux coins des panneaux sélectionnés.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>There is none of that here; the selection stays.</source>
+        <translation>Il n’y en a pas ici ; la sélection reste.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>%1 s of %2 s; the fastest particle has %3 m/s, all motion %4 J.</source>
+        <translation>%1 s sur %2 s ; la particule la plus rapide a %3 m/s, tout le mouvement %4 J.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>&amp;Adopt pose…</source>
+        <translation>Adop&amp;ter la pose…</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>&amp;For at most</source>
+        <translation>&amp;Pendant au plus</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>&amp;Settle</source>
+        <translation>&amp;Mettre au repos</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>&amp;Shorten the way (kinetic damping)</source>
+        <translation>&amp;Raccourcir le chemin (amortissement cinétique)</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Makes the shape that the run has come to the design.</source>
+        <translation>Fait de la forme obtenue le modèle.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Not still after %1 s: the fastest particle has %2 m/s. Try kinetic damping, viscosity, a higher speed or more time.</source>
+        <translation>Pas encore immobile après %1 s : la particule la plus rapide a %2 m/s. Essayer l’amortissement cinétique, de la viscosité, une vitesse plus grande ou plus de temps.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Runs as fast as it can until all hangs still, then pauses.</source>
+        <translation>Va aussi vite que possible jusqu’à ce que tout pende immobile, puis suspend.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Settle</source>
+        <translation>Mettre au repos</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Still after %1 s: nothing has moved faster than %2 m/s for half a second.</source>
+        <translation>Immobile après %1 s : rien n’a dépassé %2 m/s pendant une demi-seconde.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Stopped before it was still.</source>
+        <translation>Arrêté avant l’immobilité.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Stops all motion whenever its energy has passed a peak. It ends where it would without, in much less time; the way there is not what the real thing would do.</source>
+        <translation>Arrête tout mouvement dès que son énergie a passé un maximum. Finit au même endroit que sans, en bien moins de temps ; le chemin n’est pas celui que suivrait l’objet réel.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>The wind blows on meanwhile: what flies never settles, what hangs or stands does.</source>
+        <translation>Le vent continue de souffler : ce qui vole ne s’immobilise jamais, ce qui pend ou se tient debout, si.</translation>
+    </message>
+    <message>
+        <location filename="settle_dialog.cpp"/>
+        <source>Un&amp;til all is slower than</source>
+        <translation>&amp;Jusqu’à ce que tout soit plus lent que</translation>
+    </message>
+    <message>
+        <location filename="shape_file.cpp"/>
+        <source>Choose a mesh</source>
+        <translation>Choisir un maillage</translation>
+    </message>
+    <message>
+        <location filename="shape_file.cpp"/>
+        <source>Choose a picture of heights</source>
+        <translation>Choisir une image de hauteurs</translation>
+    </message>
+    <message>
+        <location filename="shape_file.cpp"/>
+        <source>Meshes (*.obj *.stl *.ply *.gltf *.glb *.dae *.off);;All files (*)</source>
+        <translation>Maillages (*.obj *.stl *.ply *.gltf *.glb *.dae *.off);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="shape_file.cpp"/>
+        <source>Pictures (*.png *.pgm);;All files (*)</source>
+        <translation>Images (*.png *.pgm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="sheet_model.cpp"/>
+        <source>Set %1</source>
+        <translation>Régler %1</translation>
+    </message>
+    <message>
+        <location filename="sheet_model.cpp"/>
+        <source>The number by which files and paths name the thing.</source>
+        <translation>Le numéro par lequel fichiers et chemins nomment la chose.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>%1 of %2 rows</source>
+        <translation>%1 sur %2 rangs</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>%1 rows</source>
+        <translation>%1 rangs</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Copy	Ctrl+C</source>
+        <translation>Copier	Ctrl+C</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Filter: mass &lt; 1 g and not pinned</source>
+        <translation>Filtre : mass &lt; 1 g and not pinned</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Mark the cell where the text is to begin.</source>
+        <translation>Marquer la cellule où le texte doit commencer.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Only s&amp;elected</source>
+        <translation>Seulement la s&amp;élection</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Only the rows of what is selected in the design.</source>
+        <translation>Seulement les rangs de ce qui est sélectionné dans le modèle.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Only the rows that meet a condition, as in Select by property: mass &lt; 1 g, strain &gt; 5 %, material = ripstop.</source>
+        <translation>Seulement les rangs qui remplissent une condition, comme dans Sélectionner par propriété : mass &lt; 1 g, strain &gt; 5 %, material = ripstop.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>Paste	Ctrl+V</source>
+        <translation>Coller	Ctrl+V</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>That is too much for the clipboard; mark fewer cells.</source>
+        <translation>C’est trop pour le presse-papiers ; marquer moins de cellules.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>The clipboard holds no text to paste.</source>
+        <translation>Le presse-papiers ne contient pas de texte à coller.</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>What the rows are</source>
+        <translation>Ce que sont les rangs</translation>
+    </message>
+    <message>
+        <location filename="sheet_panel.cpp"/>
+        <source>What the rows are. Lines are the links with the role line.</source>
+        <translation>Ce que sont les rangs. Les lignes sont les liaisons de rôle ligne.</translation>
+    </message>
+    <message>
+        <location filename="slider_shelf.cpp"/>
+        <source>A slider moves at most %1 things; tune the material that they share.</source>
+        <translation>Un curseur déplace au plus %1 choses ; régler le matériau qu’elles partagent.</translation>
+    </message>
+    <message>
+        <location filename="stability_list.cpp"/>
+        <source>Good: %1</source>
+        <translation>Bon : %1</translation>
+    </message>
+    <message>
+        <location filename="stability_list.cpp"/>
+        <source>How near the design is to what its solver can follow. Click a row to select what it is about.</source>
+        <translation>À quel point le modèle est proche de ce que son solveur peut suivre. Cliquer une ligne pour sélectionner ce qu’elle concerne.</translation>
+    </message>
+    <message>
+        <location filename="stability_list.cpp"/>
+        <source>Poor: %1</source>
+        <translation>Mauvais : %1</translation>
+    </message>
+    <message>
+        <location filename="stability_list.cpp"/>
+        <source>Repairs it as one step that can be undone.</source>
+        <translation>Corrige en une étape qui peut être annulée.</translation>
+    </message>
+    <message>
+        <location filename="stability_list.cpp"/>
+        <source>Stability</source>
+        <translation>Stabilité</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>%1 is gone.</source>
+        <translation>%1 n’existe plus.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>A scene from a file</source>
+        <translation>Une scène depuis un fichier</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>An empty scene with a ground and air</source>
+        <translation>Une scène vide avec un sol et de l’air</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Fabric from a mesh: OBJ, STL, PLY, OFF, glTF or Collada</source>
+        <translation>Du tissu à partir d’un maillage : OBJ, STL, PLY, OFF, glTF ou Collada</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Fabric that flies: kites, hang gliders, parachutes, cloth.</source>
+        <translation>Du tissu qui vole : cerfs-volants, deltaplanes, parachutes, toiles.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Files that you open will be listed here.</source>
+        <translation>Les fichiers que vous ouvrez seront listés ici.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>New here? Take the tour</source>
+        <translation>Première fois ? La visite guidée</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>New scene</source>
+        <translation>Nouvelle scène</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Recent</source>
+        <translation>Récents</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Ripstop</source>
+        <translation>Ripstop</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>Samples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>The folder "scenes" with the samples is not beside the program. The designs can still be built, at the left.</source>
+        <translation>Le dossier « scenes » avec les exemples n’est pas à côté du programme. Les modèles peuvent être construits quand même, à gauche.</translation>
+    </message>
+    <message>
+        <location filename="start_page.cpp"/>
+        <source>What the parts of the window are for, in a minute</source>
+        <translation>À quoi servent les parties de la fenêtre, en une minute</translation>
+    </message>
+    <message>
+        <location filename="subject.cpp"/>
+        <source>Set %1 of %2</source>
+        <translation>Régler %1 de %2</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 adds rods between second neighbours.</source>
+        <translation>1 ajoute des tiges entre deuxièmes voisines.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 adds two rigidity particles, before and behind the frame, tied to every node.</source>
+        <translation>1 ajoute deux particules de rigidité, devant et derrière l’armature, attachées à chaque nœud.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 flies the wing with the vortex law, which finds lift slope and induced drag from its shape; 0 with the plate law and the lift slope above; the keel has that law in any case.</source>
+        <translation>1 fait voler l’aile avec la loi tourbillonnaire, qui tire de sa forme la pente de portance et la traînée induite ; 0 avec la loi de la plaque et la pente ci-dessus ; la quille a cette dernière dans tous les cas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 flies with the vortex law, which finds lift slope and induced drag from the shape of the wing; 0 with the plate law and the lift slope above.</source>
+        <translation>1 fait voler avec la loi tourbillonnaire, qui tire de la forme de l’aile la pente de portance et la traînée induite ; 0 avec la loi de la plaque et la pente ci-dessus.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 holds one end so that the rod swings, 0 lets it fall to the ground.</source>
+        <translation>1 tient un bout et la tige balance, 0 la laisse tomber au sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 holds the skirt open with a rigid hoop, 0 leaves it to the air.</source>
+        <translation>1 tient la voilure ouverte par un cerceau rigide, 0 la laisse à l’air.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 holds the upper corners, 0 lets it fall to the ground.</source>
+        <translation>1 tient les coins hauts, 0 la laisse tomber au sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 pins the second particle as well, so that the first segment keeps its direction.</source>
+        <translation>1 fixe aussi la deuxième particule, et le premier segment garde sa direction.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 resists tension only like a rope, 0 compression too like a chain of sticks.</source>
+        <translation>1 ne résiste qu’à la traction comme une corde, 0 à la compression aussi comme une chaîne de bâtons.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 starts with the sheet lying level, 0 hanging.</source>
+        <translation>1 démarre avec la toile à plat, 0 suspendue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A bob at the free end, over and above the rope's own mass.</source>
+        <translation>Un poids au bout libre, en plus de la masse de la corde.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A box on the ground that cloth lies on and lines bend round.</source>
+        <translation>Une boîte au sol où la toile se pose et que les lignes contournent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A cut from the middle of the lower edge upwards, over the height; tears start there.</source>
+        <translation>Une coupe du milieu du bord bas vers le haut, rapportée à la hauteur ; les déchirures y commencent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A delta wing with a keel, on a line from a hand.</source>
+        <translation>Une aile delta avec une quille, sur une ligne tenue à la main.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A flag tied to a pole that stands on the ground and may bend.</source>
+        <translation>Un drapeau attaché à un mât planté au sol qui peut plier.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A flexible wing with a pilot who steers by shifting weight.</source>
+        <translation>Une aile souple avec un pilote qui dirige en déportant son poids.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A line resists tension only, a strut compression only, a batten both.</source>
+        <translation>Une ligne ne résiste qu’à la traction, un étai qu’à la compression, une latte aux deux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A link breaks above this, in metres, as a strain or in newtons as the rule says.</source>
+        <translation>Une liaison rompt au-delà, en mètres, en déformation ou en newtons comme le dit la règle.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A mesh for each frame; tears part it.</source>
+        <translation>Un maillage par image ; les déchirures le séparent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A new one</source>
+        <translation>Un nouveau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A number made of what other probes read, by their names with _ for blanks: line_tension / weight.</source>
+        <translation>Un nombre fait de ce que lisent d’autres sondes, par leurs noms avec _ pour les blancs : line_tension / weight.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A number made of what other probes read.</source>
+        <translation>Un nombre fait de ce que lisent d’autres sondes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A particle faster than this counts as diverged, and the run stops.</source>
+        <translation>Une particule plus rapide que cela compte comme divergente, et la simulation s’arrête.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A particle on the right of nose and tail, for roll and angle of attack.</source>
+        <translation>Une particule à droite du nez et de la queue, pour le roulis et l’angle d’attaque.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A plane without end, a sphere, a box, hills or a relief from a picture, or a mesh from a file.</source>
+        <translation>Un plan sans fin, une sphère, une boîte, des collines ou un relief tiré d’une image, ou un maillage tiré d’un fichier.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A point of the plane, the centre of the sphere or the box, the middle of the foot of a height field, or the origin of the mesh.</source>
+        <translation>Un point du plan, le centre de la sphère ou de la boîte, le milieu du pied d’un champ de hauteurs, ou l’origine du maillage.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A rope or line between the two selected particles, with new particles along it.</source>
+        <translation>Une corde ou une ligne entre les deux particules sélectionnées, avec de nouvelles particules en chemin.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A round canopy with suspension lines and a payload.</source>
+        <translation>Une voilure ronde avec des suspentes et une charge.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A row for each frame; units stand in the header.</source>
+        <translation>Un rang pour chaque image ; les unités sont dans l’en-tête.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A row for each row of lines, a column for each level from the riser up, in metres. Paste it from a spreadsheet; it takes the place of rows, levels and height.</source>
+        <translation>Un rang pour chaque rangée de brins, une colonne pour chaque étage à partir de l’élévateur, en mètres. À coller depuis un tableur ; il prend la place des rangées, des étages et de la hauteur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A row of rods, hung by one end or by both.</source>
+        <translation>Une file de tiges, suspendue par un bout ou par les deux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A sheet of masses and springs, hung by corners or an edge.</source>
+        <translation>Une toile de masses et de ressorts, suspendue par des coins ou un bord.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A sheet over a bowed frame, a bridle of four legs and a tail.</source>
+        <translation>Une toile sur une armature arquée, une bride à quatre brins et une queue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A sphere on the ground that cloth drapes over.</source>
+        <translation>Une sphère au sol sur laquelle la toile se drape.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A spring pulls with a force, a rod keeps its length as a constraint.</source>
+        <translation>Un ressort tire avec une force, une tige garde sa longueur comme contrainte.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A square of cloth with four arms, or without, over a payload.</source>
+        <translation>Un carré de toile à quatre bras, ou sans, au-dessus d’une charge.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>About the vertical.</source>
+        <translation>Autour de la verticale.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Above that of the air around.</source>
+        <translation>Au-dessus de celle de l’air autour.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Acceleration of everything that falls; y is up.</source>
+        <translation>Accélération de tout ce qui tombe ; y est vers le haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Across</source>
+        <translation>En largeur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Across x</source>
+        <translation>En travers de x</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Across y</source>
+        <translation>En travers de y</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Across z</source>
+        <translation>En travers de z</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Added mass</source>
+        <translation>Masse ajoutée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Adds the other half of what is selected. What lies on the plane belongs to both halves, panels are turned round, and copies join the groups of their originals.</source>
+        <translation>Ajoute l’autre moitié de la sélection. Ce qui est sur le plan appartient aux deux moitiés, les panneaux sont retournés, et les copies rejoignent les groupes de leurs originaux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Air</source>
+        <translation>Air</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Air density</source>
+        <translation>Densité de l’air</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Air force</source>
+        <translation>Force de l’air</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Air force across the relative wind, upwards.</source>
+        <translation>Force de l’air en travers du vent relatif, vers le haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Air force along the relative wind.</source>
+        <translation>Force de l’air le long du vent relatif.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Air in the canopy</source>
+        <translation>Air dans la voilure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Air law</source>
+        <translation>Loi d’air</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Airspeed</source>
+        <translation>Vitesse air</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Airspeed in trim; it says where along the keel the pilot hangs.</source>
+        <translation>Vitesse air à l’équilibre ; elle dit où le long de la quille pend le pilote.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>All into one</source>
+        <translation>Toutes en une</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>All that is measured, as arrays for ParaView and Python.</source>
+        <translation>Tout ce qui est mesuré, en tableaux pour ParaView et Python.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Along the pole.</source>
+        <translation>Le long du mât.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Along x, as seen from the front from left to right.</source>
+        <translation>Le long de x, vu de face de gauche à droite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Along y.</source>
+        <translation>Le long de y.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Along z.</source>
+        <translation>Le long de z.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Altitude</source>
+        <translation>Altitude</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Aluminium 7075-T6 tube 42 x 0.9 mm</source>
+        <translation>Tube d’aluminium 7075-T6 42 x 0,9 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Amount</source>
+        <translation>Quantité</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>An index and a folder of VTP files with all that is measured.</source>
+        <translation>Un index et un dossier de fichiers VTP avec tout ce qui est mesuré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle at which a section of a wing with the vortex law meets the air when it has lost half of its circulation; 15 for a wing, 10 to 12 for a thin sail.</source>
+        <translation>Angle auquel un profil d’une aile à loi tourbillonnaire rencontre l’air quand il a perdu la moitié de sa circulation ; 15 pour une aile, 10 à 12 pour une voile mince.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle of attack</source>
+        <translation>Angle d’attaque</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle of the line above the horizon at the start.</source>
+        <translation>Angle de la ligne au-dessus de l’horizon au départ.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angles about x, then y, then z; planes and spheres do not use it.</source>
+        <translation>Angles autour de x, puis y, puis z ; plans et sphères ne les utilisent pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Animation, glTF</source>
+        <translation>Animation, glTF</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Animation, glTF as text</source>
+        <translation>Animation, glTF en texte</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Another number, other hills.</source>
+        <translation>Un autre nombre, d’autres collines.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Arch of the sail between keel and leading edge, over its local half width.</source>
+        <translation>Flèche de la voile entre la quille et le bord d’attaque, rapportée à sa demi-largeur locale.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Areal density</source>
+        <translation>Masse surfacique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Arms</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Array in a ring</source>
+        <translation>Répétition circulaire</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Array in a row</source>
+        <translation>Répétition linéaire</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>At the first</source>
+        <translation>À la première</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Auto</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Automatic rate</source>
+        <translation>Vitesse automatique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Averaged Jacobi</source>
+        <translation>Jacobi moyenné</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Axial</source>
+        <translation>Axiale</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Axial stiffness</source>
+        <translation>Rigidité axiale</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Axial stiffness EA of the rope, its tension per strain; 0 never stretches.</source>
+        <translation>Rigidité axiale EA de la corde, sa tension par déformation ; 0 ne s’allonge jamais.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Axis that the ring runs about.</source>
+        <translation>Axe autour duquel court l’anneau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>B of a fabric, its bending moment per width and curvature: panels of this material that share a side resist folding there; 0 lets them fold freely.</source>
+        <translation>B d’un tissu, son moment de flexion par largeur et par courbure : les panneaux de ce matériau qui ont un côté commun résistent au pli ; 0 les laisse plier librement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bays across.</source>
+        <translation>Travées en largeur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bays down.</source>
+        <translation>Travées en hauteur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bays of spars in a plane, braced or stiffened by rigidity particles.</source>
+        <translation>Des travées de longerons dans un plan, contreventées ou raidies par des particules de rigidité.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bend</source>
+        <translation>Flexion</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bending</source>
+        <translation>Flexion</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bending stiffness</source>
+        <translation>Rigidité en flexion</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bending stiffness of the fabric, its moment per width and curvature; garments have 1e-5 to 1e-4.</source>
+        <translation>Rigidité en flexion du tissu, son moment par largeur et par courbure ; les vêtements ont 1e-5 à 1e-4.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bending test</source>
+        <translation>Essai de flexion</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Between strips, with a ramp in it.</source>
+        <translation>Entre les bandes, avec une rampe dedans.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Between the chord, from tail to nose, and the relative wind, in the plane across the span.</source>
+        <translation>Entre la corde, de la queue au nez, et le vent relatif, dans le plan perpendiculaire à l’envergure.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Between the ground and the underside.</source>
+        <translation>Entre le sol et le dessous.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bias</source>
+        <translation>Biais</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Billow</source>
+        <translation>Creux</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Black denim, 11 oz</source>
+        <translation>Denim noir, 11 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Both edges</source>
+        <translation>Les deux bords</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Both sides</source>
+        <translation>Des deux côtés</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bow</source>
+        <translation>Arc</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Boxes</source>
+        <translation>Boîtes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Boxes on the ground in a ring below the sheet, each turned another way.</source>
+        <translation>Boîtes au sol en cercle sous la toile, chacune tournée autrement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Braces</source>
+        <translation>Contreventements</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Braces in each bay: 0 none, 1 one, leaning to and fro, 2 crossed.</source>
+        <translation>Contreventements dans chaque travée : 0 aucun, 1 un seul, penché tour à tour, 2 croisés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bridle</source>
+        <translation>Bride</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Bridle cascade</source>
+        <translation>Cascade de brides</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Broadside</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Builder</source>
+        <translation>Générateur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Builder that made this part; empty when drawn by hand.</source>
+        <translation>Générateur qui a fait cette pièce ; vide si elle est dessinée à la main.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>By area (kg/m²)</source>
+        <translation>Par aire (kg/m²)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>By length (kg/m)</source>
+        <translation>Par longueur (kg/m)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Canopies</source>
+        <translation>Voilures</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Canopy</source>
+        <translation>Voilure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Canopy pressure</source>
+        <translation>Pression de voilure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.</source>
+        <translation>Coefficient de pression de voilure, 1,68 pour les voilures rondes : l’air remplit la voilure et la tient ouverte, sans cerceau, et la traînée est ce qui en sort ; 0 laisse chaque panneau rencontrer le vent seul.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Canopy volume</source>
+        <translation>Volume de voilure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Carbon rod 2 mm</source>
+        <translation>Jonc de carbone 2 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Carbon rod 3 mm</source>
+        <translation>Jonc de carbone 3 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Carbon rod 4 mm</source>
+        <translation>Jonc de carbone 4 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cascade</source>
+        <translation>Cascade</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells</source>
+        <translation>Mailles</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells across a strip.</source>
+        <translation>Mailles en largeur d’une bande.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells across.</source>
+        <translation>Mailles en largeur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells across; an odd number is made even, so that the spine has its nodes.</source>
+        <translation>Mailles en largeur ; un nombre impair est rendu pair, pour que l’épine ait ses nœuds.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells along each side of the square in the middle.</source>
+        <translation>Mailles le long de chaque côté du carré central.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells down.</source>
+        <translation>Mailles en hauteur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells from the edge of the table to the tip.</source>
+        <translation>Mailles du bord de la table au bout.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells from the leading to the trailing edge.</source>
+        <translation>Mailles du bord d’attaque au bord de fuite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells from the pole to the free edge.</source>
+        <translation>Mailles du mât au bord libre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cells from the upper to the lower edge.</source>
+        <translation>Mailles du bord haut au bord bas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Centre</source>
+        <translation>Centre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Change of the commanded value per key press.</source>
+        <translation>Changement de la valeur demandée à chaque appui.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Chord</source>
+        <translation>Corde</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Clamped</source>
+        <translation>Encastrée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Clamped edge</source>
+        <translation>Bord encastré</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Clearance</source>
+        <translation>Garde au sol</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Closes the hole that the selected particles surround with panels.</source>
+        <translation>Ferme de panneaux le trou que les particules sélectionnées entourent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cloth</source>
+        <translation>Toile</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Coefficient of friction of what slides on it.</source>
+        <translation>Coefficient de frottement de ce qui glisse dessus.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Coefficient of the air's force along the fabric.</source>
+        <translation>Coefficient de la force de l’air le long du tissu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Coefficient of the force across the panel; 4 is the paper's, 2 a flat plate's, 1.17 a disc's head on; of the linear law it is the slope at small angles.</source>
+        <translation>Coefficient de la force perpendiculaire au panneau ; 4 est celui de l’article, 2 celui d’une plaque plane, 1,17 celui d’un disque de face ; pour la loi linéaire c’est la pente aux petits angles.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Coefficient of the force along the panel, both sides together; about 0.02 for cloth.</source>
+        <translation>Coefficient de la force le long du panneau, les deux côtés ensemble ; environ 0,02 pour une toile.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Coefficient of the linear law head on, 1.17 for a square plate; empty takes the normal force's.</source>
+        <translation>Coefficient de la loi linéaire de face, 1,17 pour une plaque carrée ; vide, celui de la force normale.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Colour in the view, as #rrggbb.</source>
+        <translation>Couleur dans la vue, sous la forme #rrvvbb.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Compliance</source>
+        <translation>Souplesse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Compression</source>
+        <translation>Compression</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Conservation and invariance</source>
+        <translation>Conservation et invariance</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Copies what is selected again and again, each copy a step further.</source>
+        <translation>Copie la sélection encore et encore, chaque copie un pas plus loin.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Copies what is selected around an axis: gores of a canopy, spokes.</source>
+        <translation>Copie la sélection autour d’un axe : fuseaux d’une voilure, rayons.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Corner a</source>
+        <translation>Coin a</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Corner b</source>
+        <translation>Coin b</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Corner c</source>
+        <translation>Coin c</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Corners</source>
+        <translation>Coins</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Coulomb coefficient of fabric on fabric.</source>
+        <translation>Coefficient de Coulomb du tissu sur le tissu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Coulomb coefficient; only the response contact uses it.</source>
+        <translation>Coefficient de Coulomb ; seule la réponse contact l’utilise.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Count</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Counts</source>
+        <translation>Décomptes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cross</source>
+        <translation>Croisement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cross parachute</source>
+        <translation>Parachute cruciforme</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Crossed</source>
+        <translation>Croisés</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cruciform or square parachute</source>
+        <translation>Parachute cruciforme ou carré</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Damping</source>
+        <translation>Amortissement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Damping and step limits</source>
+        <translation>Amortissement et limites de pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Delta kite</source>
+        <translation>Cerf-volant delta</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Density</source>
+        <translation>Masse surfacique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Depth of the bow across over the width; it keeps the kite upright.</source>
+        <translation>Flèche de l’arc en largeur, rapportée à la largeur ; il garde le cerf-volant droit.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Diamond kite</source>
+        <translation>Cerf-volant losange</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dihedral</source>
+        <translation>Dièdre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Direct</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Direction of a positive value.</source>
+        <translation>Direction d’une valeur positive.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Direction that is turned round: x swaps left and right, y up and down, z front and back.</source>
+        <translation>Direction qui est retournée : x échange gauche et droite, y haut et bas, z devant et derrière.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Direction that the plane faces; only planes use it.</source>
+        <translation>Direction à laquelle le plan fait face ; seuls les plans l’utilisent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Distance from one generated hill to the next, over the width of the field.</source>
+        <translation>Distance d’une colline engendrée à la suivante, rapportée à la largeur du champ.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Distance of the first row from the last.</source>
+        <translation>Distance de la première rangée à la dernière.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Distance of the outermost points of a row.</source>
+        <translation>Distance des points extrêmes d’une rangée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Distance that fabric keeps from the surface, half the thickness of the fabric or more; it rounds edges.</source>
+        <translation>Distance que le tissu garde de la surface, la moitié de l’épaisseur du tissu ou plus ; elle arrondit les arêtes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Distance that particles of this part keep from its own panels and from those of other parts with self-contact; 0 lets fabric pass through fabric.</source>
+        <translation>Distance que les particules de cette pièce gardent de ses propres panneaux et de ceux d’autres pièces qui ont un contact avec soi ; 0 laisse le tissu traverser le tissu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Distance that the sheet keeps from itself and from sphere and boxes; 0 lets it pass through itself.</source>
+        <translation>Distance que la toile garde d’elle-même et de la sphère et des boîtes ; 0 la laisse se traverser.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag</source>
+        <translation>Traînée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag area</source>
+        <translation>Aire de traînée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag coefficient CD0 on the area of the cloth; 0.60 to 0.85 for cross parachutes.</source>
+        <translation>Coefficient de traînée CD0 sur l’aire de la toile ; 0,60 à 0,85 pour les parachutes cruciformes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag coefficient CD0 on the nominal area; 0.75 to 0.80 for flat circular canopies.</source>
+        <translation>Coefficient de traînée CD0 sur l’aire nominale ; 0,75 à 0,80 pour les voilures circulaires plates.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag coefficient of links across the wind; 1 to 1.1 for lines.</source>
+        <translation>Coefficient de traînée des liaisons en travers du vent ; 1 à 1,1 pour des lignes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag coefficient of sail and spars edge on, as skin friction of the sail.</source>
+        <translation>Coefficient de traînée de la voile et des longerons de chant, comme frottement de peau de la voile.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag coefficient of sail, wires, frame and pilot together, spread over the sail as skin friction.</source>
+        <translation>Coefficient de traînée de la voile, des câbles, de l’armature et du pilote ensemble, répartie sur la voile comme frottement de peau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drag over the dynamic pressure of the relative wind.</source>
+        <translation>Traînée sur la pression dynamique du vent relatif.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Drawn in the view.</source>
+        <translation>Dessiné dans la vue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Droop</source>
+        <translation>Tombée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dyneema braid 1 mm</source>
+        <translation>Tresse Dyneema 1 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dyneema braid 2 mm</source>
+        <translation>Tresse Dyneema 2 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>E t of a fabric along its threads, its tension per width and strain: links with the role thread get theirs from it and from their width; empty leaves it to stiffness and compliance.</source>
+        <translation>E t d’un tissu le long de ses fils, sa tension par largeur et par déformation : les liaisons de rôle fil en tirent la leur, selon leur largeur ; vide, raideur et souplesse comptent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>EA of a line or spar, its tension per strain: a link of this length L gets EA / L, whatever the stiffness and compliance above say; empty leaves it to them.</source>
+        <translation>EA d’une ligne ou d’un longeron, sa tension par déformation : une liaison de cette longueur L reçoit EA / L, quoi que disent la raideur et la souplesse ci-dessus ; vide, ce sont elles qui comptent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>EI of a spar, its bending moment per curvature: links of this material that go on into each other resist turning there, and stay as bent as they are built; 0 lets them hinge freely.</source>
+        <translation>EI d’un longeron, son moment de flexion par courbure : les liaisons de ce matériau qui se prolongent résistent à tourner l’une sur l’autre, et restent courbées comme construites ; 0 en fait des charnières libres.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Each particle (kg)</source>
+        <translation>Chaque particule (kg)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Each with each</source>
+        <translation>Chacune à chacune</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Eddy's kite: a spine and a bowed cross spar, a bridle and a tail.</source>
+        <translation>Le cerf-volant d’Eddy : une épine et une traverse arquée, une bride et une queue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Edges of a box, or width, height and depth of a height field.</source>
+        <translation>Arêtes d’une boîte, ou largeur, hauteur et profondeur d’un champ de hauteurs.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Elastic energy</source>
+        <translation>Énergie élastique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Elevation</source>
+        <translation>Élévation</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>End mass</source>
+        <translation>Masse au bout</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ends</source>
+        <translation>Bouts</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Energy change</source>
+        <translation>Variation d’énergie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Every row</source>
+        <translation>Chaque rangée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Explicit Euler</source>
+        <translation>Euler explicite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Exponent</source>
+        <translation>Exposant</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Exponent of the power law; 1/7 over open land, 0.1 over water.</source>
+        <translation>Exposant de la loi de puissance ; 1/7 en terrain dégagé, 0,1 sur l’eau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fabric at tears</source>
+        <translation>Tissu aux déchirures</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fibreglass tube 10 mm</source>
+        <translation>Tube de fibre de verre 10 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fibreglass tube 6 mm</source>
+        <translation>Tube de fibre de verre 6 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fibreglass tube 8 mm</source>
+        <translation>Tube de fibre de verre 8 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fibreglass tube 9 mm</source>
+        <translation>Tube de fibre de verre 9 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fill efficiency</source>
+        <translation>Rendement de gonflage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fill with panels</source>
+        <translation>Remplir de panneaux</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fills the fabric with air through its mouth, up to this pressure over the dynamic pressure of the wind that meets the mouth; 1.68 for round parachutes, 0 leaves each panel to meet the wind by itself.</source>
+        <translation>Remplit le tissu d’air par sa bouche, jusqu’à cette pression rapportée à la pression dynamique du vent qui rencontre la bouche ; 1,68 pour les parachutes ronds, 0 laisse chaque panneau rencontrer le vent seul.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>First corner.</source>
+        <translation>Premier coin.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flag</source>
+        <translation>Drapeau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flag on a pole</source>
+        <translation>Drapeau sur un mât</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flat</source>
+        <translation>À plat</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flexural rigidity</source>
+        <translation>Rigidité de flexion EI</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flexural rigidity EI of a spar, its bending moment per curvature; a kite spar has 1 to 10, a rope nothing.</source>
+        <translation>Rigidité de flexion EI d’un longeron, son moment de flexion par courbure ; un longeron de cerf-volant a 1 à 10, une corde rien.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flexural rigidity EI of the pole; 0 does not bend, a fibre glass rod of 12 mm has 40.</source>
+        <translation>Rigidité de flexion EI du mât ; 0 ne plie pas, un jonc de fibre de verre de 12 mm a 40.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flexural rigidity EI, bending moment per curvature; a kite spar has 1 to 10.</source>
+        <translation>Rigidité de flexion EI, moment de flexion par courbure ; un longeron de cerf-volant a 1 à 10.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Flight</source>
+        <translation>Vol</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Force of a spring per metre of stretch.</source>
+        <translation>Force d’un ressort par mètre d’allongement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Force of a spring per metre of stretch; empty takes the material's.</source>
+        <translation>Force d’un ressort par mètre d’allongement ; vide, celle du matériau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Force of a spring per metre per second of stretching.</source>
+        <translation>Force d’un ressort par mètre par seconde d’allongement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Force of a spring per metre per second of stretching; empty takes the material's.</source>
+        <translation>Force d’un ressort par mètre par seconde d’allongement ; vide, celle du matériau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Formula</source>
+        <translation>Formule</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Four particles in a row, kept straight by two more.</source>
+        <translation>Quatre particules en file, tenues droites par deux autres.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Frame</source>
+        <translation>Armature</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Frame mass</source>
+        <translation>Masse de l’armature</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Frame of spars</source>
+        <translation>Armature de longerons</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From a particle.</source>
+        <translation>Depuis une particule.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From corner to corner across.</source>
+        <translation>D’un coin à l’autre en largeur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From end to end.</source>
+        <translation>D’un bout à l’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From hill to hill, over the width of the field.</source>
+        <translation>De colline en colline, rapportée à la largeur du champ.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From side to side.</source>
+        <translation>D’un côté à l’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the canopy to the payload; made longer where it would not reach.</source>
+        <translation>De la voilure à la charge ; allongée là où elle n’atteindrait pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the first to the last; a full turn puts none on the first.</source>
+        <translation>Du premier au dernier ; un tour complet n’en met aucun sur le premier.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the leading to the trailing edge.</source>
+        <translation>Du bord d’attaque au bord de fuite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the lowest valley to the highest top.</source>
+        <translation>De la vallée la plus basse au sommet le plus haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the middle of the particles.</source>
+        <translation>Depuis le milieu des particules.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the pole to the free edge.</source>
+        <translation>Du mât au bord libre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the riser to the wing, where no table says so.</source>
+        <translation>De l’élévateur à l’aile, là où aucun tableau ne le dit.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the skirt to the payload; 0.8 to 1 nominal diameter is usual.</source>
+        <translation>Du bord de la voilure à la charge ; 0,8 à 1 diamètre nominal est habituel.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the top edge to the bottom edge.</source>
+        <translation>Du bord haut au bord bas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the tow point to the hand.</source>
+        <translation>Du point d’attache à la main.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From the upper to the lower edge.</source>
+        <translation>Du bord haut au bord bas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From tip to tip.</source>
+        <translation>D’un bout d’aile à l’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From tip to tip; about twice the chord gives the usual nose angle of 90 degrees.</source>
+        <translation>D’un bout d’aile à l’autre ; environ deux fois la corde donne l’angle de nez habituel de 90 degrés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Front legs</source>
+        <translation>Brins avant</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fullness</source>
+        <translation>Ampleur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>G t of a fabric, its shear force per width and angle: links with the role bias get theirs from it; empty leaves it to stiffness and compliance.</source>
+        <translation>G t d’un tissu, sa force de cisaillement par largeur et par angle : les liaisons de rôle biais en tirent la leur ; vide, raideur et souplesse comptent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gap</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gauss Seidel</source>
+        <translation>Gauss-Seidel</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gives every number that the link does not set itself.</source>
+        <translation>Donne tout nombre que la liaison ne fixe pas elle-même.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gives mass to the selected particles.</source>
+        <translation>Donne une masse aux particules sélectionnées.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gives the colour and the law of its air load.</source>
+        <translation>Donne la couleur et la loi de la charge d’air.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Glide ratio</source>
+        <translation>Finesse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gores, and suspension lines.</source>
+        <translation>Fuseaux, et suspentes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gravity</source>
+        <translation>Pesanteur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Grey interlock knit</source>
+        <translation>Maille interlock grise</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Grey picture of a height field (PNG, PGM) or mesh (OBJ, STL, PLY and others), beside the scene file; a height field without one gets generated hills.</source>
+        <translation>Image grise d’un champ de hauteurs (PNG, PGM) ou maillage (OBJ, STL, PLY et autres), à côté du fichier de scène ; un champ de hauteurs sans fichier reçoit des collines engendrées.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gustiness</source>
+        <translation>Force des rafales</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Half the angle by which a jet widens; 12 is that of a free jet.</source>
+        <translation>La moitié de l’angle dont un jet s’élargit ; 12 est celui d’un jet libre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hand height</source>
+        <translation>Hauteur de la main</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hang</source>
+        <translation>Suspension</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hang glider</source>
+        <translation>Deltaplane</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hang gliders</source>
+        <translation>Deltaplanes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hanging rods</source>
+        <translation>Tiges suspendues</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Heading</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height at which the logarithmic profile starts; 0.0002 on the sea, 0.03 over grass, 0.1 over farmland, 0.5 to 1 over suburbs.</source>
+        <translation>Hauteur à laquelle commence le profil logarithmique ; 0,0002 en mer, 0,03 sur l’herbe, 0,1 sur des cultures, 0,5 à 1 en banlieue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height field</source>
+        <translation>Champ de hauteurs</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height of the hand over the ground.</source>
+        <translation>Hauteur de la main au-dessus du sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height of the nose at the start.</source>
+        <translation>Hauteur du nez au départ.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height of the payload at the start.</source>
+        <translation>Hauteur de la charge au départ.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height of the pole; at least that of the flag and a little.</source>
+        <translation>Hauteur du mât ; au moins celle du drapeau et un peu plus.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height of the top edge over the ground.</source>
+        <translation>Hauteur du bord haut au-dessus du sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height of the wing over the ground.</source>
+        <translation>Hauteur de l’aile au-dessus du sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Height over y = 0 at which a profile has its velocity, or for which gusts are made.</source>
+        <translation>Hauteur au-dessus de y = 0 à laquelle un profil a sa vitesse, ou pour laquelle les rafales sont faites.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Held in place, whatever pulls on it.</source>
+        <translation>Tenue en place, quoi qui tire dessus.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>High strain</source>
+        <translation>Déformation haute</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hill length</source>
+        <translation>Longueur des collines</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hills</source>
+        <translation>Collines</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hoop</source>
+        <translation>Cerceau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hoop mass</source>
+        <translation>Masse du cerceau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far a link is stretched now.</source>
+        <translation>De combien une liaison est étirée maintenant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the arms hang below level when the canopy is full.</source>
+        <translation>De combien les bras pendent sous l’horizontale quand la voilure est gonflée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the nose is above the tail.</source>
+        <translation>De combien le nez est au-dessus de la queue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the pilot can shift either way.</source>
+        <translation>De combien le pilote peut se déporter de part et d’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the pilot hangs below the keel.</source>
+        <translation>De combien le pilote pend sous la quille.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the right side is below the left one.</source>
+        <translation>De combien le côté droit est sous le gauche.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the rigidity particles stand off the rod; near ones stiffen less.</source>
+        <translation>De combien les particules de rigidité s’écartent de la tige ; proches, elles raidissent moins.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the tow point hangs below the sail, over the height of the kite; a long one lets the kite climb, and lean over and sweep to and fro.</source>
+        <translation>De combien le point d’attache pend sous la voile, rapporté à la hauteur du cerf-volant ; une bride longue le laisse monter, et se pencher et balayer de côté.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How far the tow point hangs below the wing; a third of the half span is usual.</source>
+        <translation>De combien le point d’attache pend sous l’aile ; un tiers de la demi-envergure est habituel.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How fast a particle moves now.</source>
+        <translation>À quelle vitesse une particule se déplace maintenant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How fast the centre of mass falls.</source>
+        <translation>À quelle vitesse tombe le centre de masse.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How fast the particle starts.</source>
+        <translation>À quelle vitesse la particule démarre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How fast the value follows its command in simulated time.</source>
+        <translation>À quelle vitesse la valeur suit sa consigne en temps simulé.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How fast the value moves by itself until it reaches the limit; 0 waits for keys.</source>
+        <translation>À quelle vitesse la valeur avance seule jusqu’à atteindre la limite ; 0 attend les touches.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How hard a link pulls now; below 0 it pushes.</source>
+        <translation>Avec quelle force une liaison tire maintenant ; au-dessous de 0 elle pousse.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How hard the air pushes a panel now, per area.</source>
+        <translation>Avec quelle force l’air pousse un panneau maintenant, par unité d’aire.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How high the centre of mass is.</source>
+        <translation>À quelle hauteur est le centre de masse.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How large a panel is now.</source>
+        <translation>Quelle aire un panneau a maintenant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How long a link is now.</source>
+        <translation>Quelle longueur une liaison a maintenant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many ends are pinned.</source>
+        <translation>Combien de bouts sont fixés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many have torn.</source>
+        <translation>Combien ont rompu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How many there are in the end, with the one that is there.</source>
+        <translation>Combien il y en a à la fin, avec celui qui est là.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How much less the tips meet the wind than the root; gives pitch stability to a swept wing.</source>
+        <translation>De combien les bouts rencontrent moins le vent que l’emplanture ; donne sa stabilité en tangage à une aile en flèche.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How much less the tips meet the wind than the root; the pull of the line balances the nose-up turn that it gives.</source>
+        <translation>De combien les bouts rencontrent moins le vent que l’emplanture ; la traction de la ligne équilibre le couple cabreur qui en vient.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How much longer the rope is than the way between its ends; less than 0 is under tension.</source>
+        <translation>De combien la corde est plus longue que le chemin entre ses bouts ; moins de 0 est sous tension.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too, lift and drag are read from a table, and the vortex law finds the circulation around a whole wing.</source>
+        <translation>Comment le vent pousse un panneau : la loi de l’article croît avec le carré du vent de face, la loi linéaire convient aux plaques aux petits angles aussi, portance et traînée sont lues dans un tableau, et la loi tourbillonnaire trouve la circulation autour de toute une aile.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>In a line</source>
+        <translation>En ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>In a ring</source>
+        <translation>En anneau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>In springs, rods that give and bends.</source>
+        <translation>Dans les ressorts, les tiges souples et les flexions.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>In their middle</source>
+        <translation>En leur milieu</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Inertia and weight.</source>
+        <translation>Inertie et poids.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Integrator</source>
+        <translation>Intégrateur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Integrators</source>
+        <translation>Intégrateurs</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Jet</source>
+        <translation>Jet</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Jet set</source>
+        <translation>Jet set</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Keel</source>
+        <translation>Quille</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Keel depth</source>
+        <translation>Profondeur de quille</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Key less</source>
+        <translation>Touche moins</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Key more</source>
+        <translation>Touche plus</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Key that lowers the value by one step, for example Left.</source>
+        <translation>Touche qui baisse la valeur d’un pas, par exemple Left.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Key that raises the value by one step, for example Right.</source>
+        <translation>Touche qui monte la valeur d’un pas, par exemple Right.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Kinetic energy</source>
+        <translation>Énergie cinétique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Kinetic, potential and elastic.</source>
+        <translation>Cinétique, potentielle et élastique.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Kites</source>
+        <translation>Cerfs-volants</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Largest strain of rods that the automatic solver allows; smaller is stiffer and slower.</source>
+        <translation>Plus grande déformation des tiges que le solveur automatique permet ; plus petite, c’est plus raide et plus lent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Largest value either way.</source>
+        <translation>Plus grande valeur de part et d’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lattice segments per side of the keel, at most half of those of the wing.</source>
+        <translation>Segments du treillis par côté de la quille, au plus la moitié de ceux de l’aile.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lattice segments per side of the wing; the wing has their square of panels.</source>
+        <translation>Segments du treillis par côté de l’aile ; l’aile a leur carré de panneaux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lattice segments per side; the sail has their square of panels.</source>
+        <translation>Segments du treillis par côté ; la voile a leur carré de panneaux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Launch</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Laws of the air</source>
+        <translation>Lois de l’air</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Least side</source>
+        <translation>Côté minimal</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Left edge</source>
+        <translation>Bord gauche</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length from the nose to the trailing edge.</source>
+        <translation>Longueur du nez au bord de fuite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of an arm over the width; 0 is a square canopy without arms.</source>
+        <translation>Longueur d’un bras, rapportée à la largeur ; 0 est une voilure carrée sans bras.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of the cross spar; Eddy's is as wide as it is high.</source>
+        <translation>Longueur de la traverse ; celui d’Eddy est aussi large que haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of the keel from the nose to the trailing edge.</source>
+        <translation>Longueur de la quille du nez au bord de fuite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of the spine.</source>
+        <translation>Longueur de l’épine.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length without load.</source>
+        <translation>Longueur sans charge.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Levels</source>
+        <translation>Étages</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Levels of lines from the riser to the wing, each with twice the lines of the one below; the table takes their place.</source>
+        <translation>Étages de brins de l’élévateur à l’aile, chacun avec deux fois les brins de celui du dessous ; le tableau prend leur place.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lift</source>
+        <translation>Portance</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lift and drag</source>
+        <translation>Portance et traînée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lift drag</source>
+        <translation>Portance et traînée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lift over drag.</source>
+        <translation>Portance sur traînée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lift slope</source>
+        <translation>Pente de portance</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lift to drag</source>
+        <translation>Portance sur traînée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line (pulls only)</source>
+        <translation>Ligne (traction seule)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line density</source>
+        <translation>Masse linéique de ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line diameter</source>
+        <translation>Diamètre de ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line drag</source>
+        <translation>Traînée de ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line length</source>
+        <translation>Longueur de ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line segments</source>
+        <translation>Segments de suspente</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Linear density</source>
+        <translation>Masse linéique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Linear normal</source>
+        <translation>Normale linéaire</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lines only do not grow longer, rods also not shorter, springs pull with a force.</source>
+        <translation>Les lignes ne s’allongent pas, les tiges ne raccourcissent pas non plus, les ressorts tirent avec une force.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Links along the sides of the new panels where there are none yet: fabric has its strength from them.</source>
+        <translation>Des liaisons le long des côtés des nouveaux panneaux là où il n’y en a pas : le tissu en tire sa résistance.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Links and panels of this material are drawn.</source>
+        <translation>Les liaisons et panneaux de ce matériau sont dessinés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Links from end to end.</source>
+        <translation>Liaisons d’un bout à l’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Links that each one becomes.</source>
+        <translation>Liaisons que devient chacune.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC120</source>
+        <translation>Liros LTC120</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC160</source>
+        <translation>Liros LTC160</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC200</source>
+        <translation>Liros LTC200</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC45</source>
+        <translation>Liros LTC45</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC65</source>
+        <translation>Liros LTC65</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC80</source>
+        <translation>Liros LTC80</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros TSL090</source>
+        <translation>Liros TSL090</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros TSL140</source>
+        <translation>Liros TSL140</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros TSL190</source>
+        <translation>Liros TSL190</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros TSL280</source>
+        <translation>Liros TSL280</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros TSL380</source>
+        <translation>Liros TSL380</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros TSL500</source>
+        <translation>Liros TSL500</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Load and lines</source>
+        <translation>Charge et suspentes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Log law</source>
+        <translation>Loi logarithmique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>MIL-C-44378 type I, low permeability nylon</source>
+        <translation>MIL-C-44378 type I, nylon à faible perméabilité</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>MIL-C-7020 type I, 1.1 oz ripstop nylon</source>
+        <translation>MIL-C-7020 type I, nylon ripstop 1,1 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>MIL-C-7020 type II, 1.6 oz twill nylon</source>
+        <translation>MIL-C-7020 type II, nylon sergé 1,6 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>MIL-C-7020 type III, 1.6 oz ripstop nylon</source>
+        <translation>MIL-C-7020 type III, nylon ripstop 1,6 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Makes a stiff spar along the selected particles: rods that resist bending, with their mass. Links that are on its way become its own.</source>
+        <translation>Fait un longeron raide le long des particules sélectionnées : des tiges qui résistent à la flexion, avec leur masse. Les liaisons sur son chemin deviennent les siennes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Makes one particle of several, with the mass of all. Links and panels that fall together become one.</source>
+        <translation>Fait une particule de plusieurs, avec la masse de toutes. Les liaisons et panneaux qui se superposent n’en font qu’un.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.</source>
+        <translation>Fait plusieurs liaisons de chacune, avec de nouvelles particules entre elles. La ligne reste aussi longue, aussi raide et aussi solide ; les panneaux à côté sont divisés aussi.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass in the unit that the line above says. It takes the place of the mass that is there.</source>
+        <translation>Masse dans l’unité que dit la ligne ci-dessus. Elle prend la place de la masse présente.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of a line per length.</source>
+        <translation>Masse d’une suspente par longueur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of a spar or brace per length; a carbon tube of 6 mm has 0.02.</source>
+        <translation>Masse d’un longeron ou d’un contreventement par longueur ; un tube de carbone de 6 mm a 0,02.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of each new particle, where the linear density of the material does not say it.</source>
+        <translation>Masse de chaque nouvelle particule, là où la masse linéique du matériau ne la dit pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the air per volume; 1.225 at sea level, 0 is a vacuum.</source>
+        <translation>Masse de l’air par volume ; 1,225 au niveau de la mer, 0 est le vide.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the air that moves with a canopy over that in a hemisphere on its mouth; only with canopy pressure.</source>
+        <translation>Masse de l’air qui se déplace avec une voilure, rapportée à celle d’un hémisphère sur sa bouche ; seulement avec une pression de voilure.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the fabric per area that its particles were given; setting another one weighs them anew, and where it was empty it only notes.</source>
+        <translation>Masse du tissu par aire donnée à ses particules ; en fixer une autre les repèse, et là où elle était vide elle ne fait que noter.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I.</source>
+        <translation>Masse du tissu par aire ; 0,0373 est le nylon de parachute MIL-C-7020 type I.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the fabric per area; 0.045 is ripstop nylon for kites.</source>
+        <translation>Masse du tissu par aire ; 0,045 est le nylon ripstop des cerfs-volants.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the fabric per area; 0.11 is knitted polyester for flags.</source>
+        <translation>Masse du tissu par aire ; 0,11 est le polyester tricoté des drapeaux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric.</source>
+        <translation>Masse du tissu par aire ; 0,25 est une maille tricotée, 0,045 un tissu de cerf-volant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the hoop.</source>
+        <translation>Masse du cerceau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the line or spar per length that its particles were given; setting another one weighs them anew, and where it was empty it only notes.</source>
+        <translation>Masse de la ligne ou du longeron par longueur donnée à ses particules ; en fixer une autre les repèse, et là où elle était vide elle ne fait que noter.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the line per length.</source>
+        <translation>Masse de la ligne par longueur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the pole per length.</source>
+        <translation>Masse du mât par longueur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the rope per length.</source>
+        <translation>Masse de la corde par longueur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the tail per length.</source>
+        <translation>Masse de la queue par longueur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass of the two particles that hold the canopy open.</source>
+        <translation>Masse des deux particules qui tiennent la voilure ouverte.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass per length; 0.005 is a line of 2.5 mm.</source>
+        <translation>Masse par longueur ; 0,005 est une ligne de 2,5 mm.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass per length; a carbon tube of 6 mm has 0.02.</source>
+        <translation>Masse par longueur ; un tube de carbone de 6 mm a 0,02.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass that hangs below.</source>
+        <translation>Masse qui pend dessous.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mass that hangs from the riser.</source>
+        <translation>Masse qui pend à l’élévateur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Max strain</source>
+        <translation>Déformation max</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Max tension</source>
+        <translation>Tension max</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mean glide ratio</source>
+        <translation>Finesse moyenne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mean strain</source>
+        <translation>Déformation moyenne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mean width of the tail and its ribbons, which the wind drags.</source>
+        <translation>Largeur moyenne de la queue et de ses rubans, que le vent freine.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Members</source>
+        <translation>Membres</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Membrane</source>
+        <translation>Membrane</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Membrane stiffness</source>
+        <translation>Rigidité de membrane</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Membrane stiffness E t of the fabric along its threads; above 0 it replaces the stiffness, and the sheet stretches alike at every resolution.</source>
+        <translation>Rigidité de membrane E t du tissu le long de ses fils ; au-dessus de 0 elle remplace la raideur, et la toile s’étire de même à toute résolution.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mesh with strains and loads, VTP</source>
+        <translation>Maillage avec déformations et charges, VTP</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mesh, Collada</source>
+        <translation>Maillage, Collada</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mesh, PLY</source>
+        <translation>Maillage, PLY</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mesh, STL</source>
+        <translation>Maillage, STL</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mesh, Wavefront OBJ</source>
+        <translation>Maillage, Wavefront OBJ</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Metres per unit of the mesh file; only meshes use it.</source>
+        <translation>Mètres par unité du fichier de maillage ; seuls les maillages l’utilisent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Middle</source>
+        <translation>Milieu</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Middle of the nozzle of a jet.</source>
+        <translation>Milieu de la buse d’un jet.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mirror</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Most links that break in one time step, the most overloaded first, so that a tear runs on from its tip; 0 sets no limit.</source>
+        <translation>Nombre maximal de liaisons qui rompent en un pas de temps, les plus surchargées d’abord, pour qu’une déchirure se propage par sa pointe ; 0 ne pose pas de limite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Most side</source>
+        <translation>Côté maximal</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Mouth</source>
+        <translation>Bouche</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Moves its targets, or shifts their weight inside the rods that hold them.</source>
+        <translation>Déplace ses cibles, ou déporte leur poids à l’intérieur des tiges qui les tiennent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Moves the plane along its direction.</source>
+        <translation>Déplace le plan le long de sa direction.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Never</source>
+        <translation>Jamais</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Nominal diameter D0: that of the canopy laid out flat.</source>
+        <translation>Diamètre nominal D0 : celui de la voilure étalée à plat.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Normal force</source>
+        <translation>Force normale</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Normal force coefficient of the fabric in the wind.</source>
+        <translation>Coefficient de force normale du tissu dans le vent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a delta of aspect ratio A, less for a loose sail.</source>
+        <translation>Coefficient de force normale par sinus de l’angle d’attaque ; 2 pi A / (2 + sqrt(A^2 + 8)) pour un delta d’allongement A, moins pour une voile lâche.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a taut delta of aspect ratio A, 3.1 fits the first, slack Rogallo wings.</source>
+        <translation>Coefficient de force normale par sinus de l’angle d’attaque ; 2 pi A / (2 + sqrt(A^2 + 8)) pour un delta tendu d’allongement A, 3,1 convient aux premières ailes Rogallo, lâches.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Normal force coefficient per sine of the angle of attack; 2.5 for a plate as wide as it is high.</source>
+        <translation>Coefficient de force normale par sinus de l’angle d’attaque ; 2,5 pour une plaque aussi large que haute.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Number that picks the generated hills; the same number gives the same hills.</source>
+        <translation>Nombre qui choisit les collines engendrées ; le même nombre donne les mêmes collines.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Number that the gusts follow from; the same seed gives the same gusts.</source>
+        <translation>Nombre dont découlent les rafales ; la même graine donne les mêmes rafales.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of a link, its length over that at rest less one; the largest where there are several.</source>
+        <translation>D’une liaison, sa longueur sur celle au repos moins un ; la plus grande s’il y en a plusieurs.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of a link; the largest where there are several.</source>
+        <translation>D’une liaison ; la plus grande s’il y en a plusieurs.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of all links together, as they are stretched.</source>
+        <translation>De toutes les liaisons ensemble, étirées comme elles le sont.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of all panels and lines together.</source>
+        <translation>De tous les panneaux et lignes ensemble.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of all panels together, as they are stretched.</source>
+        <translation>De tous les panneaux ensemble, étirés comme ils le sont.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of all six particles together.</source>
+        <translation>Des six particules ensemble.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of all springs; takes speed from stretching only.</source>
+        <translation>De tous les ressorts ; ne prend de la vitesse qu’à l’allongement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of all that can move, its length.</source>
+        <translation>De tout ce qui peut bouger, sa norme.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of all that moves.</source>
+        <translation>De tout ce qui bouge.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of each new particle.</source>
+        <translation>De chaque nouvelle particule.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of structural springs: the tension of the fabric per strain.</source>
+        <translation>Des ressorts de structure : la tension du tissu par déformation.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of structural springs: the tension of the fabric per strain; light knits have 25 to 130.</source>
+        <translation>Des ressorts de structure : la tension du tissu par déformation ; les mailles légères ont 25 à 130.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the air under the canopy.</source>
+        <translation>De l’air sous la voilure.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the centre of mass over the ground.</source>
+        <translation>Du centre de masse par rapport au sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the centre of mass through the air there.</source>
+        <translation>Du centre de masse à travers l’air qui s’y trouve.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the centre of mass, along x.</source>
+        <translation>Du centre de masse, le long de x.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the centre of mass, along z.</source>
+        <translation>Du centre de masse, le long de z.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the centre of mass, over the last time step.</source>
+        <translation>Du centre de masse, sur le dernier pas de temps.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the centre of mass, upwards.</source>
+        <translation>Du centre de masse, vers le haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the field along x.</source>
+        <translation>Du champ le long de x.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the field along z.</source>
+        <translation>Du champ le long de z.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the line from a particle, above the horizon.</source>
+        <translation>De la ligne depuis une particule, au-dessus de l’horizon.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the plane that fits the particles best.</source>
+        <translation>Du plan qui convient le mieux aux particules.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the ramps, below level.</source>
+        <translation>Des rampes, sous l’horizontale.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the rope at the start, from straight down.</source>
+        <translation>De la corde au départ, à partir de la verticale vers le bas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the sphere.</source>
+        <translation>De la sphère.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the tail; 0 leaves it out.</source>
+        <translation>De la queue ; 0 l’omet.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the whole rope.</source>
+        <translation>De toute la corde.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of weight, zero at the origin.</source>
+        <translation>Du poids, nulle à l’origine.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>One</source>
+        <translation>Un</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>One file with a morph target for each frame and the colours of the fabrics. Blender and web pages.</source>
+        <translation>Un fichier avec une cible de morphing par image et les couleurs des tissus. Blender et pages web.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>One side</source>
+        <translation>D’un côté</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>One sided</source>
+        <translation>D’un seul sens</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Overhang of a strip over its bending length; with 2 strips come to 41.5 degrees.</source>
+        <translation>Porte-à-faux d’une bande, rapporté à sa longueur de flexion ; avec 2 les bandes arrivent à 41,5 degrés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Panels with normals and texture points, and lines. Blender and most others.</source>
+        <translation>Panneaux avec normales et points de texture, et lignes. Blender et la plupart des autres.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Panels with normals, texture points and colours, and lines.</source>
+        <translation>Panneaux avec normales, points de texture et couleurs, et lignes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Paper</source>
+        <translation>Article</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Paper Jacobi</source>
+        <translation>Jacobi de l’article</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Parachute</source>
+        <translation>Parachute</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Parachutes</source>
+        <translation>Parachutes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particle at one end.</source>
+        <translation>Particule à un bout.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particle at the other end.</source>
+        <translation>Particule à l’autre bout.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particle that a distance or an elevation is measured from.</source>
+        <translation>Particule à partir de laquelle une distance ou une élévation est mesurée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particle that a distance or an elevation is measured from; the tail, where the target is the nose.</source>
+        <translation>Particule à partir de laquelle une distance ou une élévation est mesurée ; la queue, si la cible est le nez.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particle, link, part or group that is measured; empty is the whole scene.</source>
+        <translation>Particule, liaison, pièce ou groupe mesuré ; vide, c’est toute la scène.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particles as near to the plane as this are put on it and belong to both halves.</source>
+        <translation>Les particules aussi proches du plan que cela y sont mises et appartiennent aux deux moitiés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particles nearer to each other than this become one.</source>
+        <translation>Les particules plus proches que cela l’une de l’autre n’en font plus qu’une.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particles on both sides of the selected ones, with a rod to each, so that they keep their shape together (Beaudry, Egli, Patenaude 2005). Tools, Rigidity shows what still gives way.</source>
+        <translation>Des particules de part et d’autre de celles sélectionnées, avec une tige vers chacune, pour qu’elles gardent ensemble leur forme (Beaudry, Egli, Patenaude 2005). Outils, Rigidité montre ce qui cède encore.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particles that the control acts on, and colliders that it moves.</source>
+        <translation>Particules sur lesquelles agit la commande, et obstacles qu’elle déplace.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particles with velocities, panels, all links with strain and tension.</source>
+        <translation>Particules avec vitesses, panneaux, toutes les liaisons avec déformation et tension.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Particles, links and panels that belong to the group.</source>
+        <translation>Particules, liaisons et panneaux qui appartiennent au groupe.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Parts that each time step is cut into, the cheapest way to stiffer rods; the automatic solver takes this many or more.</source>
+        <translation>Parties en lesquelles chaque pas de temps est coupé, le moyen le moins cher d’avoir des tiges plus raides ; le solveur automatique en prend autant ou plus.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Passes over all rods in each substep; more is stiffer and slower; the direct solver stops as soon as it has converged, and small steps and the automatic solver make one.</source>
+        <translation>Passes sur toutes les tiges dans chaque sous-pas ; plus, c’est plus raide et plus lent ; le solveur direct s’arrête dès qu’il a convergé, et les petits pas comme le solveur automatique n’en font qu’un.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Path</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Payload</source>
+        <translation>Charge utile</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pendulum</source>
+        <translation>Pendule</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pilot and harness.</source>
+        <translation>Pilote et harnais.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pilot depth</source>
+        <translation>Profondeur du pilote</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pilot mass</source>
+        <translation>Masse du pilote</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pink ribbon brown</source>
+        <translation>Pink ribbon brown</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pinned</source>
+        <translation>Fixée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pitch</source>
+        <translation>Tangage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Plotted</source>
+        <translation>Tracé</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Point cache, MDD</source>
+        <translation>Cache de points, MDD</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Point cache, PC2</source>
+        <translation>Cache de points, PC2</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Points along each side of generated hills.</source>
+        <translation>Points le long de chaque côté des collines engendrées.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Points along each side.</source>
+        <translation>Points le long de chaque côté.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pole</source>
+        <translation>Mât</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pole density</source>
+        <translation>Masse linéique du mât</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pole flag</source>
+        <translation>Drapeau sur mât</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ponte Roma knit</source>
+        <translation>Maille Ponte Roma</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Porcher Skytex 27</source>
+        <translation>Porcher Skytex 27</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Porcher Skytex 29</source>
+        <translation>Porcher Skytex 29</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Porcher Skytex 32</source>
+        <translation>Porcher Skytex 32</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Porcher Skytex 38</source>
+        <translation>Porcher Skytex 38</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Porosity</source>
+        <translation>Porosité</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Porosity of the cloth; about 0.03 for parachute nylon.</source>
+        <translation>Porosité de la toile ; environ 0,03 pour le nylon de parachute.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Position x</source>
+        <translation>Position x</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Position y</source>
+        <translation>Position y</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Position z</source>
+        <translation>Position z</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Potential energy</source>
+        <translation>Énergie potentielle</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Power law</source>
+        <translation>Loi de puissance</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pressure</source>
+        <translation>Pression</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pressure x</source>
+        <translation>Centre de poussée x</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pressure y</source>
+        <translation>Centre de poussée y</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pressure z</source>
+        <translation>Centre de poussée z</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Radius of a sphere below the sheet; 0 leaves it out.</source>
+        <translation>Rayon d’une sphère sous la toile ; 0 l’omet.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Radius of the nozzle of a jet.</source>
+        <translation>Rayon de la buse d’un jet.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Radius of the sphere; only spheres use it.</source>
+        <translation>Rayon de la sphère ; seules les sphères l’utilisent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rate</source>
+        <translation>Vitesse de réponse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rate at which every velocity decays, over and above the drag of the panels.</source>
+        <translation>Taux auquel toute vitesse décroît, en plus de la traînée des panneaux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Reach</source>
+        <translation>Portée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Reaction</source>
+        <translation>Réaction</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rear legs</source>
+        <translation>Brins arrière</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rectangular kite</source>
+        <translation>Cerf-volant rectangulaire</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Reference height</source>
+        <translation>Hauteur de référence</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Reflex</source>
+        <translation>Réflexe</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Repeats</source>
+        <translation>Répétitions</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Resists</source>
+        <translation>Résiste à</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Response</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rest length</source>
+        <translation>Longueur au repos</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Restitution</source>
+        <translation>Restitution</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rib knit</source>
+        <translation>Maille à côtes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Right side</source>
+        <translation>Côté droit</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rigidity particles</source>
+        <translation>Particules de rigidité</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rings</source>
+        <translation>Anneaux</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rings of fabric from the apex to the skirt.</source>
+        <translation>Anneaux de tissu de l’apex au bord d’attaque.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ripstop 0.5 oz</source>
+        <translation>Ripstop 0,5 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ripstop 0.75 oz, kite cloth</source>
+        <translation>Ripstop 0,75 oz, toile de cerf-volant</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ripstop 1.5 oz</source>
+        <translation>Ripstop 1,5 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rise of the cross spar from the spine to its tips; the bow keeps the kite upright.</source>
+        <translation>Relèvement de la traverse de l’épine vers les bouts ; l’arc garde le cerf-volant droit.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rise of the leading edges to the tips; keeps the kite upright.</source>
+        <translation>Relèvement des bords d’attaque vers les bouts ; garde le cerf-volant droit.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rise of the leading edges to the tips; rolls the wing level when it slips.</source>
+        <translation>Relèvement des bords d’attaque vers les bouts ; remet l’aile à plat quand elle glisse.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rise of the rear end of the keel over its length; gives pitch stability.</source>
+        <translation>Relèvement de l’arrière de la quille, rapporté à sa longueur ; donne la stabilité en tangage.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rise of the trailing edge at the keel over the chord; turns the nose up like washout.</source>
+        <translation>Relèvement du bord de fuite à la quille, rapporté à la corde ; cabre comme le vrillage.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rod</source>
+        <translation>Tige</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rod solver</source>
+        <translation>Solveur des tiges</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rods from end to end.</source>
+        <translation>Tiges d’un bout à l’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Roll</source>
+        <translation>Roulis</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rolling ground to soar along and to land on.</source>
+        <translation>Un terrain vallonné le long duquel planer et où se poser.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rope</source>
+        <translation>Corde</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ropes</source>
+        <translation>Cordes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Roughness</source>
+        <translation>Rugosité</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rows</source>
+        <translation>Rangées</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rows of angle of attack in degrees from 0 to 90, lift coefficient and drag coefficient, for the law lift_drag.</source>
+        <translation>Rangs d’angle d’attaque en degrés de 0 à 90, de coefficient de portance et de coefficient de traînée, pour la loi lift_drag.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rows of cloth from the cross spar to the nose, and to the tail; an odd number is made even.</source>
+        <translation>Rangées de toile de la traverse au nez, et à la queue ; un nombre impair est rendu pair.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rows of lines along the chord, A, B, C and so on; the table takes their place.</source>
+        <translation>Rangées de brins le long de la corde, A, B, C et ainsi de suite ; le tableau prend leur place.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rows of lines that fork from a riser to the points of a wing, with lengths from a table.</source>
+        <translation>Des rangées de brins qui se ramifient d’un élévateur vers les points d’une aile, aux longueurs d’un tableau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Royal Target cotton</source>
+        <translation>Coton Royal Target</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rule that restores the lengths of rods; the automatic one takes as many small steps as the wanted strain needs, and direct blocks for heavy loads on light lines; averaged Jacobi conserves momentum, the paper's does not.</source>
+        <translation>Règle qui rétablit les longueurs des tiges ; l’automatique prend autant de petits pas que la déformation voulue en demande, et des blocs directs pour de lourdes charges sur des lignes légères ; Jacobi moyenné conserve la quantité de mouvement, celui de l’article non.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rule that turns forces into motion.</source>
+        <translation>Règle qui change les forces en mouvement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sail and frame together, shared equally by all particles but the pilot.</source>
+        <translation>Voile et armature ensemble, réparties également sur toutes les particules sauf le pilote.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Second corner.</source>
+        <translation>Deuxième coin.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sectors</source>
+        <translation>Secteurs</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Segments</source>
+        <translation>Segments</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Segments of each suspension line.</source>
+        <translation>Segments de chaque suspente.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Segments of the line.</source>
+        <translation>Segments de la ligne.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Segments of the tail.</source>
+        <translation>Segments de la queue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Self-contact</source>
+        <translation>Contact avec soi</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Self-friction</source>
+        <translation>Frottement avec soi</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Semi implicit Euler</source>
+        <translation>Euler semi-implicite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sequence of OBJ files</source>
+        <translation>Suite de fichiers OBJ</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sequence of PLY files</source>
+        <translation>Suite de fichiers PLY</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sequence of STL files</source>
+        <translation>Suite de fichiers STL</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Series for ParaView, PVD and VTP</source>
+        <translation>Série pour ParaView, PVD et VTP</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Set mass</source>
+        <translation>Donner une masse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Set-up</source>
+        <translation>Montage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shapes in the wind</source>
+        <translation>Formes dans le vent</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Share of the impact speed that a bounce gives back; only the response contact uses it.</source>
+        <translation>Part de la vitesse d’impact qu’un rebond rend ; seule la réponse contact l’utilise.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Share of the speed that what hits it keeps; 0 does not bounce.</source>
+        <translation>Part de la vitesse que garde ce qui le heurte ; 0 ne rebondit pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shear</source>
+        <translation>Cisaillement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shear stiffness</source>
+        <translation>Rigidité de cisaillement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shift</source>
+        <translation>Déport</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shown</source>
+        <translation>Montré</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shown in plots and tables.</source>
+        <translation>Montré dans les courbes et les tableaux.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shown in the live plot.</source>
+        <translation>Montré dans les courbes en direct.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shown in the outline and used in paths.</source>
+        <translation>Montré dans l’arborescence et utilisé dans les chemins.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Side of the square, and width of the arms.</source>
+        <translation>Côté du carré, et largeur des bras.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Simulated time of one step; shorter is more exact and slower.</source>
+        <translation>Temps simulé d’un pas ; plus court, c’est plus exact et plus lent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sink rate</source>
+        <translation>Taux de chute</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sinks this fast at the start.</source>
+        <translation>Descend à cette vitesse au départ.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Size and mass</source>
+        <translation>Taille et masse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skin friction</source>
+        <translation>Frottement de peau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skyshark P100</source>
+        <translation>Skyshark P100</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skyshark P400</source>
+        <translation>Skyshark P400</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Skyshark P90</source>
+        <translation>Skyshark P90</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Slack</source>
+        <translation>Mou</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Slide</source>
+        <translation>Glisser</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Slit</source>
+        <translation>Fente</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Small steps</source>
+        <translation>Petits pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Softness of sweeps</source>
+        <translation>Mollesse des balayages</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Span</source>
+        <translation>Envergure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Spar</source>
+        <translation>Longeron</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Spars in leading edges and keel, and the ring at the tow point.</source>
+        <translation>Longerons des bords d’attaque et de la quille, et anneau au point d’attache.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Spars, and the ring at the tow point.</source>
+        <translation>Longerons, et anneau au point d’attache.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Speed at which air fills a canopy, over that of the wind times the square root of mouth over cloth area; 0.07 for round parachutes, only with canopy pressure.</source>
+        <translation>Vitesse à laquelle l’air remplit une voilure, rapportée à celle du vent fois la racine de l’aire de la bouche sur celle de la toile ; 0,07 pour les parachutes ronds, seulement avec une pression de voilure.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Speed limit</source>
+        <translation>Vitesse limite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Speed of the air that leaks through the cloth over the speed sqrt(2 dp / rho) that its pressure could give; about 0.03 for parachute nylon, 0 is tight.</source>
+        <translation>Vitesse de l’air qui fuit à travers la toile, rapportée à la vitesse sqrt(2 dp / rho) que sa pression pourrait donner ; environ 0,03 pour le nylon de parachute, 0 est étanche.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Speed of the wind, across the sheet when it is hung by corners and along it when by an edge.</source>
+        <translation>Vitesse du vent, en travers de la toile si elle pend par des coins et le long d’elle si c’est par un bord.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Speed of the wind.</source>
+        <translation>Vitesse du vent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Split</source>
+        <translation>Fendre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Split links</source>
+        <translation>Diviser les liaisons</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Spring</source>
+        <translation>Ressort</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stall</source>
+        <translation>Décrochage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Step from one to the next.</source>
+        <translation>Pas de l’un au suivant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stiffened</source>
+        <translation>Raidie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stiffened rod</source>
+        <translation>Tige raidie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stiffness of bend springs over that of structural ones.</source>
+        <translation>Raideur des ressorts de flexion, rapportée à celle des ressorts de structure.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stiffness of shear springs over that of structural ones.</source>
+        <translation>Raideur des ressorts de cisaillement, rapportée à celle des ressorts de structure.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stiffness of shear springs over that of structural ones; of the membrane, shear stiffness over membrane stiffness.</source>
+        <translation>Raideur des ressorts de cisaillement, rapportée à celle des ressorts de structure ; avec la membrane, rigidité de cisaillement sur rigidité de membrane.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Strain</source>
+        <translation>Déformation</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Strain at which a spring tears; 0 never.</source>
+        <translation>Déformation à laquelle un ressort rompt ; 0 jamais.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stretch of a rod per newton, 0 never stretches; empty takes the material's.</source>
+        <translation>Allongement d’une tige par newton, 0 ne s’allonge jamais ; vide, celui du matériau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stretch of a rod per newton; 0 never stretches.</source>
+        <translation>Allongement d’une tige par newton ; 0 ne s’allonge jamais.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Strips of fabric that droop over the edge of a table.</source>
+        <translation>Des bandes de tissu qui tombent du bord d’une table.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Substeps</source>
+        <translation>Sous-pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sweat knit</source>
+        <translation>Maille molleton</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sweeps</source>
+        <translation>Balayages</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Swimwear</source>
+        <translation>Maillot de bain</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Table of the probes, CSV</source>
+        <translation>Tableau des sondes, CSV</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tail</source>
+        <translation>Queue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tail density</source>
+        <translation>Masse linéique de queue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tail length</source>
+        <translation>Longueur de queue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tail segments</source>
+        <translation>Segments de queue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tail width</source>
+        <translation>Largeur de queue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Targets</source>
+        <translation>Cibles</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tear</source>
+        <translation>Déchirure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tear limit</source>
+        <translation>Limite de rupture</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tearing</source>
+        <translation>Déchirure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tears by</source>
+        <translation>Rompt par</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tears per step</source>
+        <translation>Ruptures par pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Teijin D2, canopy of surf kites</source>
+        <translation>Teijin D2, voilure de kitesurf</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tension</source>
+        <translation>Tension</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Test</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Texture u</source>
+        <translation>Texture u</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Texture v</source>
+        <translation>Texture v</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>That of links at the ends, where there are any, or a new one.</source>
+        <translation>Celui des liaisons aux bouts, s’il y en a, ou un nouveau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>That of links at these particles, where there are any, or a new one.</source>
+        <translation>Celui des liaisons de ces particules, s’il y en a, ou un nouveau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>That of panels at these particles, where there are any, or a new one.</source>
+        <translation>Celui des panneaux de ces particules, s’il y en a, ou un nouveau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>That of the neighbours</source>
+        <translation>Celui des voisines</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The largest of all links.</source>
+        <translation>La plus grande de toutes les liaisons.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The link breaks above this, in metres, as a strain or in newtons as its material's tear rule says; empty takes the material's.</source>
+        <translation>La liaison rompt au-delà, en mètres, en déformation ou en newtons selon la règle de rupture de son matériau ; vide, celle du matériau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The mean of all links that have not torn.</source>
+        <translation>La moyenne de toutes les liaisons non rompues.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The other side</source>
+        <translation>De l’autre côté</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The panels alone, for printing and CAD; the format knows no unit: metres.</source>
+        <translation>Les panneaux seuls, pour l’impression et la CAO ; le format ne connaît pas d’unité : mètres.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The panels of each frame.</source>
+        <translation>Les panneaux de chaque image.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The same as text, for looking into it.</source>
+        <translation>La même en texte, pour regarder dedans.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The same everywhere, growing with height by a power law or a logarithm, gusts that the other winds carry past, or a jet from a nozzle; the winds of a scene add up.</source>
+        <translation>Le même partout, croissant avec la hauteur selon une loi de puissance ou un logarithme, des rafales que les autres vents emportent, ou le jet d’une buse ; les vents d’une scène s’ajoutent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Thickness of a line, which the wind drags.</source>
+        <translation>Épaisseur d’une suspente, que le vent freine.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Thickness of links as lines in the wind; 0 gives them no drag.</source>
+        <translation>Épaisseur des liaisons comme lignes dans le vent ; 0 ne leur donne pas de traînée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Thickness of the line, which the wind drags.</source>
+        <translation>Épaisseur de la ligne, que le vent freine.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Third corner.</source>
+        <translation>Troisième coin.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Those within the distance</source>
+        <translation>Celles à cette distance</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Thread</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Threads</source>
+        <translation>Fils</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Through all in a line, on to the first again, or every one with every other.</source>
+        <translation>Par toutes en ligne, puis de retour à la première, ou chacune avec chacune.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tied</source>
+        <translation>Fixation</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ties the selected particles to each other. The new links are at rest as they are; particles that are linked already stay so.</source>
+        <translation>Attache les particules sélectionnées les unes aux autres. Les nouvelles liaisons sont au repos telles quelles ; les particules déjà liées le restent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Time step</source>
+        <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Times in s and places in m that the collider moves through, as 0: 0 1 0; 2.5: 3 1 0; empty stays at its position.</source>
+        <translation>Temps en s et lieux en m par lesquels passe l’obstacle, comme 0: 0 1 0; 2.5: 3 1 0 ; vide, il reste à sa position.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Torn links</source>
+        <translation>Liaisons rompues</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Total as it is spread (kg)</source>
+        <translation>Total selon la répartition (kg)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Total energy</source>
+        <translation>Énergie totale</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Total energy less that of the start: what air, hands and the solver have brought or taken.</source>
+        <translation>Énergie totale moins celle du départ : ce que l’air, les mains et le solveur ont apporté ou pris.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Total evenly (kg)</source>
+        <translation>Total également (kg)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tow</source>
+        <translation>Attache</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Turn</source>
+        <translation>Orientation</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Two corners</source>
+        <translation>Deux coins</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Uniform</source>
+        <translation>Uniforme</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Vanish</source>
+        <translation>Disparaître</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Velocity Verlet</source>
+        <translation>Verlet en vitesse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Velocity of the air: everywhere, at the reference height, or in the nozzle; gusts have none of their own.</source>
+        <translation>Vitesse de l’air : partout, à la hauteur de référence, ou dans la buse ; les rafales n’en ont pas en propre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Velocity x</source>
+        <translation>Vitesse x</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Velocity y</source>
+        <translation>Vitesse y</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Velocity z</source>
+        <translation>Vitesse z</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Verlet</source>
+        <translation>Verlet</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Viscosity</source>
+        <translation>Viscosité</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Vortex</source>
+        <translation>Tourbillonnaire</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wanted strain</source>
+        <translation>Déformation voulue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Washout</source>
+        <translation>Vrillage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Way</source>
+        <translation>Façon</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Way over height lost, now.</source>
+        <translation>Chemin sur hauteur perdue, maintenant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Way over height lost, since the start.</source>
+        <translation>Chemin sur hauteur perdue, depuis le départ.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Weight shift</source>
+        <translation>Déport de poids</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Weld</source>
+        <translation>Souder</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What 95 of 100 links that have not torn stay below.</source>
+        <translation>Ce sous quoi restent 95 liaisons non rompues sur 100.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What a reader of this scene should know.</source>
+        <translation>Ce qu’un lecteur de cette scène devrait savoir.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What breaks a link: its length (m), its strain, the force in it (N), or nothing.</source>
+        <translation>Ce qui rompt une liaison : sa longueur (m), sa déformation, la force en elle (N), ou rien.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What holds the pinned particles against links, air and weight.</source>
+        <translation>Ce qui tient les particules fixées contre liaisons, air et poids.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped.</source>
+        <translation>Ce qui tient la toile : 0 deux coins, 1 le bord gauche comme un drapeau, 2 rien, 3 les bords gauche et droit, dont le droit peut être tiré, 4 le bord gauche encastré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What is left of the motion of a particle that touches: nothing, the part along the surface, or a bounce with friction.</source>
+        <translation>Ce qui reste du mouvement d’une particule qui touche : rien, la partie le long de la surface, ou un rebond avec frottement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What is measured.</source>
+        <translation>Ce qui est mesuré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What panels do beside a link that tears: they vanish with it, or the mesh splits, so that each panel stays whole on its side.</source>
+        <translation>Ce que font les panneaux à côté d’une liaison qui rompt : ils disparaissent avec elle, ou le maillage se fend, et chaque panneau reste entier de son côté.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the amount is and how it is shared out. Links and panels count that lie among what is selected.</source>
+        <translation>Ce qu’est la quantité et comment elle se répartit. Comptent les liaisons et panneaux qui sont dans la sélection.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the axis runs through.</source>
+        <translation>Ce par quoi passe l’axe.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the link stands for where its material has a physical stiffness: a line or spar by itself, threads of a fabric, or its resistance to shear.</source>
+        <translation>Ce que représente la liaison là où son matériau a une rigidité physique : une ligne ou un longeron à elle seule, des fils d’un tissu, ou sa résistance au cisaillement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What this scene is, in one line.</source>
+        <translation>Ce qu’est cette scène, en une ligne.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where it is now, across; of links and panels their middle.</source>
+        <translation>Où c’est maintenant, en largeur ; pour liaisons et panneaux, leur milieu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where it is now, along z; of links and panels their middle.</source>
+        <translation>Où c’est maintenant, le long de z ; pour liaisons et panneaux, leur milieu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where it is now, up; of links and panels their middle.</source>
+        <translation>Où c’est maintenant, en hauteur ; pour liaisons et panneaux, leur milieu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the air force acts: the mean of the panels by the force on each, along x.</source>
+        <translation>Où agit la force de l’air : la moyenne des panneaux pondérée par la force sur chacun, le long de x.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the air force acts: the mean of the panels by the force on each, along z.</source>
+        <translation>Où agit la force de l’air : la moyenne des panneaux pondérée par la force sur chacun, le long de z.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the air force acts: the mean of the panels by the force on each, upwards.</source>
+        <translation>Où agit la force de l’air : la moyenne des panneaux pondérée par la force sur chacun, vers le haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the centre of mass is, along x.</source>
+        <translation>Où est le centre de masse, le long de x.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the centre of mass is, along z.</source>
+        <translation>Où est le centre de masse, le long de z.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the cross spar crosses the spine, from 0 at the nose to 1.</source>
+        <translation>Où la traverse croise l’épine, de 0 au nez à 1.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the hoist is tied to the pole.</source>
+        <translation>Où le guindant est attaché au mât.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the nose points, from +x towards +z.</source>
+        <translation>Où pointe le nez, de +x vers +z.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the one particle is.</source>
+        <translation>Où est cette particule.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the particle lies across the picture printed on the fabric, 0 to 1.</source>
+        <translation>Où se trouve la particule en travers de l’image imprimée sur le tissu, de 0 à 1.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the particle lies up the picture printed on the fabric, 0 to 1.</source>
+        <translation>Où se trouve la particule en hauteur dans l’image imprimée sur le tissu, de 0 à 1.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the particle starts.</source>
+        <translation>Où la particule démarre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the plane stands: at the origin, on the side of least or most x, y or z of what is selected, or in its middle.</source>
+        <translation>Où se tient le plan : à l’origine, du côté du plus petit ou du plus grand x, y ou z de la sélection, ou en son milieu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the tow point lies below the wing, from 0 at the nose to 1; a little ahead of the centroid of the sail, which is where this law has the centre of pressure; real deltas have both further forward.</source>
+        <translation>Où se trouve le point d’attache sous l’aile, de 0 au nez à 1 ; un peu en avant du centroïde de la voile, où cette loi place le centre de poussée ; les vrais deltas ont les deux plus en avant.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the tow point lies, from 0 at the leading edge to 1; a little ahead of the middle, where the centroid of the sail is.</source>
+        <translation>Où se trouve le point d’attache, de 0 au bord d’attaque à 1 ; un peu en avant du milieu, où est le centroïde de la voile.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the tow point lies, from 0 at the nose to 1; a little ahead of the centroid of the sail, which is at (1 + cross) / 3.</source>
+        <translation>Où se trouve le point d’attache, de 0 au nez à 1 ; un peu en avant du centroïde de la voile, qui est à (1 + croisement) / 3.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the two front legs of the bridle are tied, from 0 at the leading edge to 1.</source>
+        <translation>Où sont attachés les deux brins avant de la bride, de 0 au bord d’attaque à 1.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Where the two rear legs are tied.</source>
+        <translation>Où sont attachés les deux brins arrière.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Which</source>
+        <translation>Lesquelles</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Which of the selected particles become one.</source>
+        <translation>Lesquelles des particules sélectionnées n’en font plus qu’une.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>White dots on black</source>
+        <translation>White dots on black</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full.</source>
+        <translation>Largeur de la bouche au départ, rapportée au diamètre nominal, la toile en plis, avec une pression de voilure seulement ; 0 démarre gonflé.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Width of the open mouth over the nominal diameter; 0.67 to 0.70 for flat circular canopies.</source>
+        <translation>Largeur de la bouche ouverte, rapportée au diamètre nominal ; 0,67 à 0,70 pour les voilures circulaires plates.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Width of the strip of fabric that a thread or bias stands for; with 0 it takes the material's stiffness or compliance as it is.</source>
+        <translation>Largeur de la bande de tissu que représente un fil ou un biais ; avec 0, il prend telle quelle la raideur ou la souplesse du matériau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wind at 20 ft whose gusts blow as well; 7.7 is light turbulence, 15.4 moderate.</source>
+        <translation>Vent à 20 pieds dont les rafales soufflent aussi ; 7,7 est une turbulence légère, 15,4 modérée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wind at 20 ft whose gusts these are; 7.7 is light turbulence, 15.4 moderate, 23.2 severe.</source>
+        <translation>Vent à 20 pieds dont ce sont les rafales ; 7,7 est une turbulence légère, 15,4 modérée, 23,2 forte.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wing mass</source>
+        <translation>Masse de l’aile</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wings</source>
+        <translation>Ailes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>With its mesh as OBJ beside it, for Blender's Mesh Cache (Time Mode: Frame).</source>
+        <translation>Avec son maillage en OBJ à côté, pour le Mesh Cache de Blender (Time Mode: Frame).</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>With its mesh as OBJ beside it, for Blender, LightWave and Maya.</source>
+        <translation>Avec son maillage en OBJ à côté, pour Blender, LightWave et Maya.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wooden dowel 6 mm</source>
+        <translation>Tourillon de bois 6 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wooden dowel 8 mm</source>
+        <translation>Tourillon de bois 8 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>a canopy</source>
+        <translation>une voilure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>links, or parts and groups with some</source>
+        <translation>des liaisons, ou des pièces et groupes qui en ont</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>panels, or parts and groups with some</source>
+        <translation>des panneaux, ou des pièces et groupes qui en ont</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>particles, or parts and groups with some</source>
+        <translation>des particules, ou des pièces et groupes qui en ont</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the whole scene</source>
+        <translation>toute la scène</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>three particles: nose, tail and one on the right</source>
+        <translation>trois particules : nez, queue et une à droite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>two particles</source>
+        <translation>deux particules</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source> · full</source>
+        <translation> · plein</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>%1 s · frame %2 of %3</source>
+        <translation>%1 s · image %2 sur %3</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>%1, from %2</source>
+        <translation>%1, à partir de %2</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;No ghost</source>
+        <translation>&amp;Aucun fantôme</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;No loop</source>
+        <translation>Sans &amp;boucle</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Plot the difference</source>
+        <translation>&amp;Tracer la différence</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Remove a mark</source>
+        <translation>&amp;Retirer un repère</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Remove this run</source>
+        <translation>&amp;Supprimer cette simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>&amp;Rename…</source>
+        <translation>Reno&amp;mmer…</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>A frame back</source>
+        <translation>Une image en arrière</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>A frame on</source>
+        <translation>Une image en avant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Back to the event before: a tear, an edit, a hand, a control</source>
+        <translation>Revenir à l’événement précédent : une déchirure, une modification, une main, une commande</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Back to the run as it stands now</source>
+        <translation>Revenir à la simulation telle qu’elle est maintenant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Begin a new run at this moment, from the exact state and with the design as it is now. The run that is shown is kept.</source>
+        <translation>Commencer une nouvelle simulation à ce moment, à partir de l’état exact et avec le modèle tel qu’il est maintenant. Celle qui est montrée est gardée.</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Bookmark</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Continue from here</source>
+        <translation>Continuer d’ici</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>From &amp;here on</source>
+        <translation>À partir d'&amp;ici</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Hold</source>
+        <translation>Suspendre</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>In memory: %1, on disk: %2</source>
+        <translation>En mémoire : %1, sur le disque : %2</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Live</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Mark this moment</source>
+        <translation>Marquer ce moment</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Mark this moment, or go to one that is marked</source>
+        <translation>Marquer ce moment, ou aller à un moment marqué</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Name of the mark:</source>
+        <translation>Nom du repère :</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Name of the run:</source>
+        <translation>Nom de la simulation :</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Next event</source>
+        <translation>Événement suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>No run yet</source>
+        <translation>Pas encore de simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>On to the next event</source>
+        <translation>Aller à l’événement suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>One frame back; Shift and the left key in the timeline go ten</source>
+        <translation>Une image en arrière ; Maj et la touche gauche dans la chronologie en font dix</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>One frame on</source>
+        <translation>Une image en avant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Play a range again and again</source>
+        <translation>Rejouer une plage encore et encore</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Play back</source>
+        <translation>Rejouer</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Play the recording back from where you look</source>
+        <translation>Rejouer l’enregistrement à partir de ce moment</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Previous event</source>
+        <translation>Événement précédent</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Recorded seconds per second of the clock</source>
+        <translation>Secondes enregistrées par seconde d’horloge</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Rename or remove the run</source>
+        <translation>Renommer ou supprimer la simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Rename the run</source>
+        <translation>Renommer la simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Run</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Show another run at the same time as a ghost</source>
+        <translation>Montrer une autre simulation en même temps comme un fantôme</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Speed of playing back</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>The runs that are kept</source>
+        <translation>Les simulations gardées</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>There is no other run yet: reset and play again, continue from here, or open a recording</source>
+        <translation>Il n’y a pas encore d’autre simulation : réinitialiser et relancer, continuer d’ici, ou ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>This run</source>
+        <translation>Cette simulation</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Up &amp;to here</source>
+        <translation>&amp;Jusqu’ici</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Continue from here</source>
+        <translation>&amp;Continuer d’ici</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Mark this moment…</source>
+        <translation>&amp;Marquer ce moment…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Next event</source>
+        <translation>É&amp;vénement suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Play back</source>
+        <translation>&amp;Rejouer</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>&amp;Show the timeline</source>
+        <translation>&amp;Montrer la chronologie</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>A frame &amp;back</source>
+        <translation>Une image en a&amp;rrière</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>A frame &amp;on</source>
+        <translation>Une image en a&amp;vant</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Back to the &amp;run</source>
+        <translation>Revenir à la si&amp;mulation</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Back to the bookmark before.</source>
+        <translation>Revenir au repère précédent.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Back to the tear, edit, hand or control before.</source>
+        <translation>Revenir à la déchirure, la modification, la main ou la commande précédente.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Begin a new run at this moment, with the design as it is now. The run that is shown is kept.</source>
+        <translation>Commencer une nouvelle simulation à ce moment, avec le modèle tel qu’il est maintenant. Celle qui est montrée est gardée.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Give the run that is shown another name.</source>
+        <translation>Donner un autre nom à la simulation montrée.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Give this moment a name, to find it again.</source>
+        <translation>Donner un nom à ce moment, pour le retrouver.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>How much of a run stays in memory before it goes to the disk.</source>
+        <translation>Combien d’une simulation reste en mémoire avant d’aller sur le disque.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look at a run that was saved, compare with it, or go on from it.</source>
+        <translation>Regarder une simulation enregistrée, la comparer, ou continuer à partir d’elle.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look at the frame before.</source>
+        <translation>Regarder l’image précédente.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look at the next frame.</source>
+        <translation>Regarder l’image suivante.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Look back at runs: every moment is kept.</source>
+        <translation>Revoir les simulations : chaque moment est gardé.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>M&amp;emory for recordings…</source>
+        <translation>Mémoire des &amp;enregistrements…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Next mar&amp;k</source>
+        <translation>Repère &amp;suivant</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>On to the next bookmark.</source>
+        <translation>Aller au repère suivant.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>On to the next tear, edit, hand or control.</source>
+        <translation>Aller à la déchirure, la modification, la main ou la commande suivante.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Open reco&amp;rding…</source>
+        <translation>Ouvrir un enre&amp;gistrement…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Play the recording back from where you look, or hold it.</source>
+        <translation>Rejouer l’enregistrement à partir de ce moment, ou le suspendre.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Pre&amp;vious event</source>
+        <translation>Événement &amp;précédent</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Previous ma&amp;rk</source>
+        <translation>Repère préc&amp;édent</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Rename the r&amp;un…</source>
+        <translation>Reno&amp;mmer la simulation…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Sa&amp;ve recording…</source>
+        <translation>E&amp;nregistrer la simulation…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Save the run that the timeline shows, every step of it.</source>
+        <translation>Enregistrer la simulation que montre la chronologie, chacun de ses pas.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Show the run as it stands now.</source>
+        <translation>Montrer la simulation telle qu’elle est maintenant.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Ti&amp;meline</source>
+        <translation>&amp;Chronologie</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: %2 links tore, link %3 first</source>
+        <translation>%1 s : %2 liaisons ont rompu, la liaison %3 d’abord</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: a control was moved</source>
+        <translation>%1 s : une commande a été déplacée</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: bookmark “%2”</source>
+        <translation>%1 s : repère « %2 »</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: link %2 tore</source>
+        <translation>%1 s : la liaison %2 a rompu</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: something was done by hand</source>
+        <translation>%1 s : quelque chose a été fait à la main</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: the design was edited</source>
+        <translation>%1 s : le modèle a été modifié</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>%1 s: the simulation could not go on</source>
+        <translation>%1 s : la simulation n’a pas pu continuer</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>Drag to look back. Left and right: a frame, with Shift ten. Page up and down: events. Wheel: zoom.</source>
+        <translation>Glisser pour regarder en arrière. Gauche et droite : une image, avec Maj dix. Page préc. et suiv. : événements. Molette : zoom.</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>Nothing is recorded yet. Play (Space), and every moment is kept here to look back at.</source>
+        <translation>Rien n’est encore enregistré. Lancer (Espace), et chaque moment est gardé ici pour être revu.</translation>
+    </message>
+    <message>
+        <location filename="timeline_strip.cpp"/>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>%1 long</source>
+        <translation>%1 de long</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>%1 pinned</source>
+        <translation>%1 fixées</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>1 rod</source>
+        <translation>1 tige</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>1 spring</source>
+        <translation>1 ressort</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>Built by %1</source>
+        <translation>Construit par %1</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>Used by %1, %2</source>
+        <translation>Utilisé par %1, %2</translation>
+    </message>
+    <message>
+        <location filename="tour.cpp"/>
+        <source>&amp;Back</source>
+        <comment>to the stop before</comment>
+        <translation>&amp;Précédent</translation>
+    </message>
+    <message>
+        <location filename="tour.cpp"/>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminer</translation>
+    </message>
+    <message>
+        <location filename="tour.cpp"/>
+        <source>&amp;End the tour</source>
+        <translation>&amp;Quitter la visite</translation>
+    </message>
+    <message>
+        <location filename="tour.cpp"/>
+        <source>&amp;Next</source>
+        <translation>&amp;Suivant</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>A particle…</source>
+        <translation>Une particule…</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>A run is shown. Reset (Ctrl+R) goes back to the design.</source>
+        <translation>Une simulation est montrée. Réinitialiser (Ctrl+R) revient au modèle.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Angle about %1, in degrees. Enter applies it.</source>
+        <translation>Angle autour de %1, en degrés. Entrée l’applique.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Centre of mass</source>
+        <translation>Centre de masse</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Ctrl: grid</source>
+        <translation>Ctrl : grille</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Ctrl: particle</source>
+        <translation>Ctrl : particule</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Factor along %1; 1 changes nothing. Enter applies it.</source>
+        <translation>Facteur le long de %1 ; 1 ne change rien. Entrée l’applique.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>How far along %1, in metres. Enter applies it.</source>
+        <translation>Distance le long de %1, en mètres. Entrée l’applique.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Keep lengths</source>
+        <translation>Garder les longueurs</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Median</source>
+        <translation>Point médian</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Middle of the box</source>
+        <translation>Milieu de la boîte</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Own axes</source>
+        <translation>Axes propres</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Pivot</source>
+        <translation>Pivot</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Rebind lengths</source>
+        <translation>Recaler les longueurs</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Rest lengths</source>
+        <translation>Longueurs au repos</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Rotate</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>View axes</source>
+        <translation>Axes de la vue</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>What a drag snaps to while Ctrl is held.</source>
+        <translation>Sur quoi le geste s’aimante tant que Ctrl est tenu.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>What becomes of the rest lengths of links: they stay, so that what is pulled apart is under load, or they become the new distances, so that the design is free of load.</source>
+        <translation>Ce que deviennent les longueurs au repos des liaisons : elles restent, et ce qui est étiré est sous charge ; ou elles deviennent les nouvelles distances, et le modèle est sans charge.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>What it turns and scales about: it stays where it is. "A particle…" waits for a click on one.</source>
+        <translation>Ce autour de quoi l’on tourne et met à l’échelle : ce point reste en place. « Une particule… » attend un clic sur l’une d’elles.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>What x, y and z are: the axes of the world; the selection's own, x along it and z across it; or right, up and towards you in the view.</source>
+        <translation>Ce que sont x, y et z : les axes du monde ; ceux de la sélection, x le long et z en travers ; ou à droite, en haut et vers vous dans la vue.</translation>
+    </message>
+    <message>
+        <location filename="transform_bar.cpp"/>
+        <source>World axes</source>
+        <translation>Axes du monde</translation>
+    </message>
+    <message>
+        <location filename="transform_tool.cpp"/>
+        <source>Click the particle that is to stay where it is.</source>
+        <translation>Cliquer la particule qui doit rester en place.</translation>
+    </message>
+    <message>
+        <location filename="transform_tool.cpp"/>
+        <source>The simulation is back at its start, where the design is shaped.</source>
+        <translation>La simulation est revenue à son départ, où le modèle est façonné.</translation>
+    </message>
+    <message>
+        <location filename="transform_tool.cpp"/>
+        <source>There is no particle here. Click the one that is to stay.</source>
+        <translation>Il n’y a pas de particule ici. Cliquer celle qui doit rester.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>%1 substeps</source>
+        <translation>%1 sous-pas</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>1 substep</source>
+        <translation>1 sous-pas</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Back to the design: the run is thrown away, controls return to zero.</source>
+        <translation>Revenir au modèle : la simulation est jetée, les commandes reviennent à zéro.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Edit: what you see is the design. Play starts from here.</source>
+        <translation>Édition : ce que vous voyez est le modèle. Lancer part d’ici.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>One time step, then pause. Repeats while it is held down.</source>
+        <translation>Un pas de temps, puis pause. Se répète tant qu’il est tenu.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Parts that each time step is cut into</source>
+        <translation>Parties en lesquelles chaque pas de temps est coupé</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Parts that the automatic solver cuts each time step into, lately. It began so: %1.</source>
+        <translation>Parties en lesquelles le solveur automatique coupe chaque pas de temps, dernièrement. Il a commencé ainsi : %1.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Pause: the run stands still and can be played on.</source>
+        <translation>Pause : la simulation est suspendue et peut être reprise.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Play</source>
+        <translation>Lancer</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Play: run the simulation from where it stands.</source>
+        <translation>Lancer : faire tourner la simulation d’où elle en est.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Run: what you see is the simulation. Reset returns to the design; properties can be edited in both.</source>
+        <translation>Simulation : ce que vous voyez est la simulation. Réinitialiser revient au modèle ; les propriétés peuvent être modifiées dans les deux.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Simulated seconds per second of the clock</source>
+        <translation>Secondes simulées par seconde d’horloge</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Simulated seconds per second of the clock, lately</source>
+        <translation>Secondes simulées par seconde d’horloge, dernièrement</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Simulated seconds per second of the clock, lately: this machine cannot reach the %1 that is asked for.</source>
+        <translation>Secondes simulées par seconde d’horloge, dernièrement : cette machine n’atteint pas les %1 demandées.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Simulated time since the start</source>
+        <translation>Temps simulé depuis le départ</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>as fast as possible</source>
+        <translation>aussi vite que possible</translation>
+    </message>
+    <message>
+        <location filename="tuning.cpp"/>
+        <source>%1 slider</source>
+        <translation>Curseur de %1</translation>
+    </message>
+    <message>
+        <location filename="tuning.cpp"/>
+        <source>Drag to tune %1 while it flies.</source>
+        <translation>Faire glisser pour régler %1 pendant le vol.</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>&amp;Keep slider values</source>
+        <translation>Retenir les va&amp;leurs des curseurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>&amp;Run</source>
+        <translation>Si&amp;mulation</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>&amp;Table of numbers</source>
+        <translation>&amp;Tableau des nombres</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>All sliders back to the values they had when they were added or last kept.</source>
+        <translation>Tous les curseurs reviennent aux valeurs qu’ils avaient à leur ajout ou à la dernière retenue.</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Find a propert&amp;y</source>
+        <translation>Trouver une propri&amp;été</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Go to the other set of slider values, to compare the two.</source>
+        <translation>Passer à l’autre jeu de valeurs des curseurs, pour comparer les deux.</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Make the present values those that resetting the sliders goes back to.</source>
+        <translation>Faire des valeurs actuelles celles auxquelles les curseurs reviennent.</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Particles, links, lines, panels and materials as a spreadsheet.</source>
+        <translation>Particules, liaisons, lignes, panneaux et matériaux comme dans un tableur.</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Re&amp;set sliders</source>
+        <translation>Ramener les cur&amp;seurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Search the inspector for a property by its name or its help.</source>
+        <translation>Chercher une propriété dans l’inspecteur par son nom ou son aide.</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Show the sliders that tune the design while it flies.</source>
+        <translation>Montrer les curseurs qui règlent le modèle pendant qu’il vole.</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Sl&amp;iders</source>
+        <translation>C&amp;urseurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Switch &amp;A and B</source>
+        <translation>&amp;Basculer entre A et B</translation>
+    </message>
+    <message numerus="yes">
+        <location filename="tuning_panel.cpp"/>
+        <source>%n differ(s) from %1</source>
+        <translation>
+            <numerusform>%n diffère de %1</numerusform>
+            <numerusform>%n diffèrent de %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>&amp;Keep</source>
+        <translation>&amp;Retenir</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Add the &amp;usual ones</source>
+        <translation>Ajouter les &amp;habituels</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Make the present values those that Reset goes back to. They are in the scene already: each drag was an edit, and saving writes them.</source>
+        <translation>Faire des valeurs actuelles celles auxquelles Ramener revient. Elles sont déjà dans la scène : chaque geste était une modification, et enregistrer les écrit.</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>No sliders yet. Press the slider sign beside a property in the inspector, or Ctrl+T in its field: the slider stays here, whatever is selected, and acts while the design flies.</source>
+        <translation>Pas encore de curseurs. Appuyer sur le signe de curseur à côté d’une propriété dans l’inspecteur, ou Ctrl+T dans son champ : le curseur reste ici, quoi qui soit sélectionné, et agit pendant que le modèle vole.</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Rese&amp;t</source>
+        <translation>Ra&amp;mener</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Reset sliders</source>
+        <translation>Ramener les curseurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Tuning set A</source>
+        <translation>Jeu de réglages A</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Tuning set B</source>
+        <translation>Jeu de réglages B</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Two sets of values, to compare: what you tune belongs to the one that is pressed. Ctrl+Shift+T switches.</source>
+        <translation>Deux jeux de valeurs, à comparer : ce que l’on règle appartient à celui qui est enfoncé. Ctrl+Maj+T bascule.</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>Wind, stiffness, damping, tear limit and the settings of the solver, as far as they have an effect here.</source>
+        <translation>Vent, raideur, amortissement, limite de déchirure et réglages du solveur, dans la mesure où ils ont un effet ici.</translation>
+    </message>
+    <message>
+        <location filename="tuning_panel.cpp"/>
+        <source>as %1</source>
+        <translation>comme %1</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source> and </source>
+        <translation> et </translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>%1: the range %2.</source>
+        <translation>%1 : la plage %2.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Does nothing now: %1.</source>
+        <translation>Sans effet pour l’instant : %1.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Equal ways of the slider are equal factors, not equal differences.</source>
+        <translation>Des trajets égaux du curseur sont des facteurs égaux, et non des différences égales.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Left end</source>
+        <translation>Extrémité gauche</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Left end of the slider; type another one. A logarithmic slider that begins below 1 gives 0 there.</source>
+        <translation>Extrémité gauche du curseur ; en taper une autre. Un curseur logarithmique qui commence sous 1 y donne 0.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Of %1.</source>
+        <translation>De %1.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Remove slider for %1</source>
+        <translation>Retirer le curseur pour %1</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Right end</source>
+        <translation>Extrémité droite</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Right end of the slider; type another one.</source>
+        <translation>Extrémité droite du curseur ; en taper une autre.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Take this slider away. The value stays as it is.</source>
+        <translation>Retirer ce curseur. La valeur reste telle quelle.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>Takes effect on reset.</source>
+        <translation>Prend effet à la réinitialisation.</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
+        <source>log</source>
+        <translation>log</translation>
+    </message>
+    <message>
+        <location filename="value_bar.cpp"/>
+        <source>%1 m of at most %2 m either way; told to go to %3 m</source>
+        <translation>%1 m sur %2 m au plus de part et d’autre ; consigne %3 m</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>&amp;Measured data</source>
+        <translation>&amp;Données mesurées</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Case</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Cases whose answer is known from theory or a publication. The same engine that flies your scene must find it, within the tolerance that stands beside it.</source>
+        <translation>Des cas dont la réponse est connue par la théorie ou une publication. Le moteur qui fait voler votre scène doit la trouver, à la tolérance indiquée à côté.</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Expected</source>
+        <translation>Attendu</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Got</source>
+        <translation>Obtenu</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Got / published</source>
+        <translation>Obtenu / publié</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Known &amp;answers</source>
+        <translation>&amp;Réponses connues</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Published</source>
+        <translation>Publié</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Published by</source>
+        <translation>Publié par</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Simulated as</source>
+        <translation>Simulé comme</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <location filename="verification_dialog.cpp"/>
+        <source>What designs of the builders do beside what was measured of real ones. Nothing is tuned: a ratio far from one says what the present laws cannot do.</source>
+        <translation>Ce que font les modèles des générateurs à côté de ce qui a été mesuré sur de vrais. Rien n’est ajusté : un rapport loin de un dit ce que les lois actuelles ne savent pas faire.</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln collider(s)</source>
+        <translation>
+            <numerusform>%Ln obstacle</numerusform>
+            <numerusform>%Ln obstacles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln control(s)</source>
+        <translation>
+            <numerusform>%Ln commande</numerusform>
+            <numerusform>%Ln commandes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln group(s)</source>
+        <translation>
+            <numerusform>%Ln groupe</numerusform>
+            <numerusform>%Ln groupes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln link(s)</source>
+        <translation>
+            <numerusform>%Ln liaison</numerusform>
+            <numerusform>%Ln liaisons</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln material(s)</source>
+        <translation>
+            <numerusform>%Ln matériau</numerusform>
+            <numerusform>%Ln matériaux</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln panel(s)</source>
+        <translation>
+            <numerusform>%Ln panneau</numerusform>
+            <numerusform>%Ln panneaux</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln part(s)</source>
+        <translation>
+            <numerusform>%Ln pièce</numerusform>
+            <numerusform>%Ln pièces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln particle(s)</source>
+        <translation>
+            <numerusform>%Ln particule</numerusform>
+            <numerusform>%Ln particules</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln probe(s)</source>
+        <translation>
+            <numerusform>%Ln sonde</numerusform>
+            <numerusform>%Ln sondes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln setting(s)</source>
+        <translation>
+            <numerusform>%Ln réglage</numerusform>
+            <numerusform>%Ln réglages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
+        <source>%Ln wind(s)</source>
+        <translation>
+            <numerusform>%Ln vent</numerusform>
+            <numerusform>%Ln vents</numerusform>
+        </translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Collider</source>
+        <translation>Obstacle</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Colliders</source>
+        <translation>Obstacles</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Control</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Controls</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Link</source>
+        <translation>Liaison</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Links</source>
+        <translation>Liaisons</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Materials</source>
+        <translation>Matériaux</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Panel</source>
+        <translation>Panneau</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Particle</source>
+        <translation>Particule</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Particles</source>
+        <translation>Particules</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Probes</source>
+        <translation>Sondes</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Winds</source>
+        <translation>Vents</translation>
+    </message>
+    <message>
+        <location filename="work_dialog.cpp"/>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,440 @@
+// The window in French: nothing English is left on it, and nothing but words depends on it.
+#include "app/window_shop.h"
+#include "author/operation.h"
+#include "author/stability.h"
+#include "builders/builder.h"
+#include "document/words.h"
+#include "editor/builder_dialog.h"
+#include "editor/keys_dialog.h"
+#include "editor/language.h"
+#include "editor/operation_dialog.h"
+#include "editor/table_texts.h"
+#include "io/scene_file.h"
+#include "scene/check.h"
+#include "scene/presets.h"
+#include "scene/typed_number.h"
+#include "views/run_with_view.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QDir>
+#include <QDirIterator>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+// "one two three", "two three four", ... between the gaps.
+QStringList threeWordsOf(const QString& sentence)
+{
+    static const QRegularExpression gap("%\\d");
+    QStringList found;
+    for (const QString& piece : sentence.split(gap)) {
+        const QStringList words = piece.split(' ', Qt::SkipEmptyParts);
+        for (int i = 0; i + 2 < words.size(); ++i)
+            found << words.mid(i, 3).join(' ');
+    }
+    return found;
+}
+
+// English -> French, as the file has it; the singular where there are plurals.
+QHash<QString, QString> catalogue()
+{
+    QFile file(SOURCE_DIR "/resources/translations/ripstop_fr.ts");
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("there is no catalogue");
+    QXmlStreamReader xml(&file);
+    QHash<QString, QString> texts;
+    QString english;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement())
+            continue;
+        if (xml.name() == QLatin1String("source"))
+            english = xml.readElementText();
+        else if (xml.name() == QLatin1String("translation"))
+            texts.insert(english,
+                         xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed());
+    }
+    return texts;
+}
+
+// Without the mark of its key and the dots behind it.
+QString bare(QString text) { return text.remove('&').remove(QChar(0x2026)).trimmed(); }
+
+// Texts of which the catalogue says that they are the same in French: Parachute, Tension.
+QSet<QString> alike()
+{
+    QSet<QString> texts;
+    const QHash<QString, QString> all = catalogue();
+    for (auto text = all.begin(); text != all.end(); ++text)
+        if (bare(text.key()) == bare(text.value()))
+            texts << bare(text.key());
+    return texts;
+}
+
+bool hasWords(const QString& text)
+{
+    static const QRegularExpression word("[^\\W\\d_]{2,}");
+    return text.contains(word);
+}
+
+// Of a widget and all in it, whatever stands on it or helps with it.
+class Reader
+{
+public:
+    void read(QWidget& whole)
+    {
+        readOne(whole);
+        for (QWidget* widget : whole.findChildren<QWidget*>())
+            readOne(*widget);
+        for (QAction* action : whole.findChildren<QAction*>()) {
+            add(action->text());
+            add(action->toolTip());
+            add(action->statusTip());
+        }
+    }
+    const QSet<QString>& texts() const { return m_texts; }
+
+private:
+    void add(const QString& text)
+    {
+        if (hasWords(text))
+            m_texts << bare(text);
+    }
+
+    void readOne(const QWidget& widget)
+    {
+        add(widget.toolTip());
+        add(widget.accessibleName());
+        if (qobject_cast<const QDialog*>(&widget) || qobject_cast<const QDockWidget*>(&widget))
+            add(widget.windowTitle());
+        if (const auto* label = qobject_cast<const QLabel*>(&widget))
+            add(label->text());
+        if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+            add(button->text());
+        if (const auto* group = qobject_cast<const QGroupBox*>(&widget))
+            add(group->title());
+        if (const auto* menu = qobject_cast<const QMenu*>(&widget))
+            add(menu->title());
+        if (const auto* line = qobject_cast<const QLineEdit*>(&widget))
+            add(line->placeholderText());
+        if (const auto* tabs = qobject_cast<const QTabBar*>(&widget))
+            for (int i = 0; i < tabs->count(); ++i)
+                add(tabs->tabText(i));
+        if (const auto* box = qobject_cast<const QComboBox*>(&widget))
+            for (int i = 0; i < box->count(); ++i)
+                add(box->itemText(i));
+        if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget))
+            if (const QAbstractItemModel* model = view->model())
+                for (int i = 0; i < model->columnCount(); ++i)
+                    add(model->headerData(i, Qt::Horizontal).toString());
+    }
+
+    QSet<QString> m_texts;
+};
+
+// What a person sees who opens the sample, goes through its things and opens the dialogs.
+QSet<QString> textsOfEditor()
+{
+    Reader reader;
+    WindowShop shop;
+    shop.window.show();
+    if (shop.document.open(SCENES_DIR "/delta_kite.ripstop.json"))
+        qFatal("the sample is gone");
+    shop.window.showScene();
+    reader.read(shop.window);
+    for (const Entry& entry : shop.document.scene().items) {
+        shop.selection.set({entry.id});
+        QTest::qWait(60);
+        reader.read(shop.window);
+    }
+    std::vector<Id> elements;
+    forEachPart(shop.document.scene(), [&](Id, const Part& part) {
+        if (elements.empty())
+            elements = {part.particles[0].id, part.links[0].id, part.panels[0].id};
+    });
+    for (const Id id : elements) {
+        shop.selection.set({id});
+        QTest::qWait(60);
+        reader.read(shop.window);
+    }
+    for (const Operation& operation : allOperations()) {
+        OperationDialog dialog(operation, shop.document, shop.selection, &shop.window);
+        reader.read(dialog);
+        dialog.reject();
+    }
+    for (const Builder& builder : allBuilders()) {
+        BuilderDialog dialog(QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size())),
+                             &shop.window);
+        reader.read(dialog);
+    }
+    KeysDialog keys(shop.window.actions().keys(), shop.document.scene(), &shop.window);
+    reader.read(keys);
+    return reader.texts();
+}
+
+} // namespace
+
+class TestLanguage : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // What lupdate finds, names of menus, and tables; also that nothing is kept that nobody says.
+    void catalogueIsComplete()
+    {
+        QProcess script;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("RIPSTOP", EDITOR_PROGRAM);
+        script.setProcessEnvironment(environment);
+        script.start(SOURCE_DIR "/scripts/translations", {"--check"});
+        QVERIFY(script.waitForFinished(60000));
+        QVERIFY2(script.exitCode() == 0,
+                 script.readAllStandardOutput() + script.readAllStandardError());
+    }
+
+    void tablesOfTheModelAreFrench()
+    {
+        const Speech speech(Language::French);
+        const QHash<QString, QString> french = catalogue();
+        QVERIFY(tableTexts().size() > 500);
+        for (const QString& text : tableTexts())
+            if (hasWords(text))
+                QCOMPARE(spoken(text.toStdString()), french.value(text));
+    }
+
+    // Texts that are the same with and without French.
+    void nothingOnTheScreenIsEnglish()
+    {
+        const QSet<QString> english = textsOfEditor();
+        QVERIFY(english.size() > 500);
+        QSet<QString> same = textsOfEditorInFrench();
+        same.intersect(english).subtract(alike());
+        QStringList left;
+        for (const QString& text : std::as_const(same))
+            if (!isContent(text)) {
+                qWarning() << text; // a long list would be cut
+                left << text;
+            }
+        QCOMPARE(left.size(), 0);
+    }
+
+    void textsOfQtAreFrench()
+    {
+        const Speech speech(Language::French);
+        QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QString("Annuler"));
+    }
+
+    void sentencesOfTheEngineAreFrench_data()
+    {
+        QTest::addColumn<QString>("english");
+        QTest::addColumn<QString>("french");
+        const auto row = [](const char* english, const char* french) {
+            QTest::newRow(english) << QString(english) << QString(french);
+        };
+        row("must be above 0", "doit être au-dessus de 0");
+        row("3 free particles have no mass.", "3 particules libres n’ont pas de masse.");
+        row("Link 17: from points at 4, which does not exist; choose another or remove it.",
+            "Liaison 17\u00a0: from désigne 4, qui n’existe pas\u202f; en choisir un autre ou le "
+            "retirer.");
+        row("A pull has to pass 20 links to cross the network; the direct solver takes it there at "
+            "once.",
+            "Une traction doit passer 20 liaisons pour traverser le réseau\u202f; le solveur "
+            "direct l’y porte d’un coup.");
+        row("Take 12.5 substeps", "Prendre 12,5 sous-pas");
+        row("Part kite has canopy pressure and no panels to hold the air: add panels, or set its "
+            "canopyPressure to 0.",
+            "La pièce kite a une pression de voilure et pas de panneaux pour tenir l’air\u00a0: "
+            "ajouter des panneaux, ou mettre sa pression de voilure à 0.");
+    }
+    void sentencesOfTheEngineAreFrench()
+    {
+        QFETCH(QString, english);
+        QFETCH(QString, french);
+        const Speech speech(Language::French);
+        QCOMPARE(spoken(english.toStdString()), french);
+    }
+
+    void findingsAndProblemsAreFrench_data()
+    {
+        QTest::addColumn<QString>("file");
+        const QDir folder(SCENES_DIR);
+        for (const QString& file : folder.entryList({"*.ripstop.json"}))
+            QTest::newRow(qPrintable(file)) << folder.filePath(file);
+    }
+    void findingsAndProblemsAreFrench()
+    {
+        QFETCH(QString, file);
+        const Speech speech(Language::French);
+        const Result<Scene> scene = readScene(file.toStdString());
+        QVERIFY(scene);
+        std::vector<std::string> said;
+        for (const Finding& finding : stabilityOf(*scene)) {
+            said.push_back(finding.message);
+            if (finding.repair)
+                said.push_back(finding.repair->label);
+        }
+        for (const Problem& problem : problemsOf(*scene))
+            said.push_back(problem.message);
+        for (const std::string& sentence : said)
+            QVERIFY2(spoken(sentence) != QString::fromStdString(sentence), sentence.c_str());
+    }
+
+    // Nothing of the list stands for a sentence that the engine no longer says.
+    void sentencesAreStillSaid()
+    {
+        QString sources; // literals in one piece
+        QDirIterator files(SOURCE_DIR "/model", {"*.cpp", "*.h"}, QDir::Files,
+                           QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            sources += QString::fromUtf8(file.readAll());
+        }
+        static const QRegularExpression joint("\"\\s*\"");
+        sources.remove(joint).replace("\\\"", "\"");
+
+        QFile list(SOURCE_DIR "/resources/translations/sentences_fr.ts");
+        QVERIFY(list.open(QIODevice::ReadOnly));
+        QXmlStreamReader xml(&list);
+        QStringList gone;
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (!xml.isStartElement() || xml.name() != QLatin1String("source"))
+                continue;
+            const QString sentence = xml.readElementText();
+            const QStringList said = threeWordsOf(sentence);
+            if (!said.isEmpty() && std::ranges::none_of(said, [&](const QString& words) {
+                    return sources.contains(words);
+                }))
+                gone << sentence;
+        }
+        QVERIFY2(gone.isEmpty(), qPrintable(gone.join('\n')));
+    }
+
+    void pluralsFollowTheLanguage()
+    {
+        const Speech speech(Language::French);
+        QCOMPARE(counted(Kind::Particle, 0), QString("0 particule"));
+        QCOMPARE(counted(Kind::Particle, 1), QString("1 particule"));
+        QCOMPARE(counted(Kind::Panel, 2), QString("2 panneaux"));
+        QCOMPARE(counted(Kind::Link, 20000), QString("20\u202f000 liaisons"));
+    }
+
+    void numbersAreShownWithACommaAndReadWithEither()
+    {
+        const Speech speech(Language::French);
+        QCOMPARE(compactNumber(0.5), QString("0,5"));
+        QCOMPARE(compactNumber(-9.80665), QString("-9,80665"));
+        for (const char* typed : {"0,5", "0.5", "50 %", "0,25 + 0,25"})
+            QCOMPARE(typedNumber(typed, "").number->number, 0.5);
+        QCOMPARE(typedNumber("12,5 cm", "m").number->number, 0.125);
+    }
+
+    void spinBoxesTakePointAndComma_data()
+    {
+        QTest::addColumn<int>("language");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("French") << int(Language::French) << "1,25";
+        QTest::newRow("English") << int(Language::English) << "1.25";
+    }
+    void spinBoxesTakePointAndComma()
+    {
+        QFETCH(int, language);
+        QFETCH(QString, shown);
+        const Speech speech{Language(language)};
+        for (const char* typed : {"1.25", "1,25"}) {
+            QDoubleSpinBox box;
+            box.setRange(0.0, 10.0);
+            box.selectAll();
+            QTest::keyClicks(&box, typed);
+            QCOMPARE(box.value(), 1.25);
+            QCOMPARE(box.text(), shown);
+        }
+    }
+
+    void filesDoNotDependOnTheLanguage()
+    {
+        QTemporaryDir folder;
+        const auto written = [&](Language language) {
+            const Speech speech(language);
+            Document document;
+            if (document.open(SCENES_DIR "/delta_kite.ripstop.json"))
+                qFatal("the sample is gone");
+            const QString file = folder.filePath("copy.ripstop.json");
+            if (document.save(file))
+                qFatal("cannot save");
+            QFile copy(file);
+            if (!copy.open(QIODevice::ReadOnly))
+                qFatal("cannot read");
+            return copy.readAll();
+        };
+        const QByteArray english = written(Language::English);
+        QVERIFY(english.size() > 1000);
+        QCOMPARE(written(Language::French), english);
+    }
+
+    void choiceIsKept()
+    {
+        QSettings().remove("language");
+        QVERIFY(keptLanguage() == Language::System);
+        WindowShop shop;
+        QVERIFY(shop.window.actions()["languageSystem"]->isChecked());
+        shop.run("languageFrench");
+        QVERIFY(keptLanguage() == Language::French);
+        WindowShop next;
+        QVERIFY(next.window.actions()["languageFrench"]->isChecked());
+        QSettings().remove("language");
+    }
+
+    // A desktop in another language gets English with English numbers.
+    void unknownLanguagesBecomeEnglish()
+    {
+        QVERIFY(!languageFromCode("de"));
+        QVERIFY(languageFromCode("fr") == Language::French);
+        const Speech speech(Language::English);
+        QCOMPARE(compactNumber(0.5), QString("0.5"));
+        QCOMPARE(kindLabel(Kind::Link), QString("Link"));
+    }
+
+private:
+    static QSet<QString> textsOfEditorInFrench()
+    {
+        const Speech speech(Language::French);
+        return textsOfEditor();
+    }
+
+    // What the author of the sample has called things, and whom a preset quotes.
+    static bool isContent(const QString& text)
+    {
+        static const QSet<QString> content = [] {
+            QSet<QString> all;
+            const Result<Scene> scene = readScene(SCENES_DIR "/delta_kite.ripstop.json");
+            for (const Entry& entry : scene->items)
+                all << QString::fromStdString(nameOf(entry.item));
+            for (const Preset& preset : allPresets())
+                all << "<qt>" + QString::fromStdString(preset.source).toHtmlEscaped() + "</qt>";
+            return all;
+        }();
+        static const QRegularExpression coordinate("^Position [xyz] \\(m\\)$");
+        return content.contains(text) || text.contains("delta_kite") || text.contains(coordinate);
+    }
+};
+
+int main(int argc, char** argv) { return runWithView<TestLanguage>(argc, argv); }
+#include "test_language.moc"
