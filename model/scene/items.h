@@ -28,6 +28,8 @@ struct Particle
     Vec3 velocity = Vec3::Zero(); // m/s, when the run starts
     double mass = 0.01;           // kg
     bool pinned = false;
+    Guide guide = Guide::None;
+    Vec3 guideAxis = Vec3(1.0, 0.0, 0.0); // any length but 0
     double textureU = 0.0;
     double textureV = 0.0;
 

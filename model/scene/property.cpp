@@ -120,6 +120,8 @@ std::span<const Property> allProperties()
         property<&Particle::velocity>    ("velocity",    "Velocity",     "m/s",     OnReset,     "How fast the particle starts."),
         property<&Particle::mass>        ("mass",        "Mass",         "kg",      Recompile,   "Inertia and weight.", notNegative),
         property<&Particle::pinned>      ("pinned",      "Pinned",       "",        Recompile,   "Held in place, whatever pulls on it."),
+        property<&Particle::guide>       ("guide",       "Guide",        "",        Recompile,   "What the particle cannot leave: a line or a plane through where it is, which takes up every force across it and gives no friction."),
+        property<&Particle::guideAxis>   ("guideAxis",   "Guide axis",   "",        Recompile,   "Direction of the line that the particle is free along, or the direction across the plane that it is free in."),
         property<&Particle::textureU>    ("u",           "Texture u",    "",        DisplayOnly, "Where the particle lies across the picture printed on the fabric, 0 to 1."),
         property<&Particle::textureV>    ("v",           "Texture v",    "",        DisplayOnly, "Where the particle lies up the picture printed on the fabric, 0 to 1."),
 
