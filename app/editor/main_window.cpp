@@ -24,6 +24,7 @@
 #include "start/start_page.h"
 #include "table/sheet_panel.h"
 #include "transport/control_keys.h"
+#include "transport/gamepad.h"
 #include "transport/control_strip.h"
 #include "transport/transport.h"
 #include "viewport/pointing.h"
@@ -93,6 +94,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     new TransformBar(*m_viewport); // the view owns these
     new DrawBar(m_document, *m_viewport, m_drawSettings, *m_actions);
     qApp->installEventFilter(new ControlKeys(document, player, this));
+    new Gamepad(document, player, QStringLiteral("/dev/input"), this);
 
     resize(1280, 800);
     restoreLayout();
