@@ -305,7 +305,7 @@ Result<Scene> buildCloth(const Parameters& p)
         Particle& ring = network.row(sheet.at(0, column));
         ring.guide = Guide::Line; // along x
     }
-    if (hang == byEdge) // a flag that is exactly plane in the wind would stay so for ever
+    if (hang == byEdge || hang == byRail) // what is exactly plane would stay so for ever
         sheet.nudge(network, 0.3);
 
     const Id middle = sheet.at(sheet.rows(), sheet.columns() / 2);
