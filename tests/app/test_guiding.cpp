@@ -89,7 +89,7 @@ private slots:
             for (int y = 0; y < picture.height(); ++y)
                 for (int x = 0; x < picture.width(); ++x) {
                     const QColor color = picture.pixelColor(x, y);
-                    red += color.red() > 170 && color.green() < 90 && color.blue() < 90;
+                    red += color.red() > color.green() + 60 && color.red() > color.blue() + 60;
                 }
             return red;
         };
@@ -97,7 +97,7 @@ private slots:
         const int before = redPixels();
         shop.document.push(setValue(shop.document.scene(), Id{4}, "guide", std::string("line")));
         QTRY_VERIFY(!shop.player.frame()->layout->guided.empty());
-        QTRY_VERIFY(redPixels() > before + 20);
+        QTRY_VERIFY(redPixels() > before + 10);
     }
 
     void targetsAreShownAndMet()

@@ -184,7 +184,8 @@ private slots:
             const double now = std::get<double>(desk.value(settingsId, viscosity));
             QVERIFY(now != 1.0);
             player.step();
-            QTRY_COMPARE(player.frame()->step, ++steps);
+            ++steps;
+            QTRY_COMPARE(player.frame()->step, steps);
             QVERIFY(std::abs(speed() - before * std::exp(-0.01 * now)) < 1e-12);
             before = speed();
         }
