@@ -101,16 +101,21 @@ QTreeWidgetItem* KeysDialog::section(const QString& title)
 void KeysDialog::addControls(const Scene& scene)
 {
     QTreeWidgetItem* title = nullptr;
+    int stick = 0;
     for (const Entry& entry : scene.items) {
         const Control* control = std::get_if<Control>(&entry.item);
-        if (!control || (control->keyLess.empty() && control->keyMore.empty()))
+        if (!control)
             continue;
         if (!title)
             title = section(tr("Controls of this scene"));
+        const QString name = QString::fromStdString(control->name);
         const QString keys = QString("%1   %2").arg(QString::fromStdString(control->keyLess),
                                                     QString::fromStdString(control->keyMore));
-        new QTreeWidgetItem(title, {keys, QString::fromStdString(control->name),
-                                    tr("Less and more, %1 m each time.").arg(control->step)});
+        if (!keys.trimmed().isEmpty())
+            new QTreeWidgetItem(
+                title, {keys, name, tr("Less and more, %1 m each time.").arg(control->step)});
+        new QTreeWidgetItem(title, {tr("Gamepad, axis %1").arg(++stick), name,
+                                    tr("Up to %1 m either way.").arg(control->limit)});
     }
 }
 

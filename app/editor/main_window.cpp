@@ -29,6 +29,7 @@
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"
 #include "transport/control_keys.h"
+#include "transport/gamepad.h"
 #include "transport/control_strip.h"
 #include "transport/transport.h"
 #include "viewport/pointing.h"
@@ -104,6 +105,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     auto* keys = new ControlKeys(document, player, this);
     keys->spare(&m_timeline->strip());
     qApp->installEventFilter(keys);
+    new Gamepad(document, player, QStringLiteral("/dev/input"), this);
 
     resize(1280, 800);
     restoreLayout();

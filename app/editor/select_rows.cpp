@@ -130,6 +130,7 @@ std::vector<MenuRow> typeRows(const Workbench& bench)
     return {
         {"&Select/By &type", "allParticles", tr("&Particles"),        "particle", {}, tr("All particles."), find(&Elements::particles)},
         {"&Select/By &type", "allPinned",    tr("P&inned particles"), "pin",      {}, tr("All particles that are held in place."), find("pinned")},
+        {"&Select/By &type", "allGuided",    tr("Particles on &guides"), nullptr,  {}, tr("All particles that are free along a line or in a plane only."), find("guide != none")},
         {"&Select/By &type", "allFree",      tr("&Free particles"),   nullptr,    {}, tr("All particles that can move."), find("not pinned")},
         {"&Select/By &type", "allLinks",     tr("&Links"),            "link",     {}, tr("All springs and rods."), find(&Elements::links)},
         {"&Select/By &type", "allSprings",   tr("&Springs"),          "spring",   {}, tr("All links that pull with a force."), find("kind = spring")},

@@ -101,6 +101,7 @@ public:
             copy.id = take(row.id);
             copy.position = motion.map * row.position;
             copy.velocity = linear * row.velocity;
+            copy.guideAxis = turnedAxis(row.guide, row.guideAxis, linear);
             rows.particles.push_back(copy);
         }
         for (const Link& row : part.links) {

@@ -14,6 +14,19 @@ namespace {
 
 constexpr int whole = 1; // in an index: the thing itself is meant
 
+// Of the places of all particles, about their middle; eigenvalues ascend.
+Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(const Movable& movable)
+{
+    const double count = double(movable.position.size());
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& place : movable.position)
+        mean += place / count;
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3& place : movable.position)
+        spread += (place - mean) * (place - mean).transpose() / count;
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread);
+}
+
 } // namespace
 
 std::vector<Id> particlesOf(const Scene& scene, const std::vector<Id>& ids)
@@ -77,6 +90,8 @@ Movable movableOf(const Scene& scene, const std::vector<Id>& ids, Ties ties)
         movable.particles.push_back(row->id);
         movable.position.push_back(row->position);
         movable.mass.push_back(row->mass);
+        if (row->guide != Guide::None)
+            movable.guides.push_back({row->id, row->guide, row->guideAxis});
     }
     forEachPart(scene, [&](Id, const Part& part) {
         if (ties == Ties::Left)
@@ -138,18 +153,17 @@ Vec3 pivotOf(const Scene& scene, const Movable& movable, Pivot pivot, Id particl
     return sum / double(places.size());
 }
 
+Vec3 spreadOf(const Movable& movable)
+{
+    const Vec3 squares = principal(movable).eigenvalues().reverse();
+    return squares.cwiseMax(0.0).cwiseSqrt();
+}
+
 Eigen::Matrix3d ownAxes(const Movable& movable)
 {
-    const double count = double(movable.position.size());
-    if (count < 2.0)
+    if (movable.position.size() < 2)
         return Eigen::Matrix3d::Identity();
-    Vec3 mean = Vec3::Zero();
-    for (const Vec3& place : movable.position)
-        mean += place / count;
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const Vec3& place : movable.position)
-        spread += (place - mean) * (place - mean).transpose() / count;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread); // ascending
+    const auto solver = principal(movable); // ascending
     Eigen::Matrix3d axes;
     for (int i = 0; i < 2; ++i) {
         Vec3 axis = solver.eigenvectors().col(2 - i);

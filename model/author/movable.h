@@ -31,13 +31,21 @@ struct MovableCollider
     Collider collider;
 };
 
+struct MovableGuide
+{
+    Id particle;
+    Guide guide;
+    Vec3 axis;
+};
+
 // Where everything stood when a gesture began, so that each of its steps starts from there and
 // sets the same things.
 struct Movable
 {
-    std::vector<Id> particles;  // ascending
-    std::vector<Vec3> position; // [particles] m
-    std::vector<double> mass;   // [particles] kg
+    std::vector<Id> particles;        // ascending
+    std::vector<Vec3> position;       // [particles] m
+    std::vector<double> mass;         // [particles] kg
+    std::vector<MovableGuide> guides; // of those particles that have one
     std::vector<MovableCollider> colliders;
     std::vector<Tie> crossing; // links with one end among the particles
     std::vector<Tie> inside;   // links with both
@@ -54,6 +62,10 @@ enum class Pivot { Mass, Median, Box, Particle };
 // is the median; the origin when there is nothing.
 // `particle` is what Pivot::Particle turns about; the median when it is not there.
 Vec3 pivotOf(const Scene& scene, const Movable& movable, Pivot pivot, Id particle = noId);
+
+// How far it spreads along each of its principal axes, the root of the mean square, m; the most
+// first.
+Vec3 spreadOf(const Movable& movable);
 
 // The principal axes, as columns: x along which it spreads most, as a link or a spar; z across what
 // it lies in, as a panel; each so that its largest component is positive but the third, which

@@ -2,6 +2,8 @@
 
 #include "author/copy.h"
 #include "author/draw_operations.h"
+#include "author/pin.h"
+#include "author/smooth.h"
 #include "author/split.h"
 #include "author/spread_mass.h"
 #include "author/weld.h"
@@ -21,6 +23,12 @@ constexpr std::array<std::string_view, 4> planePlaces{"origin", "least_side", "m
 constexpr Choices axes{"x", "y", "z"};
 constexpr std::array<std::string_view, 4> centres{"origin", "centre_of_mass", "median",
                                                   "middle_of_the_box"};
+constexpr std::array<std::string_view, 4> holds{"along_a_line", "in_a_plane", "in_place",
+                                                "not_at_all"};
+constexpr std::array<std::string_view, 4> guideAxes{"x", "y", "z", "through_what_is_selected"};
+constexpr std::array<std::string_view, 2> smoothings{"laplacian", "taubin"};
+constexpr std::array<std::string_view, 2> borders{"stays", "along_itself"};
+constexpr std::array<std::string_view, 2> lengthWays{"keep", "rebind"};
 constexpr std::array<std::string_view, 2> weldWhich{"those_within_the_distance", "all_into_one"};
 constexpr std::array<std::string_view, 2> weldPlaces{"in_their_middle", "at_the_first"};
 constexpr std::array<std::string_view, 5> massWays{"each_particle_(kg)", "by_length_(kg/m)",
@@ -54,6 +62,17 @@ const std::array weldParameters{
 const std::array massParameters{
     Parameter{"way",    "", 3, 0, 4, true, "What the amount is and how it is shared out. Links and panels count that lie among what is selected.", {}, massWays},
     Parameter{"amount", "", 0.1, 0, 1e6, false, "Mass in the unit that the line above says. It takes the place of the mass that is there."},
+};
+const std::array guideParameters{
+    Parameter{"held", "", 0, 0, 3, true, "How each particle is held: free along a line or in a plane through its place, without friction; in its place; or not at all.", {}, holds},
+    Parameter{"axis", "", 0, 0, 3, true, "Direction of the line, or across the plane: an axis of the world, or the line or plane that fits what is selected best, as through two or three particles.", {}, guideAxes},
+};
+const std::array smoothParameters{
+    Parameter{"method",     "", 1, 0, 1, true, "Taubin's keeps the size; the Laplacian one shrinks and draws tight.", {}, smoothings},
+    Parameter{"factor",     "", 0.5, 0.01, 1, false, "Share of the way to the middle of its neighbours that a particle goes in one pass."},
+    Parameter{"iterations", "", 10, 1, 1000, true, "More of them smooth longer waves."},
+    Parameter{"border",     "", 0, 0, 1, true, "What the edge of fabric does. Ends of lines stay.", {}, borders},
+    Parameter{"lengths",    "", 1, 0, 1, true, "Rest lengths of links: rebind them to the new distances, so that the design stays free of load, or keep them.", {}, lengthWays},
 };
 const std::array splitParameters{
     Parameter{"count", "",   2, 2, 1000, true, "Links that each one becomes."},
@@ -145,6 +164,36 @@ Result<Shaped> mass(const Scene& scene, const std::vector<Id>& ids, const Parame
     return Shaped{std::move(*edit)};
 }
 
+Result<Shaped> guide(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    if (particlesOf(scene, ids).empty())
+        return Failure{"No particle is selected. Select particles, links or panels first."};
+    const int held = whole(values, "held");
+    if (held == 2)
+        return Shaped{pinning(scene, ids, true)};
+    if (held == 3)
+        return Shaped{guiding(scene, ids, Guide::None, Vec3::UnitX())};
+    const Guide guide = held == 0 ? Guide::Line : Guide::Plane;
+    const int axis = whole(values, "axis");
+    if (axis < 3)
+        return Shaped{guiding(scene, ids, guide, Vec3::Unit(axis))};
+    const Result<Vec3> through = axisThrough(scene, ids, guide);
+    if (!through)
+        return through.failure();
+    return Shaped{guiding(scene, ids, guide, *through)};
+}
+
+Result<Shaped> smooth(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
+{
+    const SmoothHow how{Smoothing(whole(values, "method")), values.at("factor"),
+                        whole(values, "iterations"), Border(whole(values, "border"))};
+    Edit edit = smoothed(scene, ids, how, RestLengths(whole(values, "lengths")));
+    if (edit.changes.empty())
+        return Failure{"Nothing is selected that could be smoothed. Select fabric or lines, with "
+                       "more than their border and ends."};
+    return Shaped{std::move(edit)};
+}
+
 Result<Shaped> splitLinks(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
 {
     Split split = linksSplit(scene, ids, whole(values, "count"), values.at("mass"));
@@ -159,6 +208,8 @@ const std::array shapingOperations{
     Operation{"row",    "Array in a row", "Copies what is selected again and again, each copy a step further.", rowParameters, row},
     Operation{"ring",   "Array in a ring", "Copies what is selected around an axis: gores of a canopy, spokes.", ringParameters, ring},
     Operation{"weld",   "Weld", "Makes one particle of several, with the mass of all. Links and panels that fall together become one.", weldParameters, weld},
+    Operation{"guide",  "Guide", "Holds the selected particles: a ring on a rail is free along a line, a foot on a floor in a plane. The guide takes up all force across it and gives no friction.", guideParameters, guide},
+    Operation{"smooth", "Smooth", "Takes bumps and creases out of the selected fabric and lines.", smoothParameters, smooth},
     Operation{"mass",   "Set mass", "Gives mass to the selected particles.", massParameters, mass},
     Operation{"split",  "Split links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
 };

@@ -1,6 +1,7 @@
 #include "author/pin.h"
 
 #include "author/movable.h"
+#include "scene/property.h"
 
 namespace ripstop {
 
@@ -21,6 +22,36 @@ Edit pinning(const Scene& scene, const std::vector<Id>& ids, bool pinned)
         edit.changes.emplace_back(
             SetValues{findProperty(Kind::Particle, "pinned"), std::move(particles), {pinned}});
     return edit;
+}
+
+Edit guiding(const Scene& scene, const std::vector<Id>& ids, Guide guide, const Vec3& axis)
+{
+    const std::vector<Id> particles = particlesOf(scene, ids);
+    Edit edit{guide == Guide::None ? "Let go" : "Guide", {}};
+    const auto set = [&](const char* key, const Value& value) {
+        edit.changes.emplace_back(SetValues{findProperty(Kind::Particle, key), particles, {value}});
+    };
+    if (particles.empty())
+        return edit;
+    set("pinned", false);
+    set("guide", std::string(choiceNames<Guide>[std::size_t(guide)]));
+    if (guide != Guide::None)
+        set("guideAxis", axis);
+    return edit;
+}
+
+Result<Vec3> axisThrough(const Scene& scene, const std::vector<Id>& ids, Guide guide)
+{
+    const Movable movable = movableOf(scene, ids, Ties::Left);
+    const Eigen::Vector3d spread = spreadOf(movable);
+    const bool isLine = guide == Guide::Line;
+    if (isLine && !(spread[0] > 0.0))
+        return Failure{"A line through what is selected needs two particles in different places. "
+                       "Select one more, or choose x, y or z."};
+    if (!isLine && !(spread[1] > 1e-6 * spread[0]))
+        return Failure{"A plane through what is selected needs three particles that are not in one "
+                       "line. Select one more, or choose x, y or z."};
+    return Vec3(ownAxes(movable).col(isLine ? 0 : 2));
 }
 
 } // namespace ripstop

@@ -38,6 +38,30 @@ MatrixXd spanOf(const MatrixXd& columns)
     return qr.householderQ() * MatrixXd::Identity(columns.rows(), rank);
 }
 
+// The part of a velocity that pins and guides take away.
+Vec3 heldPart(const Rigidity& r, int particle, const Vec3& velocity)
+{
+    if (r.pinned[std::size_t(particle)])
+        return velocity;
+    return velocity - r.guides[std::size_t(particle)].freePart(velocity);
+}
+
+// Ways that a particle can go.
+int waysOf(const Rigidity& r, int particle)
+{
+    if (r.pinned[std::size_t(particle)])
+        return 0;
+    switch (r.guides[std::size_t(particle)].guide) {
+    case Guide::Line:
+        return 1;
+    case Guide::Plane:
+        return 2;
+    case Guide::None:
+        break;
+    }
+    return 3;
+}
+
 // v = 0 at pins; what the links allow is orthogonal to all columns. Directions are unit vectors.
 MatrixXd stretchesOf(const Rigidity& r)
 {
@@ -46,24 +70,23 @@ MatrixXd stretchesOf(const Rigidity& r)
         const auto [a, b] = r.links[l];
         const Vec3 along =
             (r.position[std::size_t(b)] - r.position[std::size_t(a)]).stableNormalized();
-        if (!r.pinned[std::size_t(a)])
-            rows.col(Index(l)).segment<3>(placeOf(a)) = -along;
-        if (!r.pinned[std::size_t(b)])
-            rows.col(Index(l)).segment<3>(placeOf(b)) = along;
+        rows.col(Index(l)).segment<3>(placeOf(a)) = heldPart(r, a, along) - along;
+        rows.col(Index(l)).segment<3>(placeOf(b)) = along - heldPart(r, b, along);
     }
     return rows;
 }
 
-// An orthonormal base of what the columns leave free, pins aside.
-MatrixXd freeOf(const MatrixXd& stretches, const std::vector<char>& pinned)
+// An orthonormal base of what the columns leave free, and pins and guides.
+MatrixXd freeOf(const MatrixXd& stretches, const Rigidity& r)
 {
     MatrixXd gram = stretches * stretches.transpose();
     double largest = 1.0;
     if (stretches.cols() > 0)
         largest = std::max(largest, gram.diagonal().maxCoeff());
-    for (std::size_t p = 0; p < pinned.size(); ++p)
-        if (pinned[p])
-            gram.diagonal().segment<3>(placeOf(int(p))).setConstant(largest);
+    for (int p = 0; p < int(r.particles.size()); ++p)
+        for (int axis = 0; axis < 3; ++axis)
+            gram.block<3, 1>(placeOf(p), placeOf(p) + axis) +=
+                largest * heldPart(r, p, Vec3::Unit(axis));
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
     Index count = 0; // eigenvalues ascend
     while (count < gram.rows() && solver.eigenvalues()[count] < soft * largest)
@@ -71,7 +94,7 @@ MatrixXd freeOf(const MatrixXd& stretches, const std::vector<char>& pinned)
     return solver.eigenvectors().leftCols(count);
 }
 
-// Those of the six motions of a rigid body that leave the pins where they are.
+// Those of the six motions of a rigid body that leave pins where they are and guides alone.
 MatrixXd rigidMotionsOf(const Rigidity& r)
 {
     const auto count = int(r.particles.size());
@@ -91,8 +114,9 @@ MatrixXd rigidMotionsOf(const Rigidity& r)
     }
     MatrixXd atPins = MatrixXd::Zero(all.rows(), 6);
     for (int p = 0; p < count; ++p)
-        if (r.pinned[std::size_t(p)])
-            atPins.middleRows<3>(placeOf(p)) = all.middleRows<3>(placeOf(p));
+        for (int motion = 0; motion < 6; ++motion)
+            atPins.block<3, 1>(placeOf(p), motion) =
+                heldPart(r, p, all.block<3, 1>(placeOf(p), motion));
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(atPins.transpose() * atPins);
     Index left = 0;
     while (left < 6 && solver.eigenvalues()[left] < soft * std::max(1.0, double(count)))
@@ -150,24 +174,31 @@ Result<Rigidity> rigidityOf(const Scene& scene, const std::vector<Id>& ids)
         return Failure{std::to_string(movable.particles.size())
                        + " particles are too many to look at together. Select at most "
                        + std::to_string(mostForRigidity) + ", such as the frame without the sail."};
-    Rigidity rigidity{movable.particles, movable.position, {}, {}, 0, 0, {}};
-    for (const Id id : rigidity.particles)
-        rigidity.pinned.push_back(std::get<const Particle*>(*find(scene, id))->pinned);
+    Rigidity rigidity{movable.particles, movable.position, {}, {}, {}, 0, 0, {}};
+    for (const Id id : rigidity.particles) {
+        const Particle& row = *std::get<const Particle*>(*find(scene, id));
+        rigidity.pinned.push_back(row.pinned);
+        const bool isGuided = row.guide != Guide::None && row.guideAxis.norm() > 0.0;
+        rigidity.guides.push_back({int(rigidity.guides.size()), isGuided ? row.guide : Guide::None,
+                                   row.guideAxis.normalized()});
+    }
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Link& link : part.links)
             if (const auto ends = endsOf(rigidity.particles, link))
                 rigidity.links.push_back(*ends);
     });
 
-    const MatrixXd free = freeOf(stretchesOf(rigidity), rigidity.pinned);
+    const MatrixXd free = freeOf(stretchesOf(rigidity), rigidity);
     const MatrixXd whole = rigidMotionsOf(rigidity);
     MatrixXd rest = free - whole * (whole.transpose() * free);
     const MatrixXd modes = localised(spanOf(rest));
     rigidity.rigidMotions = int(whole.cols());
     for (Index m = 0; m < modes.cols(); ++m)
         rigidity.modes.push_back(modeFrom(modes.col(m)));
-    const auto moving = std::ranges::count(rigidity.pinned, char(0));
-    const int rank = int(3 * moving - free.cols());
+    int ways = 0;
+    for (int p = 0; p < int(rigidity.particles.size()); ++p)
+        ways += waysOf(rigidity, p);
+    const int rank = int(ways - free.cols());
     rigidity.redundant = int(rigidity.links.size()) - rank;
     return rigidity;
 }

@@ -5,10 +5,13 @@
 // nothing new are redundant. With n free particles and b links: modes - redundant = 3 n - b - rigid
 // motions (Maxwell 1864; Calladine 1978, with states of self-stress for the redundant ones).
 //
+// A particle on a guide (base/guide.h) has one way to go along a line, two in a plane.
+//
 // Every link counts as one that resists both ways. A flat network always gives way across its
 // plane: only something out of the plane, as rigidity particles are, can hold it.
 #pragma once
 
+#include "base/guide.h"
 #include "base/result.h"
 #include "scene/edit.h"
 
@@ -23,6 +26,7 @@ struct Rigidity
     std::vector<Id> particles;             // ascending
     std::vector<Vec3> position;            // [particles] m
     std::vector<char> pinned;              // [particles]
+    std::vector<GuidedParticle> guides;    // [particles] what is not pinned may be on one
     std::vector<std::array<int, 2>> links; // indices of particles
     int rigidMotions = 0;                  // of the whole, that pins leave: 6 of a free body
     int redundant = 0;                     // links

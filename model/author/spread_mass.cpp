@@ -100,22 +100,28 @@ Result<Edit> massSpread(const Scene& scene, const std::vector<Id>& ids, MassBy b
 Weight weightOf(const Scene& scene, const std::vector<Id>& ids)
 {
     Weight weight;
+    const Bodies bodies = bodiesOf(scene, ids);
+    const auto forEach = [&](auto visit) {
+        for (const Particle* row : bodies.row)
+            visit(*row);
+        if (ids.empty())
+            forEachPart(scene, [&](Id, const Part& part) {
+                for (const Particle& row : part.particles)
+                    visit(row);
+            });
+    };
     Vec3 moment = Vec3::Zero();
-    const auto add = [&](const Particle& row) {
+    forEach([&](const Particle& row) {
         weight.mass += row.mass;
         moment += row.mass * row.position;
         ++weight.particles;
-    };
-    const Bodies bodies = bodiesOf(scene, ids);
-    for (const Particle* row : bodies.row)
-        add(*row);
-    if (ids.empty())
-        forEachPart(scene, [&](Id, const Part& part) {
-            for (const Particle& row : part.particles)
-                add(row);
-        });
+    });
     if (weight.mass > 0.0)
         weight.centre = moment / weight.mass;
+    forEach([&](const Particle& row) {
+        const Vec3 square = (row.position - weight.centre).cwiseAbs2();
+        weight.inertia += row.mass * (Vec3::Constant(square.sum()) - square);
+    });
     return weight;
 }
 

@@ -18,8 +18,9 @@ Result<Edit> massSpread(const Scene& scene, const std::vector<Id>& ids, MassBy b
 
 struct Weight
 {
-    double mass = 0.0;          // kg
-    Vec3 centre = Vec3::Zero(); // m, of gravity; the origin without mass
+    double mass = 0.0;           // kg
+    Vec3 centre = Vec3::Zero();  // m, of gravity; the origin without mass
+    Vec3 inertia = Vec3::Zero(); // kg m^2, about the axes through the centre along x, y and z
     std::size_t particles = 0;
 };
 

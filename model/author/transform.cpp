@@ -157,6 +157,15 @@ Edit relocated(const Movable& movable, const std::vector<Vec3>& places, RestLeng
     return edited(movable, places, restLengths, Among::Bound, std::move(label));
 }
 
+Vec3 turnedAxis(Guide guide, const Vec3& axis, const Eigen::Matrix3d& linear)
+{
+    if (guide == Guide::None || linear.isIdentity(0.0))
+        return axis;
+    if (guide == Guide::Line)
+        return linear * axis;
+    return (linear.inverse().transpose() * axis).normalized() * axis.norm();
+}
+
 Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths, std::string label)
 {
     std::vector<Vec3> places;
@@ -165,6 +174,13 @@ Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths
         places.push_back(motion.map * was);
     Edit edit = edited(movable, places, restLengths, motion.rigid ? Among::Left : Among::Bound,
                        std::move(label));
+    SetValues axes{findProperty(Kind::Particle, "guideAxis"), {}, {}};
+    for (const MovableGuide& one : movable.guides) {
+        axes.targets.push_back(one.particle);
+        axes.values.emplace_back(turnedAxis(one.guide, one.axis, motion.map.linear()));
+    }
+    if (!axes.targets.empty())
+        edit.changes.emplace_back(std::move(axes));
     for (const MovableCollider& one : movable.colliders)
         addCollider(edit, one, motion);
     return edit;

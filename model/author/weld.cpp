@@ -210,6 +210,7 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
         double mass = 0.0;
         int count = 0;
         bool pinned = false;
+        const Particle* guided = nullptr; // the first that has a guide
     };
     std::vector<Sum> sums(rows.size());
     Renamed renamed(rows.size());
@@ -220,6 +221,8 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
         sum.place += row.position;
         sum.mass += row.mass;
         sum.pinned |= row.pinned;
+        if (row.guide != Guide::None && !sum.guided)
+            sum.guided = &row;
         ++sum.count;
         if (first != i) {
             renamed.add(row.id, rows[std::size_t(first)]->id);
@@ -229,7 +232,8 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
     if (weld.merged == 0)
         return weld;
     Columns position(Kind::Particle, "position"), mass(Kind::Particle, "mass"),
-        pinned(Kind::Particle, "pinned");
+        pinned(Kind::Particle, "pinned"), guide(Kind::Particle, "guide"),
+        guideAxis(Kind::Particle, "guideAxis");
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Sum& sum = sums[i];
         if (sum.count < 2)
@@ -238,12 +242,19 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
         weld.kept.push_back(id);
         mass.set(id, sum.mass);
         pinned.set(id, sum.pinned);
+        if (sum.guided && sum.guided->id != id) {
+            const Property* property = findProperty(Kind::Particle, "guide");
+            guide.set(id, property->get(sum.guided));
+            guideAxis.set(id, sum.guided->guideAxis);
+        }
         if (at == WeldAt::Middle)
             position.set(id, Vec3(sum.place / sum.count));
     }
     position.addTo(weld.edit);
     mass.addTo(weld.edit);
     pinned.addTo(weld.edit);
+    guide.addTo(weld.edit);
+    guideAxis.addTo(weld.edit);
     RowRenamer(scene, renamed).addTo(weld);
     return weld;
 }

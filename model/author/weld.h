@@ -1,9 +1,9 @@
 // Makes one particle of several.
 //
 // The one with the lowest number stays. It gets the mass of all, is pinned when one of them was,
-// and takes over their links, panels, groups, controls and probes. Links between two that become
-// one go, and panels that lose a corner; of links that become alike (the same ends, kind and
-// material) and of panels with the same corners the first stays.
+// keeps to the first guide among them, and takes over their links, panels, groups, controls and
+// probes. Links between two that become one go, and panels that lose a corner; of links that become
+// alike (the same ends, kind and material) and of panels with the same corners the first stays.
 #pragma once
 
 #include "scene/edit.h"

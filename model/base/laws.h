@@ -22,7 +22,8 @@ enum class Solver {
     Auto         // small steps, as many as the wanted strain needs, and direct blocks
 };
 
-enum class LinkKind { Spring, Rod }; // a force; a constraint
+enum class Guide : std::uint8_t { None, Line, Plane }; // what a particle cannot leave
+enum class LinkKind { Spring, Rod };                   // a force; a constraint
 enum class LinkRole : std::uint8_t {
     Line,
     Thread,
@@ -96,6 +97,8 @@ inline constexpr std::array<std::string_view, 4> choiceNames<Integrator>{
 template <>
 inline constexpr std::array<std::string_view, 6> choiceNames<Solver>{
     "averaged_jacobi", "paper_jacobi", "gauss_seidel", "small_steps", "direct", "auto"};
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<Guide>{"none", "line", "plane"};
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
 template <>

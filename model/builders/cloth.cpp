@@ -17,8 +17,8 @@
 namespace ripstop {
 namespace {
 
-constexpr std::string_view hangs[]{"two_corners", "left_edge", "nothing", "both_edges",
-                                   "clamped_edge"};
+constexpr std::string_view hangs[]{"two_corners", "left_edge",    "nothing",
+                                   "both_edges",  "clamped_edge", "rail"};
 
 // clang-format off
 constexpr Parameter parameters[]{
@@ -34,7 +34,7 @@ constexpr Parameter parameters[]{
     {"bending",   "N m",    0,    0, 10,   false, "Bending stiffness of the fabric, its moment per width and curvature; garments have 1e-5 to 1e-4."},
     {"damping",   "N s/m",  0.01, 0, 100,  false, "Of all springs; takes speed from stretching only."},
     {"tear",      "",       0,    0, 10,   false, "Strain at which a spring tears; 0 never."},
-    {"hang",      "",       0,    0, 4,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped.", "Set-up", hangs},
+    {"hang",      "",       0,    0, 5,    true,  "What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped, 5 rings along a rail, of which the last one can be drawn.", "Set-up", hangs},
     {"slit",      "",       0,    0, 0.9,  false, "A cut from the middle of the lower edge upwards, over the height; tears start there."},
     {"level",     "m",      1.6,  0.01, 1000, false, "Height of the top edge over the ground."},
     {"flat",      "",       1,    0, 1,    true,  "1 starts with the sheet lying level, 0 hanging."},
@@ -50,7 +50,9 @@ constexpr Parameter parameters[]{
 constexpr int byCorners = 0;
 constexpr int byEdge = 1;
 constexpr int byTwoEdges = 3;
-constexpr int clamped = 4; // the first two columns
+constexpr int clamped = 4;   // the first two columns
+constexpr int byRail = 5;    // as a curtain
+constexpr int ringEvery = 4; // columns
 
 struct Materials
 {
@@ -295,9 +297,15 @@ Result<Scene> buildCloth(const Parameters& p)
         for (const Id node : sheet.edge(1))
             held.push_back(node);
     }
+    if (hang == byRail)
+        held = {sheet.at(0, 0), sheet.at(0, sheet.columns())};
     for (const Id node : held)
         network.row(node).pinned = true;
-    if (hang == byEdge) // a flag that is exactly plane in the wind would stay so for ever
+    for (int column = ringEvery; hang == byRail && column < sheet.columns(); column += ringEvery) {
+        Particle& ring = network.row(sheet.at(0, column));
+        ring.guide = Guide::Line; // along x
+    }
+    if (hang == byEdge || hang == byRail) // what is exactly plane would stay so for ever
         sheet.nudge(network, 0.3);
 
     const Id middle = sheet.at(sheet.rows(), sheet.columns() / 2);
@@ -308,6 +316,8 @@ Result<Scene> buildCloth(const Parameters& p)
         addControls(scene, "corner", {sheet.at(0, 0)});
     if (hang == byTwoEdges)
         addControls(scene, "edge", sheet.edge(sheet.columns()));
+    if (hang == byRail)
+        addControls(scene, "curtain", {sheet.at(0, sheet.columns())});
     addProbe(scene, "lower edge", Quantity::PositionY, middle);
     addProbe(scene, "speed", Quantity::Speed, part);
     addProbe(scene, "max strain", Quantity::MaxStrain, part);

@@ -35,6 +35,8 @@ void addParticles(const Part& part, System& system)
 {
     for (const Particle& row : part.particles) {
         const ParticleValues values = valuesOf(row);
+        if (values.guide != Guide::None)
+            system.guided.push_back({int(system.key.size()), values.guide, values.guideAxis});
         system.key.push_back(Key(row.id));
         system.mass.push_back(values.mass);
         system.inverseMass.push_back(values.inverseMass);

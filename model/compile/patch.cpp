@@ -1,5 +1,6 @@
 #include "compile/patch.h"
 
+#include "sim/guides.h"
 #include "sim/wing_load.h"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ public:
             this->material(key, material);
         for (const auto& [i, values] : patch.particles)
             particle(std::size_t(i), values);
+        if (!m_guides.empty())
+            setGuides(m_system, std::move(m_guides));
         for (const auto& [link, stuff] : patch.linkStuff)
             this->stuff(stuff, m_system.linkStuff[std::size_t(link)]);
         for (const auto& [link, spring] : patch.springs)
@@ -131,10 +134,21 @@ private:
         if (m_system.inverseMass[i] != values.inverseMass)
             m_touched.particles.push_back(int(i));
         m_layout |= (m_system.inverseMass[i] == 0.0) != (values.inverseMass == 0.0);
+        guide({int(i), values.guide, values.guideAxis});
         m_system.mass[i] = values.mass;
         m_system.inverseMass[i] = values.inverseMass;
         m_system.start.position[i] = values.position;
         m_system.start.velocity[i] = values.velocity;
+    }
+
+    void guide(const GuidedParticle& now)
+    {
+        const GuidedParticle* held = guideOf(m_system, now.particle);
+        if (held ? *held == now : now.guide == Guide::None)
+            return;
+        m_guides.push_back(now);
+        m_touched.particles.push_back(now.particle);
+        m_layout = true;
     }
 
     template <typename T>
@@ -174,6 +188,7 @@ private:
 
     System& m_system;
     Touched m_touched;
+    std::vector<GuidedParticle> m_guides; // that have changed
     bool m_allRods = false;
     bool m_tearRules = false; // have changed
     bool m_dragLines = false; // have changed

@@ -151,8 +151,11 @@ void takeSettings(const Settings& settings, System& system)
 
 ParticleValues valuesOf(const Particle& row)
 {
-    return {row.mass, row.pinned ? 0.0 : 1.0 / row.mass, row.position,
-            row.pinned ? Vec3(Vec3::Zero()) : row.velocity};
+    if (row.pinned)
+        return {row.mass, 0.0, row.position, Vec3::Zero(), Guide::None, Vec3::UnitX()};
+    const GuidedParticle guided{-1, row.guide, row.guideAxis.normalized()};
+    return {row.mass,     1.0 / row.mass, row.position, guided.freePart(row.velocity),
+            guided.guide, guided.axis};
 }
 
 LinkStuff stuffOf(const Link& row)

@@ -9,13 +9,16 @@ namespace ripstop {
 
 void takeSettings(const Settings& settings, System& system);
 
-// What a particle is to the solver; one that is pinned starts at rest.
+// What a particle is to the solver; one that is pinned starts at rest and has no guide, one on a
+// guide starts along it.
 struct ParticleValues
 {
     double mass;        // kg
     double inverseMass; // 1/kg, 0 when pinned
     Vec3 position;      // m, at the start
     Vec3 velocity;      // m/s, at the start
+    Guide guide;
+    Vec3 guideAxis; // unit vector
 };
 ParticleValues valuesOf(const Particle& row);
 

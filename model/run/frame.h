@@ -1,6 +1,7 @@
 // What views, plots and exporters see of a simulation: one instant, complete and immutable.
 #pragma once
 
+#include "base/guide.h"
 #include "base/laws.h"
 #include "base/vec3.h"
 #include "run/hand_track.h"
@@ -45,6 +46,7 @@ struct Layout
     std::vector<std::uint32_t> particleId;  // [particles]
     std::vector<std::uint32_t> particleKey; // [particles], or empty when all are those ids
     std::vector<std::uint8_t> pinned;       // [particles]
+    std::vector<GuidedParticle> guided;     // in ascending order of particle
     std::vector<Link> links;                // in the author's order
     std::vector<std::uint32_t> panelId;     // [panels]
     std::vector<std::array<int, 3>> panelCorners;

@@ -100,6 +100,7 @@ private:
             row.id = takeId(m_scene);
             row.mass = m_system.mass[i];
             row.pinned = false;
+            row.guide = Guide::None;
             m_twins[int(i)] = row.id;
             m_parted.insert_or_assign(origin, row.id);
             edit.changes.emplace_back(AddRows{part, {row}, {}, {}});

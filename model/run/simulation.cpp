@@ -5,6 +5,7 @@
 #include "run/torn_system.h"
 #include "sim/carry_over.h"
 #include "sim/cutting.h"
+#include "sim/guides.h"
 #include "sim/hand_pull.h"
 #include "sim/obstacle_motion.h"
 #include "sim/split_system.h"
@@ -44,6 +45,7 @@ std::shared_ptr<const Layout> layoutOf(const System& system,
     layout->panelCorners.reserve(system.panels.size());
     for (const double w : system.inverseMass)
         layout->pinned.push_back(w == 0.0);
+    layout->guided = system.guided;
     for (const LinkPlace& link : system.links)
         layout->links.push_back({origins.link(link.key), link.kind, link.a, link.b,
                                  link.kind == LinkKind::Rod
@@ -158,6 +160,7 @@ void Simulation::apply(const Patch& patch)
             m_state.velocity[std::size_t(i)].setZero();
             m_state.drift[std::size_t(i)].setZero();
         }
+        turnAlong({i, values.guide, values.guideAxis}, m_state);
     }
 }
 

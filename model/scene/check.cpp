@@ -41,7 +41,12 @@ std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
     return limit;
 }
 
-bool isSound(const Particle& row) { return row.pinned || row.mass > 0.0; }
+bool hasDirection(const Particle& row)
+{
+    return row.pinned || row.guide == Guide::None || row.guideAxis.norm() > 0.0;
+}
+
+bool isSound(const Particle& row) { return hasDirection(row) && (row.pinned || row.mass > 0.0); }
 
 bool hasEnds(const Link& row) { return row.from != noId && row.to != noId && row.from != row.to; }
 
@@ -185,14 +190,19 @@ private:
 
     void masses()
     {
-        for (const Entry& entry : m_scene.items)
-            if (const Part* part = std::get_if<Part>(&entry.item))
-                for (const Particle& row : part->particles)
-                    if (!isSound(row))
-                        add("massless", Severity::Error,
-                            named(Kind::Particle, row.id) + " of " + part->name
-                                + " is free and has no mass: give it a mass or pin it.",
-                            row.id);
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            for (const Particle& row : part.particles) {
+                if (isSound(row))
+                    continue;
+                const std::string name = named(Kind::Particle, row.id) + " of " + part.name;
+                if (!hasDirection(row))
+                    add("guide", Severity::Error, name + " needs a guide axis that is not zero.",
+                        row.id);
+                else
+                    add("massless", Severity::Error,
+                        name + " is free and has no mass: give it a mass or pin it.", row.id);
+            }
+        });
     }
 
     void shapes()

@@ -28,6 +28,8 @@ struct Particle
     Vec3 velocity = Vec3::Zero(); // m/s, when the run starts
     double mass = 0.01;           // kg
     bool pinned = false;
+    Guide guide = Guide::None;
+    Vec3 guideAxis = Vec3(1.0, 0.0, 0.0); // any length but 0
     double textureU = 0.0;
     double textureV = 0.0;
 
@@ -78,7 +80,10 @@ struct Part
     double canopyPressure = 0.0;  // 1, over the dynamic pressure; 0 holds no air
     double fillEfficiency = 0.07; // 1, of a canopy
     double addedMass = 1.0;       // 1, of a canopy, over the air in a hemisphere on its mouth
-    std::string builder;          // empty when drawn by hand
+    std::optional<double> massTarget;         // kg, what it is meant to weigh
+    std::optional<double> lengthTarget;       // m, of links with the role line, rest lengths
+    std::optional<double> areaTarget;         // m^2, of panels
+    std::string builder;                      // empty when drawn by hand
     std::map<std::string, double> parameters; // of the builder
     std::vector<Particle> particles;
     std::vector<Link> links;
@@ -126,6 +131,9 @@ struct Group
 {
     std::string name = "group";
     std::vector<Id> members;
+    std::optional<double> massTarget = {};   // kg, as those of a part
+    std::optional<double> lengthTarget = {}; // m
+    std::optional<double> areaTarget = {};   // m^2
 
     friend bool operator==(const Group&, const Group&) = default;
 };

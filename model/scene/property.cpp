@@ -120,6 +120,8 @@ std::span<const Property> allProperties()
         property<&Particle::velocity>    ("velocity",    "Velocity",     "m/s",     OnReset,     "How fast the particle starts."),
         property<&Particle::mass>        ("mass",        "Mass",         "kg",      Recompile,   "Inertia and weight.", notNegative),
         property<&Particle::pinned>      ("pinned",      "Pinned",       "",        Recompile,   "Held in place, whatever pulls on it."),
+        property<&Particle::guide>       ("guide",       "Guide",        "",        Recompile,   "What the particle cannot leave: a line or a plane through where it is, which takes up every force across it and gives no friction."),
+        property<&Particle::guideAxis>   ("guideAxis",   "Guide axis",   "",        Recompile,   "Direction of the line that the particle is free along, or the direction across the plane that it is free in."),
         property<&Particle::textureU>    ("u",           "Texture u",    "",        DisplayOnly, "Where the particle lies across the picture printed on the fabric, 0 to 1."),
         property<&Particle::textureV>    ("v",           "Texture v",    "",        DisplayOnly, "Where the particle lies up the picture printed on the fabric, 0 to 1."),
 
@@ -148,6 +150,9 @@ std::span<const Property> allProperties()
         property<&Part::canopyPressure>  ("canopyPressure", "Canopy pressure", "",  Recompile,   "Fills the fabric with air through its mouth, up to this pressure over the dynamic pressure of the wind that meets the mouth; 1.68 for round parachutes, 0 leaves each panel to meet the wind by itself.", {0.0, 4.0}),
         property<&Part::fillEfficiency>  ("fillEfficiency", "Fill efficiency", "",  Recompile,   "Speed at which air fills a canopy, over that of the wind times the square root of mouth over cloth area; 0.07 for round parachutes, only with canopy pressure.", {0.0, 1.0, true}),
         property<&Part::addedMass>       ("addedMass",   "Added mass",   "",        Recompile,   "Mass of the air that moves with a canopy over that in a hemisphere on its mouth; only with canopy pressure.", notNegative),
+        property<&Part::massTarget>      ("massTarget",  "Target mass",  "kg",      DisplayOnly, "What it is meant to weigh; the totals show the difference, and empty sets no target.", positive),
+        property<&Part::lengthTarget>    ("lengthTarget", "Target length", "m",     DisplayOnly, "Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.", positive),
+        property<&Part::areaTarget>      ("areaTarget",  "Target area",  "m\u00b2", DisplayOnly, "Area that its panels are meant to have; empty sets no target.", positive),
         property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand."),
 
         property<&Material::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
@@ -177,6 +182,9 @@ std::span<const Property> allProperties()
 
         property<&Group::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
         property<&Group::members>        ("members",     "Members",      "",        Recompile,   "Particles, links and panels that belong to the group.", {}, elements),
+        property<&Group::massTarget>      ("massTarget",  "Target mass",  "kg",      DisplayOnly, "What it is meant to weigh; the totals show the difference, and empty sets no target.", positive),
+        property<&Group::lengthTarget>    ("lengthTarget", "Target length", "m",     DisplayOnly, "Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.", positive),
+        property<&Group::areaTarget>      ("areaTarget",  "Target area",  "m\u00b2", DisplayOnly, "Area that its panels are meant to have; empty sets no target.", positive),
 
         property<&Collider::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
         property<&Collider::shape>       ("shape",       "Shape",        "",        Recompile,   "A plane without end, a sphere, a box, hills or a relief from a picture, or a mesh from a file."),

@@ -223,6 +223,11 @@ Reason idle(const Particle& particle, std::string_view key, const Around&)
 {
     if (key == "mass" || key == "velocity")
         return unless(!particle.pinned, "the particle is pinned");
+    if (key == "guide" || key == "guideAxis") {
+        if (particle.pinned)
+            return "the particle is pinned";
+        return unless(key == "guide" || particle.guide != Guide::None, "it has no guide");
+    }
     return used;
 }
 

@@ -30,6 +30,11 @@ public:
     // Filling the matrix: set it to zero, then add symmetric blocks.
     void setZero();
     Block& diagonal(std::size_t node) { return m_block[m_diagonal[node]]; }
+    // The rows of a pair's block are those of the node that is eliminated later.
+    bool isLater(std::size_t node, std::size_t other) const
+    {
+        return m_place[node] > m_place[other];
+    }
     Block& pair(std::size_t index) { return m_block[m_pair[index]]; }
 
     // False when the matrix is not positive definite.

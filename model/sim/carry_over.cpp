@@ -1,6 +1,7 @@
 #include "sim/carry_over.h"
 
 #include "base/key_index.h"
+#include "sim/guides.h"
 
 #include <algorithm>
 #include <utility>
@@ -159,6 +160,8 @@ State carryOver(const System& from, const State& state, const System& to, State 
             carried.drift[j].setZero();
         }
     }
+    for (const GuidedParticle& guided : to.guided)
+        turnAlong(guided, carried);
     carryLinks(from, state, to, carried);
     carryHolds(from, state, to, carried);
     carryTwinLinks(from, to, carried);

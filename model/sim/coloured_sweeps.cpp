@@ -2,6 +2,7 @@
 
 #include "base/split_mix.h"
 #include "sim/four.h"
+#include "sim/guides.h"
 #include "sim/rod_solver.h"
 
 #include <algorithm>
@@ -89,6 +90,8 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
     update(task);
     m_noting = task.note;
     std::fill(m_batches.multiplier.begin(), m_batches.multiplier.end(), Lanes{});
+    for (GuidedRod& rod : m_batches.guided)
+        rod.multiplier = 0.0;
 
     // Sweeps always in the same direction feed energy into braced frames: they flutter however many
     // substeps there are. Sweeps there and back do not, and settle without noise. A single sweep
@@ -116,7 +119,7 @@ void ColouredSweeps::project(const RodTask& task, Crew& crew)
             }
     }
     if (task.note)
-        noteSoft();
+        noteMultipliers();
     m_anew = m_anew && !task.note;
 }
 
@@ -129,11 +132,13 @@ void ColouredSweeps::sweepChunk(const System& system, int chunk, int sweep, Padd
               {sweep % 2 != 0, note, wideMachine}, position);
 }
 
-void ColouredSweeps::noteSoft()
+void ColouredSweeps::noteMultipliers()
 {
     for (std::size_t i = 0; i < m_softSum.size(); ++i)
         for (int lane = 0; lane < 4; ++lane)
             m_softSum[i].value[lane] += m_batches.multiplier[i].value[lane];
+    for (GuidedRod& rod : m_batches.guided)
+        rod.sum += rod.multiplier;
 }
 
 void ColouredSweeps::takeMultipliers(const System& system, double scale, Crew& crew,
@@ -147,6 +152,8 @@ void ColouredSweeps::takeMultipliers(const System& system, double scale, Crew& c
                 multiplier[r] = scale * taken(r);
     });
     std::fill(m_softSum.begin(), m_softSum.end(), Lanes{});
+    for (GuidedRod& rod : m_batches.guided)
+        rod.sum = 0.0;
     m_anew = true;
 }
 
@@ -154,6 +161,8 @@ double ColouredSweeps::taken(std::size_t r) const
 {
     const Place& place = m_place[r];
     const int lane = std::countr_zero(place.lanes);
+    if (place.kind == Kind::Guided)
+        return m_batches.guided[place.batch].sum;
     if (place.kind == Kind::Soft)
         return m_softSum[place.batch].value[lane];
     if (m_torn[r] || m_inverseWeight[r] == 0.0)
@@ -167,6 +176,8 @@ double ColouredSweeps::taken(std::size_t r) const
 
 ColouredSweeps::Kind ColouredSweeps::kindOf(const System& system, const Rod& rod)
 {
+    if (guideOf(system, rod.a) || guideOf(system, rod.b))
+        return Kind::Guided;
     if (rod.compliance != 0.0 || rod.resists != Resists::Both)
         return Kind::Soft;
     const double wa = system.inverseMass[std::size_t(rod.a)];
@@ -194,10 +205,11 @@ void ColouredSweeps::cook(const RodTask& task)
         const std::size_t even = m_batches.even.size();
         const std::size_t plain = m_batches.plain.size();
         const std::size_t soft = m_batches.soft.size();
+        const std::size_t guided = m_batches.guided.size();
         cookColor(task, color);
-        m_batches.runs.push_back({range(even, m_batches.even.size()),
-                                  range(plain, m_batches.plain.size()),
-                                  range(soft, m_batches.soft.size())});
+        m_batches.runs.push_back(
+            {range(even, m_batches.even.size()), range(plain, m_batches.plain.size()),
+             range(soft, m_batches.soft.size()), range(guided, m_batches.guided.size())});
     }
     m_batches.evenStretch.assign(m_batches.even.size(), Lanes{});
     m_batches.plainStretch.assign(m_batches.plain.size(), Lanes{});
@@ -228,6 +240,19 @@ void ColouredSweeps::cookColor(const RodTask& task, int color)
         }
     for (const Kind kind : {Kind::Even, Kind::Plain, Kind::Soft})
         cookKind(task, kind, color);
+    cookGuided(task, color);
+}
+
+void ColouredSweeps::cookGuided(const RodTask& task, int color)
+{
+    for (int r = task.system.colorStart[std::size_t(color)];
+         r < task.system.colorStart[std::size_t(color) + 1]; ++r) {
+        Place& place = m_place[std::size_t(r)];
+        if (!place.ours || place.kind != Kind::Guided)
+            continue;
+        place.batch = std::uint32_t(m_batches.guided.size());
+        m_batches.guided.emplace_back();
+    }
 }
 
 // The rods of one kind in a colour, four by four; the last batch repeats its last rod.
@@ -241,6 +266,8 @@ void ColouredSweeps::cookKind(const RodTask& task, Kind kind, int color)
             return cookBatch(task, m_batches.plain, four);
         case Kind::Soft:
             return cookBatch(task, m_batches.soft, four);
+        case Kind::Guided:
+            break;
         }
     };
     std::array<int, 4> four;
@@ -283,6 +310,8 @@ void ColouredSweeps::fill(const RodTask& task, std::size_t r)
     const double wb = task.system.inverseMass[std::size_t(rod.b)];
     const double rest = task.restLength[r];
     const Place& place = m_place[r];
+    if (place.ours && place.kind == Kind::Guided)
+        fillGuided(task, r);
     for (std::size_t lane = 0; lane < 4; ++lane) {
         if ((place.lanes & (1u << lane)) == 0)
             continue;
@@ -309,8 +338,32 @@ void ColouredSweeps::fill(const RodTask& task, std::size_t r)
             batch.highest[lane] = highestOf(rod.resists);
             break;
         }
+        case Kind::Guided:
+            break; // in no lane
         }
     }
+}
+
+void ColouredSweeps::fillGuided(const RodTask& task, std::size_t r)
+{
+    const System& system = task.system;
+    const Rod& rod = system.rods[r];
+    GuidedRod& held = m_batches.guided[m_place[r].batch];
+    const auto guideAt = [&](int particle) {
+        const GuidedParticle* guide = guideOf(system, particle);
+        return guide ? *guide : GuidedParticle{};
+    };
+    held.a = rod.a;
+    held.b = rod.b;
+    held.inverseMassA = system.inverseMass[std::size_t(rod.a)];
+    held.inverseMassB = system.inverseMass[std::size_t(rod.b)];
+    held.guideA = guideAt(rod.a);
+    held.guideB = guideAt(rod.b);
+    held.rest = task.restLength[r];
+    held.softness = rod.compliance / (m_h * m_h);
+    held.lowest = lowestOf(rod.resists);
+    held.highest = highestOf(rod.resists);
+    held.torn = m_torn[r] != 0;
 }
 
 // Takes over numbers that changed in place. The order stays; a rod that needs more or less than
@@ -350,8 +403,9 @@ void ColouredSweeps::weigh(const System& system, std::size_t r)
 void ColouredSweeps::soften(const RodTask& task)
 {
     m_h = task.h;
-    for (std::size_t r = 0; !m_batches.soft.empty() && r < m_place.size(); ++r)
-        if (m_place[r].kind == Kind::Soft)
+    const bool some = !m_batches.soft.empty() || !m_batches.guided.empty();
+    for (std::size_t r = 0; some && r < m_place.size(); ++r)
+        if (m_place[r].kind == Kind::Soft || m_place[r].kind == Kind::Guided)
             fill(task, r);
 }
 

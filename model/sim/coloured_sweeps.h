@@ -28,7 +28,7 @@ public:
                          std::span<double> multiplier);
 
 private:
-    enum class Kind : std::uint8_t { Even, Plain, Soft };
+    enum class Kind : std::uint8_t { Even, Plain, Soft, Guided };
 
     struct Place // of a rod among the batches
     {
@@ -41,10 +41,12 @@ private:
 
     void cook(const RodTask& task);
     void cookColor(const RodTask& task, int color);
+    void cookGuided(const RodTask& task, int color);
     void cookKind(const RodTask& task, Kind kind, int color);
     template <typename Batch>
     void cookBatch(const RodTask& task, std::vector<Batch>& batches, std::span<const int> four);
     void fill(const RodTask& task, std::size_t rod);
+    void fillGuided(const RodTask& task, std::size_t rod);
     void soften(const RodTask& task);
     void renew(const RodTask& task);
     void weigh(const System& system, std::size_t rod);
@@ -54,7 +56,7 @@ private:
     void shuffle(const System& system, std::uint64_t seed);
     void sweepChunk(const System& system, int chunk, int sweep, PaddedVec3* position);
     double taken(std::size_t rod) const;
-    void noteSoft();
+    void noteMultipliers();
 
     static Kind kindOf(const System& system, const Rod& rod);
 

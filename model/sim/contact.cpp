@@ -1,6 +1,7 @@
 #include "sim/contact.h"
 
 #include "sim/four.h"
+#include "sim/guides.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -96,6 +97,20 @@ Rebound rebound(const Obstacle& obstacle, const Vec3& velocity, const Vec3& norm
     return {kept * along + (restitution * inward) * normal, kept};
 }
 
+// What a particle on a guide meets of a surface: the normal is that within the guide, and the way
+// out leads along it. None where the guide runs along the surface, as nothing could be done.
+std::optional<Touch> touchOnGuide(const GuidedParticle& guided, const Touch& touch, const Vec3& at)
+{
+    constexpr double alongSurface = 0.02; // sine of the angle between guide and surface
+    const Vec3 within = guided.freePart(touch.normal);
+    const double steepness = within.norm();
+    if (steepness < alongSurface)
+        return std::nullopt;
+    const Vec3 normal = within / steepness;
+    const double depth = (touch.surface - at).dot(touch.normal);
+    return Touch{at + depth / steepness * normal, normal};
+}
+
 struct ContactWork
 {
     const System& system;
@@ -116,11 +131,14 @@ void resolveContact(const ContactWork& work, std::size_t i)
         return;
     const bool verlet = system.integrator == Integrator::Verlet;
     const bool inside = state.substep % lookInsideEvery == 0;
+    const GuidedParticle* const guided = guideOf(system, int(i));
     for (std::size_t o = 0; o < placed.size(); ++o) {
         const Obstacle& obstacle = system.obstacles[o];
         const Vec3 start = before[i] + placed[o].way; // as if the obstacle had been there already
-        const std::optional<Touch> found =
+        std::optional<Touch> found =
             touch(obstacle, placed[o].position, {start, state.position[i]}, inside);
+        if (found && guided)
+            found = touchOnGuide(*guided, *found, state.position[i]);
         if (!found)
             continue;
         const Vec3& n = found->normal;

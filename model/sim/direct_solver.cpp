@@ -1,5 +1,6 @@
 #include "sim/direct_solver.h"
 
+#include "sim/guides.h"
 #include "sim/rod_solver.h"
 
 #include <algorithm>
@@ -58,12 +59,26 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
         m_bars.push_back(bar);
     }
     m_matrix.analyze(nodes(), pairs);
+    takeGuides(system);
     findIslands();
     takeValues(system);
     m_position.assign(m_particle.size(), Row{});
     m_move.assign(m_particle.size(), Row{});
     m_guess.assign(nodes(), Row{});
     m_from.assign(nodes(), Row{});
+}
+
+void DirectSolver::takeGuides(const System& system)
+{
+    m_guides.clear();
+    if (system.guided.empty())
+        return;
+    m_guides.resize(m_particle.size());
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if (const GuidedParticle* guide = guideOf(system, m_particle[i]))
+            m_guides[i] = {int(i), guide->guide, guide->axis};
+    for (Bar& bar : m_bars)
+        bar.guided = m_guides[bar.a].guide != Guide::None || m_guides[bar.b].guide != Guide::None;
 }
 
 void DirectSolver::findIslands()
@@ -86,6 +101,9 @@ void DirectSolver::findIslands()
     for (const Bar& bar : m_bars)
         if (bar.pair < 0)
             held[std::size_t(lowest(std::min(bar.a, bar.b)))] = 1;
+    for (std::size_t i = 0; i < m_guides.size(); ++i) // which push back across
+        if (m_guides[i].guide != Guide::None)
+            held[std::size_t(lowest(std::uint32_t(i)))] = 1;
 
     m_island.assign(nodes(), -1);
     m_islandMass.clear();
@@ -115,6 +133,16 @@ bool DirectSolver::hasSamePins(const System& system) const
 {
     for (std::size_t i = 0; i < m_particle.size(); ++i)
         if ((system.inverseMass[std::size_t(m_particle[i])] == 0.0) != (i >= nodes()))
+            return false;
+    const auto sameGuide = [&](std::size_t i) {
+        const GuidedParticle* guide = guideOf(system, m_particle[i]);
+        const Guide now = guide ? guide->guide : Guide::None;
+        return m_guides.empty()
+                   ? now == Guide::None
+                   : m_guides[i].guide == now && (!guide || m_guides[i].axis == guide->axis);
+    };
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if (!sameGuide(i))
             return false;
     return true;
 }
@@ -196,6 +224,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         if (!m_matrix.factorize()) // when something is not a number: the watchdog will see it
             break;
         m_matrix.solve(m_move);
+        moveAlongGuides();
         foresee();
         go(1.0);
         near = error() < tolerance;
@@ -265,7 +294,9 @@ void DirectSolver::assemble()
     }
     for (Bar& bar : m_bars) {
         bar.active = acts(bar);
-        if (!bar.active)
+        if (bar.active && bar.guided)
+            addOnGuides(bar);
+        if (!bar.active || bar.guided)
             continue;
         const Four n = four(bar.direction.v);
         const double along = 1.0 / bar.softness;
@@ -293,6 +324,58 @@ void DirectSolver::assemble()
             for (int c = 0; c < 3; ++c)
                 four(block.column[c]) -= column[c];
         }
+    }
+}
+
+// What assemble() adds of a bar, with P on either side. The row of a pair's block is the node that
+// is eliminated later.
+void DirectSolver::addOnGuides(const Bar& bar)
+{
+    const auto onto = [&](std::uint32_t row) {
+        Eigen::Matrix3d free;
+        for (int c = 0; c < 3; ++c)
+            free.col(c) = m_guides[row].freePart(Vec3::Unit(c));
+        return free;
+    };
+    const Vec3 n(bar.direction.v[0], bar.direction.v[1], bar.direction.v[2]);
+    const double along = 1.0 / bar.softness;
+    const double across = bar.rest == 0.0 ? along : std::max(bar.multiplier, 0.0) / bar.length;
+    const Eigen::Matrix3d stiffness =
+        (along - across) * n * n.transpose() + across * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d ontoA = onto(bar.a), ontoB = onto(bar.b);
+    const auto add = [](BlockCholesky::Block& block, const Eigen::Matrix3d& value) {
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r)
+                block.column[c][r] += value(r, c);
+    };
+    const auto pull = [&](std::uint32_t row, const Vec3& force) {
+        for (int c = 0; c < 3; ++c)
+            m_move[row].v[c] += force[c];
+    };
+    if (bar.a < nodes()) {
+        add(m_matrix.diagonal(bar.a), ontoA * stiffness * ontoA);
+        pull(bar.a, ontoA * (along * bar.stretch * n));
+    }
+    if (bar.b < nodes()) {
+        add(m_matrix.diagonal(bar.b), ontoB * stiffness * ontoB);
+        pull(bar.b, ontoB * (-along * bar.stretch * n));
+    }
+    if (bar.pair >= 0) {
+        const bool aIsRow = m_matrix.isLater(bar.a, bar.b);
+        add(m_matrix.pair(std::size_t(bar.pair)),
+            aIsRow ? Eigen::Matrix3d(-ontoA * stiffness * ontoB)
+                   : Eigen::Matrix3d(-ontoB * stiffness * ontoA));
+    }
+}
+
+// But for rounding errors, it does already.
+void DirectSolver::moveAlongGuides()
+{
+    for (std::size_t i = 0; i < std::min(m_guides.size(), nodes()); ++i) {
+        const Vec3 along =
+            m_guides[i].freePart(Vec3(m_move[i].v[0], m_move[i].v[1], m_move[i].v[2]));
+        for (int c = 0; c < 3; ++c)
+            m_move[i].v[c] = along[c];
     }
 }
 

@@ -21,6 +21,9 @@
 // substeps, and what it leaves is of second order. Which lines and struts act is decided anew in
 // each (primal-dual active sets: Hintermueller, Ito and Kunisch 2002).
 //
+// A particle on a guide (base/guide.h) moves by P: its rows and columns of the matrix are
+// multiplied by P on either side but for its mass. What the system gives is exact for it as well.
+//
 // Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. The cost of an
 // iteration grows like n for chains, n^1.5 for sheets: meant for up to some hundreds of particles.
 // Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h of its energy
@@ -72,8 +75,9 @@ private:
         Row direction{};     // unit, from `a` to `b`
         std::uint32_t a = 0; // row of m_position; pins come last
         std::uint32_t b = 0;
-        int rod = 0;   // in System::rods
-        int pair = -1; // in the matrix; -1 when an end is pinned
+        int rod = 0;         // in System::rods
+        int pair = -1;       // in the matrix; -1 when an end is pinned
+        bool guided = false; // an end is on a guide
         Resists resists = Resists::Both;
         bool torn = false;
         bool active = false;     // takes part in this iteration
@@ -87,6 +91,7 @@ private:
     };
 
     bool hasSamePins(const System& system) const;
+    void takeGuides(const System& system);
     void takeValues(const System& system);
     void soften(const System& system, double h);
     void measure();
@@ -97,6 +102,8 @@ private:
     double error() const;
     void findIslands();
     void keepCenters();
+    void addOnGuides(const Bar& bar);
+    void moveAlongGuides();
     static bool acts(const Bar& bar);
     static double excess(const Bar& bar);
 
@@ -104,15 +111,16 @@ private:
     double m_h = 0.0;        // s, for which softness is right
     BlockCholesky m_matrix;
     std::vector<Bar> m_bars;
-    std::vector<int> m_particle;      // [rows] particle; nodes first, then pins
-    std::vector<double> m_mass;       // [nodes] kg
-    std::vector<int> m_island;        // [nodes] what rods join, or -1 when a pin is among it
-    std::vector<double> m_islandMass; // [islands] kg
-    std::vector<Row> m_drift;         // [islands] kg m
-    std::vector<Row> m_position;      // [rows] m
-    std::vector<Row> m_guess;         // [nodes] m, y above
-    std::vector<Row> m_from;          // [nodes] m, before the iteration
-    std::vector<Row> m_move;          // [rows] the right-hand side, then m
+    std::vector<int> m_particle;          // [rows] particle; nodes first, then pins
+    std::vector<double> m_mass;           // [nodes] kg
+    std::vector<GuidedParticle> m_guides; // [rows] by row instead of particle; empty without any
+    std::vector<int> m_island;            // [nodes] what rods join, or -1 when a pin is among it
+    std::vector<double> m_islandMass;     // [islands] kg
+    std::vector<Row> m_drift;             // [islands] kg m
+    std::vector<Row> m_position;          // [rows] m
+    std::vector<Row> m_guess;             // [nodes] m, y above
+    std::vector<Row> m_from;              // [nodes] m, before the iteration
+    std::vector<Row> m_move;              // [rows] the right-hand side, then m
 };
 
 } // namespace ripstop

@@ -3,10 +3,12 @@
 // Projection is XPBD without damping (Macklin, Mueller and Chentanez 2016, equations 17 and 18).
 // There are three kinds of batch, because most rods need little: even ones join particles of equal
 // mass, plain ones never stretch and resist both ways, soft ones are all the rest. Batches that
-// are not full repeat a rod: the same numbers are then written twice.
+// are not full repeat a rod: the same numbers are then written twice. The few rods that end on a
+// guide are projected one by one (guided_rod.h).
 #pragma once
 
 #include "base/vec3.h"
+#include "sim/guided_rod.h"
 
 #include <cstdint>
 #include <span>
@@ -59,6 +61,7 @@ struct BatchRun // rods of one colour
     BatchRange even;
     BatchRange plain;
     BatchRange soft;
+    BatchRange guided;
 };
 
 struct RodBatches
@@ -69,7 +72,8 @@ struct RodBatches
     std::vector<Lanes> evenStretch;  // [even] m, sum over the sweeps of half the stretch found
     std::vector<Lanes> plainStretch; // [plain] m, sum over the sweeps of the stretch found
     std::vector<Lanes> multiplier;   // [soft] kg m, of this substep
-    std::vector<BatchRun> runs;      // [colours]
+    std::vector<GuidedRod> guided;
+    std::vector<BatchRun> runs; // [colours]
 };
 
 // What becomes of evenStretch and plainStretch in a sweep.

@@ -199,6 +199,8 @@ RIPSTOP_INLINE void sweepRun(RodBatches& batches, const BatchRun& run, bool back
                        position);
     projectAll<note>(run.soft, backwards, batches.soft.data(), batches.multiplier.data(),
                        position);
+    for (std::uint32_t i = run.guided.first; i < run.guided.last; ++i)
+        project(batches.guided[i], position);
 }
 
 template <Note note>

@@ -1,6 +1,10 @@
 #include "sim/rod_solver.h"
 
+#include "sim/guided_rod.h"
+#include "sim/guides.h"
+
 #include <algorithm>
+#include <limits>
 
 namespace ripstop {
 namespace {
@@ -139,6 +143,7 @@ void RodSolver::averagedSweep(const RodTask& task, Crew& crew)
     const System& system = task.system;
     const bool paper = task.solver == Solver::PaperJacobi;
     const double perSquare = 1.0 / (task.h * task.h);
+    constexpr double most = std::numeric_limits<double>::infinity();
 
     crew.each(system.rods.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -158,7 +163,20 @@ void RodSolver::averagedSweep(const RodTask& task, Crew& crew)
 
             const double stretch = length - task.restLength[i];
             const double old = m_multiplier[i];
-            const double total = allowed(rod.resists, old + (stretch - softness * old) / weight);
+            const GuidedParticle* const guideA = guideOf(system, rod.a);
+            const GuidedParticle* const guideB = guideOf(system, rod.b);
+            double total = allowed(rod.resists, old + (stretch - softness * old) / weight);
+            if (guideA || guideB) {
+                const auto move = [&](const GuidedParticle* guide, double inverseMass) {
+                    const Vec3 free = inverseMass / length * separation;
+                    return guide ? guide->freePart(free) : free;
+                };
+                const Vec3 perMultiplier = move(guideA, splitA * system.inverseMass[a])
+                                           + move(guideB, splitB * system.inverseMass[b]);
+                total = multiplierAfter({separation, perMultiplier, task.restLength[i], softness,
+                                         allowed(rod.resists, -most), allowed(rod.resists, most)},
+                                        old);
+            }
             m_pull[i] = ((total - old) / length) * separation;
             // The paper moves the ends by different shares of the pull; the mean share is the
             // best account of the force that it gives.
@@ -179,6 +197,8 @@ void RodSolver::averagedSweep(const RodTask& task, Crew& crew)
                 else
                     sum -= m_pull[rod];
             }
+            if (const GuidedParticle* guide = guideOf(system, int(p)))
+                sum = guide->freePart(sum);
             task.position[p] += (system.inverseMass[p] / (paper ? m_valence[p] : 1.0)) * sum;
         }
     });

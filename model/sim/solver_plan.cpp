@@ -4,6 +4,7 @@
 #include "base/portable_math.h"
 #include "sim/bend_force.h"
 #include "sim/direct_choice.h"
+#include "sim/guides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,13 @@ constexpr double manySubsteps = 100.0;   // in 10 ms
 constexpr double farLighter = 1000.0;
 constexpr std::size_t mostForBlocks = 20000; // particles; looking for blocks takes its time
 
-// What rods join, without passing a pin.
+// Pinned, or on a guide, which bears a load as a pin does.
+bool bears(const System& system, int p)
+{
+    return system.inverseMass[std::size_t(p)] == 0.0 || guideOf(system, p);
+}
+
+// What rods join, without passing a pin or a guide.
 class Networks
 {
 public:
@@ -28,7 +35,7 @@ public:
         , m_mass(system.inverseMass.size(), 0.0)
         , m_rodsAtPins(system.inverseMass.size(), 0)
     {
-        const auto pinned = [&](int p) { return system.inverseMass[std::size_t(p)] == 0.0; };
+        const auto pinned = [&](int p) { return bears(system, p); };
         for (const Rod& rod : system.rods)
             if (!pinned(rod.a) && !pinned(rod.b))
                 m_sets.join(rod.a, rod.b);
@@ -63,11 +70,15 @@ Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
     const double pull = 2.0 * std::max(system.gravity.norm(), leastGravity);
     const auto loadAt = [&](int p, int other) {
         const double w = system.inverseMass[std::size_t(p)];
+        const bool holds = bears(system, p);
+        const double held = pull * networks.mass(other) / std::max(networks.rodsAtPins(other), 1);
         if (w == 0.0)
-            return pull * networks.mass(other) / std::max(networks.rodsAtPins(other), 1);
+            return held;
         const int rods =
             system.rodsAt.start[std::size_t(p) + 1] - system.rodsAt.start[std::size_t(p)];
         const double mass = 1.0 / w;
+        if (holds)
+            return std::max(held, pull * mass / rods);
         const bool hangs = networks.rodsAtPins(p) > 0; // what is pinned takes any pull
         return pull * (hangs ? mass : std::min(mass, networks.mass(p) - mass)) / rods;
     };

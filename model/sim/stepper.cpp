@@ -3,6 +3,7 @@
 #include "base/portable_math.h"
 #include "sim/bend_force.h"
 #include "sim/contact.h"
+#include "sim/guides.h"
 #include "sim/gusts.h"
 #include "sim/inputs.h"
 #include "sim/line_drag.h"
@@ -167,6 +168,7 @@ void Stepper::substep(RodTask& task, State& state)
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
     resolveContacts(system, state, m_before, m_placed, h, m_crew);
+    keepOnGuides(system, m_before, state);
     m_clock.lap(StepStage::Contact);
     if (m_judgesLinks)
         tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
@@ -198,6 +200,7 @@ void Stepper::fillAccelerations(const System& system, const State& state, double
     });
     if (state.hands.pull)
         addHandPull(system, state, m_grip, h, m_acceleration);
+    dropAcrossGuides(system, m_acceleration);
     m_clock.lap(StepStage::Sum);
 }
 

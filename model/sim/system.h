@@ -7,6 +7,7 @@
 
 #include "base/airflow.h"
 #include "base/bend.h"
+#include "base/guide.h"
 #include "base/laws.h"
 #include "base/vec3.h"
 #include "base/wing_strips.h"
@@ -59,7 +60,7 @@ struct Rows
 struct Touched
 {
     std::uint64_t since = 0;
-    std::vector<int> particles; // whose inverse mass may have changed
+    std::vector<int> particles; // whose inverse mass or guide may have changed
     std::vector<int> rods;      // whose numbers may have changed
 };
 
@@ -88,9 +89,10 @@ struct System
     double viscosity = 0.0;     // 1/s
     double speedLimit = 1000.0; // m/s
 
-    std::vector<Key> key;            // [particles]
-    std::vector<double> mass;        // [particles] kg, the true mass even when pinned
-    std::vector<double> inverseMass; // [particles] 1/kg, 0 when pinned
+    std::vector<Key> key;               // [particles]
+    std::vector<double> mass;           // [particles] kg, the true mass even when pinned
+    std::vector<double> inverseMass;    // [particles] 1/kg, 0 when pinned
+    std::vector<GuidedParticle> guided; // in ascending order of particle
 
     std::vector<Spring> springs;
     std::vector<Rod> rods;                // in the order of rod_order.h

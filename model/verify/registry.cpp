@@ -17,6 +17,7 @@ const Section sections[] = {
     {"Damping and step limits", dampingCases},
     {"Pendulum", pendulumCases},
     {"Rods", rodCases},
+    {"Guides", guideCases},
     {"Softness of sweeps", softnessCases},
     {"Hanging rods", hangCases},
     {"Ropes", ropeCases},

@@ -16,6 +16,7 @@ std::vector<Case> integratorCases();
 std::vector<Case> dampingCases();
 std::vector<Case> pendulumCases();
 std::vector<Case> rodCases();
+std::vector<Case> guideCases();
 std::vector<Case> softnessCases();
 std::vector<Case> hangCases();
 std::vector<Case> ropeCases();

@@ -161,8 +161,9 @@ private slots:
         QVERIFY(QChar(property.label.front()).isUpper());
 
         static const std::set<std::string_view> units{
-            "",    "%",   "s",   "m",         "deg",   "m/s", "m/s\u00b2", "kg",   "kg/m\u00b3",
-            "1/s", "N/m", "N m", "N m\u00b2", "N s/m", "m/N", "N",         "kg/m", "kg/m\u00b2"};
+            "",      "%",          "s",       "m",    "deg",       "m/s", "m/s\u00b2",
+            "kg",    "kg/m\u00b3", "m\u00b2", "1/s",  "N/m",       "N m", "N m\u00b2",
+            "N s/m", "m/N",        "N",       "kg/m", "kg/m\u00b2"};
         QVERIFY2(units.contains(property.unit), property.unit.data());
     }
 

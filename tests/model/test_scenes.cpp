@@ -255,6 +255,26 @@ private slots:
         QVERIFY(simulation.state().position[0].y() < 0.9); // it came down
     }
 
+    // Rings slide along their rail and nowhere else, and the curtain is drawn together.
+    void curtainIsDrawn()
+    {
+        Simulation simulation = started("curtain");
+        const std::vector<GuidedParticle> rings = simulation.system().guided;
+        QVERIFY(rings.size() >= 5);
+        const State before = simulation.state();
+        QVERIFY(simulation.runUntil(6.0));
+        double left = 1e9, right = -1e9;
+        for (const GuidedParticle& ring : rings) {
+            const auto p = std::size_t(ring.particle);
+            const Vec3 x = simulation.state().position[p];
+            QCOMPARE(x.y(), before.position[p].y());
+            QCOMPARE(x.z(), before.position[p].z());
+            left = std::min(left, x.x());
+            right = std::max(right, x.x());
+        }
+        QVERIFY2(right - left < 0.8, qPrintable(QString::number(right - left)));
+    }
+
     // Waves on it run slower than the wind, so that they grow: the flag must not come to rest.
     void flagFlutters()
     {

@@ -1,11 +1,14 @@
 // Sliders that act while the design runs, and the panel that holds them.
+#include "builders/builder.h"
 #include "document/document.h"
+#include "document/player.h"
 #include "document/selection.h"
 #include "inspector/inspector.h"
 #include "inspector/tuning_panel.h"
 #include "inspector/tuning_row.h"
 #include "inspector/value_edit.h"
 #include "small_scenes.h"
+#include "thread_time.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -152,6 +155,72 @@ private slots:
             desk.set(link, "kind", std::string("spring"));
         QVERIFY(!desk.says("Does nothing now"));
         QVERIFY(desk.says("3 links"));
+    }
+
+    // Speed falls to exp(-viscosity h) of itself in each step: the one after the slider moved has
+    // the new viscosity, and the run goes on from where it was.
+    void aSliderActsOnTheNextStep()
+    {
+        Desk desk;
+        Scene scene = fallingPair();
+        scene.settings.gravity = Vec3::Zero();
+        scene.settings.viscosity = 1.0;
+        for (Particle& row : std::get<Part>(scene.items.front().item).particles)
+            row.velocity = Vec3(0.0, 0.0, 3.0);
+        desk.document.replace(scene);
+        Player player(desk.document);
+        const Property& viscosity = *findProperty(Kind::Settings, "viscosity");
+        auto* bar = desk.add(viscosity, {settingsId})->findChild<QSlider*>();
+        const auto speed = [&] { return player.frame()->velocity[0].norm(); };
+        player.step();
+        player.step();
+        QTRY_VERIFY(player.frame() && player.frame()->step == 2);
+        double before = speed();
+        QVERIFY(std::abs(before - 3.0 * std::exp(-0.02)) < 1e-12);
+        std::int64_t steps = 2;
+        bar->setSliderDown(true);
+        for (const int share : {3, 4, 8}) { // while it is held, too
+            bar->setSliderPosition(bar->minimum() + (bar->maximum() - bar->minimum()) * share / 10);
+            const double now = std::get<double>(desk.value(settingsId, viscosity));
+            QVERIFY(now != 1.0);
+            player.step();
+            ++steps;
+            QTRY_COMPARE(player.frame()->step, steps);
+            QVERIFY(std::abs(speed() - before * std::exp(-0.01 * now)) < 1e-12);
+            before = speed();
+        }
+        bar->setSliderDown(false);
+    }
+
+    // Opening a slider on a design of 100 000 particles, and each move of it, leaves the window
+    // time for 30 pictures a second. Compiling goes on in another thread.
+    void aSliderOnALargeDesignBlocksNothing()
+    {
+        constexpr double most = 33.0; // ms of this thread
+        Desk desk;
+        auto cloth = build(*findBuilder("cloth"), {{"columns", 316}, {"rows", 316}});
+        QVERIFY(cloth);
+        desk.document.replace(std::move(*cloth));
+        Player player(desk.document);
+        QTRY_VERIFY_WITH_TIMEOUT(player.frame(), 60000);
+        QVERIFY(player.frame()->position.size() > 100000);
+        Id structural{};
+        for (const Entry& entry : desk.document.scene().items)
+            if (const auto* material = std::get_if<Material>(&entry.item);
+                material && material->name == "structural")
+                structural = entry.id;
+        double begun = threadTime();
+        TuningRow* row = desk.add(stiffness, {structural});
+        QVERIFY(row);
+        QVERIFY2(threadTime() - begun < most, "opening it");
+        auto* bar = row->findChild<QSlider*>();
+        bar->setSliderDown(true);
+        for (int place = bar->minimum() + 100; place < bar->minimum() + 200; place += 10) {
+            begun = threadTime();
+            bar->setSliderPosition(place);
+            QVERIFY2(threadTime() - begun < most, "a move");
+        }
+        bar->setSliderDown(false);
     }
 
     // Two sets: going there and back restores each; B begins as A.

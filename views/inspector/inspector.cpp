@@ -6,6 +6,7 @@
 #include "icons/icon.h"
 #include "inspector/preset_chooser.h"
 #include "inspector/property_form.h"
+#include "inspector/target_rows.h"
 #include "inspector/totals.h"
 
 #include <QKeyEvent>
@@ -43,6 +44,7 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     , m_icon(new QLabel)
     , m_title(new QLabel)
     , m_totals(new QLabel)
+    , m_targets(new TargetRows(document))
     , m_banner(new QLabel)
     , m_kinds(new QTabBar)
     , m_search(new QLineEdit)
@@ -89,6 +91,7 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     layout->setSpacing(3);
     layout->addLayout(title);
     layout->addLayout(facts);
+    layout->addWidget(m_targets);
     layout->addWidget(m_banner);
     layout->addWidget(m_kinds);
     layout->addLayout(search);
@@ -225,6 +228,7 @@ void Inspector::refreshHeader()
                               : totals(scene, kind, m_subject.ids());
     m_totals->setText(facts);
     m_totals->setVisible(!facts.isEmpty());
+    m_targets->show(m_subject.ids().size() == 1 ? m_subject.ids().front() : noId);
 }
 
 void Inspector::showPicking()

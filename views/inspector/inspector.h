@@ -18,6 +18,7 @@ namespace ripstop {
 class Document;
 class PresetChooser;
 class PropertyForm;
+class TargetRows;
 class Selection;
 
 // The form of what is selected, one or thousands of the same kind, made from the property table;
@@ -56,6 +57,7 @@ private:
     QLabel* m_icon;
     QLabel* m_title;
     QLabel* m_totals;
+    TargetRows* m_targets;
     QLabel* m_banner; // while a field waits for something to be picked
     QTabBar* m_kinds; // when several kinds are selected
     QLineEdit* m_search;

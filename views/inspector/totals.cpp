@@ -1,6 +1,7 @@
 #include "inspector/totals.h"
 
 #include "author/net.h"
+#include "author/spread_mass.h"
 #include "document/words.h"
 
 #include <Eigen/Geometry>
@@ -27,6 +28,7 @@ struct Sums
 {
     qsizetype particles = 0;
     qsizetype pins = 0;
+    qsizetype guided = 0;
     qsizetype springs = 0;
     qsizetype rods = 0;
     qsizetype panels = 0;
@@ -38,6 +40,7 @@ struct Sums
     {
         ++particles;
         pins += particle.pinned;
+        guided += !particle.pinned && particle.guide != Guide::None;
         mass += particle.mass;
     }
     void add(const Link& link)
@@ -75,6 +78,8 @@ struct Sums
             facts << quantity(mass, "kg");
         if (pins > 0)
             facts << words("%1 pinned").arg(whole(pins));
+        if (guided > 0)
+            facts << words("%1 on guides").arg(whole(guided));
         if (springs > 0 && rods > 0)
             facts << (springs == 1 ? words("1 spring") : words("%1 springs").arg(whole(springs)))
                   << (rods == 1 ? words("1 rod") : words("%1 rods").arg(whole(rods)));
@@ -85,6 +90,24 @@ struct Sums
         return joined(facts);
     }
 };
+
+// "Centre of gravity 0, 1.2, 0.1 m · inertia 0.2, 0.1, 0.3 kg m²", about x, y and z through it.
+QString balance(const Scene& scene, const std::vector<Id>& ids)
+{
+    const Weight weight = weightOf(scene, ids);
+    if (weight.mass <= 0.0 || weight.particles < 2)
+        return {};
+    const double size = std::max(weight.centre.norm(), 1e-3);
+    const auto three = [](const Vec3& v, double least) {
+        QStringList numbers;
+        for (const double one : v)
+            numbers << QString::number(std::abs(one) < least ? 0.0 : one, 'g', 3);
+        return numbers.join(QStringLiteral(", "));
+    };
+    return QChar('\n')
+           + words("Centre of gravity %1 m, inertia %2 kg m\u00b2")
+                 .arg(three(weight.centre, 1e-9 * size), three(weight.inertia, 0.0));
+}
 
 QString counts(const Sums& sums)
 {
@@ -137,7 +160,7 @@ QString ofParts(const Scene& scene, const std::vector<Id>& ids)
         if (ids.size() == 1 && !part.builder.empty())
             builders = QChar('\n') + built(part);
     }
-    return counts(sums) + QChar('\n') + sums.text() + builders;
+    return counts(sums) + QChar('\n') + sums.text() + balance(scene, ids) + builders;
 }
 
 QString ofGroups(const Scene& scene, const std::vector<Id>& ids)
@@ -148,7 +171,7 @@ QString ofGroups(const Scene& scene, const std::vector<Id>& ids)
         std::sort(members.begin(), members.end());
         addAll(sums, scene, members);
     }
-    return (counts(sums) + QChar('\n') + sums.text()).trimmed();
+    return (counts(sums) + QChar('\n') + sums.text() + balance(scene, ids)).trimmed();
 }
 
 QString ofMaterials(const Scene& scene, const std::vector<Id>& ids)

@@ -41,6 +41,7 @@ void SheetModel::show(SheetOf sheet)
     beginResetModel();
     m_sheet = sheet;
     m_columns = sheetColumns(sheet);
+    m_rows.clear();
     m_ids.clear();
     m_sortColumn = 0;
     m_sortOrder = Qt::AscendingOrder;
@@ -62,10 +63,10 @@ void SheetModel::reload()
         std::ranges::set_intersection(ids, *m_limit, std::back_inserter(both));
         ids = std::move(both);
     }
-    std::vector<Id> shown = m_ids;
-    std::ranges::sort(shown);
-    if (shown != ids)
-        setRows(std::move(ids)); // in the order of ids until they are sorted
+    if (ids != m_rows) {
+        m_rows = std::move(ids);
+        setRows(m_rows); // in the order of ids until they are sorted
+    }
     startSort();
 }
 
@@ -90,19 +91,17 @@ void SheetModel::startSort()
     m_isStale = m_isBusy;
     if (m_isBusy)
         return;
-    std::vector<Id> ids = m_ids;
-    std::ranges::sort(ids);
     const bool isById = m_sortColumn == 0 && m_sortOrder == Qt::AscendingOrder;
     if (isById) {
-        if (ids != m_ids)
-            setRows(std::move(ids));
+        if (m_rows != m_ids)
+            setRows(m_rows);
         emit sorted();
         return;
     }
     m_isBusy = true;
     const auto order = m_sortOrder == Qt::AscendingOrder ? SheetOrder::Rising : SheetOrder::Falling;
     m_sorter = std::jthread([this, order,
-                             keys = sheetKeys(m_document.scene(), std::move(ids),
+                             keys = sheetKeys(m_document.scene(), m_rows,
                                               m_columns[std::size_t(m_sortColumn)])]() mutable {
         auto inOrder = ripstop::sorted(std::move(keys), order);
         QMetaObject::invokeMethod(

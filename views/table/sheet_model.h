@@ -50,6 +50,7 @@ private:
     Document& m_document;
     SheetOf m_sheet = SheetOf::Particles;
     std::vector<SheetColumn> m_columns;
+    std::vector<Id> m_rows; // that are shown, ascending
     std::vector<Id> m_ids;
     std::size_t m_total = 0;
     std::optional<std::vector<Id>> m_limit;

@@ -13,6 +13,9 @@ void addParticles(const Part& part, Layout& layout, Frame& frame, Indices& index
         index.emplace(std::uint32_t(particle.id), int(frame.position.size()));
         layout.particleId.push_back(std::uint32_t(particle.id));
         layout.pinned.push_back(particle.pinned);
+        if (!particle.pinned && particle.guide != Guide::None)
+            layout.guided.push_back(
+                {int(frame.position.size()), particle.guide, particle.guideAxis.normalized()});
         frame.position.push_back(particle.position);
         frame.velocity.push_back(particle.velocity);
     }

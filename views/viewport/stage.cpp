@@ -24,10 +24,10 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 12> Stage::layers()
+std::array<Layer*, 13> Stage::layers()
 {
-    return {&m_ground,    &m_shadow, &m_colliders, &panels,    &links, &particles, &m_weights,
-            &m_highlight, &m_pins,   &m_wind,      &m_vectors, &ghost};
+    return {&m_ground,    &m_shadow, &m_colliders, &panels, &links,     &particles, &m_weights,
+            &m_highlight, &m_pins,   &m_guides,    &m_wind, &m_vectors, &ghost};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft

@@ -6,6 +6,7 @@
 #include "viewport/collider_layer.h"
 #include "viewport/ghost_layer.h"
 #include "viewport/ground_layer.h"
+#include "viewport/guide_layer.h"
 #include "viewport/highlight_layer.h"
 #include "viewport/link_layer.h"
 #include "viewport/panel_layer.h"
@@ -77,9 +78,10 @@ private:
     void takeRange();
     bool somethingBroke() const;
     std::ptrdiff_t lateOnes() const; // colliders whose file is being read
-    std::array<Layer*, 12> layers();
+    std::array<Layer*, 13> layers();
 
     PinLayer m_pins;
+    GuideLayer m_guides;
     WeightLayer m_weights;
     HighlightLayer m_highlight;
     GroundLayer m_ground;

@@ -1,0 +1,94 @@
+#include "author/targets.h"
+
+#include "author/elements.h"
+#include "author/spread_mass.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr double near = 0.005; // 1, of the target
+
+double massOf(const Elements& elements)
+{
+    double mass = 0.0;
+    for (const Particle* row : elements.particles)
+        mass += row->mass;
+    return mass;
+}
+
+double lengthOf(const Elements& elements)
+{
+    double length = 0.0;
+    for (const Link* row : elements.links)
+        length += row->role == LinkRole::Line ? row->restLength : 0.0;
+    return length;
+}
+
+double areaOf(const Scene& scene, const Elements& elements)
+{
+    double area = 0.0;
+    const auto place = [&](Id id) -> const Vec3* {
+        const auto ref = find(scene, id);
+        const auto* row = ref ? std::get_if<const Particle*>(&*ref) : nullptr;
+        return row ? &(*row)->position : nullptr;
+    };
+    for (const Panel* row : elements.panels) {
+        const Vec3 *a = place(row->a), *b = place(row->b), *c = place(row->c);
+        if (a && b && c)
+            area += 0.5 * (*b - *a).cross(*c - *a).norm();
+    }
+    return area;
+}
+
+template <typename Holder>
+std::vector<Target> targetsOf(const Scene& scene, const Holder& holder, Kind kind, Id id)
+{
+    std::vector<Target> targets;
+    if (!holder.massTarget && !holder.lengthTarget && !holder.areaTarget)
+        return targets;
+    const Elements elements = sortedElements(scene, elementsOf(scene, {id}));
+    const auto add = [&](const char* key, const std::optional<double>& wanted, auto value) {
+        if (wanted)
+            targets.push_back({findProperty(kind, key), value(), *wanted});
+    };
+    add("massTarget", holder.massTarget, [&] { return massOf(elements); });
+    add("lengthTarget", holder.lengthTarget, [&] { return lengthOf(elements); });
+    add("areaTarget", holder.areaTarget, [&] { return areaOf(scene, elements); });
+    return targets;
+}
+
+} // namespace
+
+bool Target::isMet() const { return std::abs(excess()) <= near * wanted; }
+
+std::vector<Target> targetsOf(const Scene& scene, Id id)
+{
+    if (const Part* part = findItem<Part>(scene, id))
+        return targetsOf(scene, *part, Kind::Part, id);
+    if (const Group* group = findItem<Group>(scene, id))
+        return targetsOf(scene, *group, Kind::Group, id);
+    return {};
+}
+
+Result<Edit> massBroughtToTarget(const Scene& scene, Id id)
+{
+    for (const Target& target : targetsOf(scene, id)) {
+        if (target.property->key != "massTarget")
+            continue;
+        const Elements elements = sortedElements(scene, elementsOf(scene, {id}));
+        std::vector<Id> particles;
+        for (const Particle* row : elements.particles)
+            particles.push_back(row->id);
+        Result<Edit> edit = massSpread(scene, particles, MassBy::TotalInProportion, target.wanted);
+        if (edit)
+            edit->label = "Bring mass to target";
+        return edit;
+    }
+    return Failure{"No target mass is set."};
+}
+
+} // namespace ripstop

@@ -1,0 +1,30 @@
+// What a part or a group comes to, beside what its author wants it to come to.
+#pragma once
+
+#include "base/result.h"
+#include "scene/edit.h"
+
+#include <vector>
+
+namespace ripstop {
+
+struct Target
+{
+    const Property* property; // mass, length or area; its unit is that of the numbers
+    double value;             // of now
+    double wanted;
+
+    double excess() const { return value - wanted; }
+    // To within half a percent.
+    bool isMet() const;
+};
+
+// Those that are set; none for what has no targets. Of a group, its members count, and particles
+// that links and panels among them lead to do not.
+std::vector<Target> targetsOf(const Scene& scene, Id id);
+
+// Spreads what is missing to the target mass, or is too much, over the particles in proportion to
+// their masses. Fails with a sentence where there is no mass yet.
+Result<Edit> massBroughtToTarget(const Scene& scene, Id id);
+
+} // namespace ripstop

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "author/targets.h"
+
+#include <QWidget>
+
+class QGridLayout;
+
+namespace ripstop {
+
+class Document;
+
+// What a part or group comes to, what it is meant to come to, and the difference, in a row for each
+// target that is set; a button brings the mass there. Hidden where there is no target.
+class TargetRows final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit TargetRows(Document& document, QWidget* parent = nullptr);
+
+    void show(Id id); // noId for nothing with targets
+    using QWidget::show;
+
+private:
+    void addRow(const Target& target);
+    void spread();
+
+    Document& m_document;
+    Id m_id = noId;
+    QGridLayout* m_rows;
+};
+
+} // namespace ripstop
