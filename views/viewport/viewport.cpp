@@ -10,6 +10,7 @@
 #include "viewport/gizmo_overlay.h"
 #include "viewport/grab_tool.h"
 #include "viewport/legend.h"
+#include "viewport/overlay_paint.h"
 #include "viewport/pointing.h"
 #include "viewport/probe_labels.h"
 #include "viewport/scene_frame.h"
@@ -327,39 +328,22 @@ void Viewport::resizeEvent(QResizeEvent*)
 QImage Viewport::image(Overlays overlays)
 {
     QImage picture = d->screen.picture();
-    if (picture.isNull() || overlays == Overlays::Without)
-        return picture;
-    picture.setDevicePixelRatio(d->screen.devicePixelRatioF());
-    QPainter painter(&picture);
-    for (QWidget* overlay : std::initializer_list<QWidget*>{&d->centre, &d->labels, &d->gizmo,
-                                                            &d->legend, &d->compass})
-        if (!overlay->isHidden())
-            overlay->render(&painter, overlay->pos(), {}, QWidget::RenderFlags{});
+    if (!picture.isNull() && overlays == Overlays::With)
+        paintOver(picture, {&d->centre, &d->labels, &d->gizmo, &d->legend, &d->compass}, size());
     return picture;
 }
 
 QImage Viewport::image(const Shot& shot)
 {
-    const double scale = double(shot.size.height()) / std::max(height(), 1);
-    d->shotRatio = scale;
+    d->shotRatio = double(shot.size.height()) / std::max(height(), 1);
     d->stage.setBackdropShown(!shot.transparent);
     QImage picture =
         d->screen.picture(shot.size, shot.transparent ? VtkWidget::Backdrop::Transparent
                                                       : VtkWidget::Backdrop::Shown);
     d->stage.setBackdropShown(true);
     d->shotRatio.reset();
-    if (shot.overlays == Overlays::Without)
-        return picture;
-
-    QPainter painter(&picture);
-    painter.scale(scale, scale);
-    const double wider = shot.size.width() / scale - width(); // than the view
-    for (QWidget* overlay : std::initializer_list<QWidget*>{&d->legend, &d->compass})
-        if (!overlay->isHidden()) {
-            const bool isRight = overlay->geometry().center().x() > width() / 2;
-            overlay->render(&painter, overlay->pos() + QPoint(isRight ? int(wider) : 0, 0), {},
-                            QWidget::RenderFlags{});
-        }
+    if (shot.overlays == Overlays::With)
+        paintOver(picture, {&d->legend, &d->compass}, size());
     return picture;
 }
 
