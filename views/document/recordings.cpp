@@ -116,11 +116,13 @@ void Recordings::watch()
     emit grew();
 }
 
+// Between two looks of watch() a run may have made many frames.
 double Recordings::time() const
 {
-    if (!m_current || m_current->frameCount() == 0)
+    const std::size_t count = m_current ? m_current->frameCount() : 0;
+    if (count == 0)
         return 0.0;
-    return m_current->timeOf(std::min(m_frame, m_current->frameCount() - 1));
+    return m_current->timeOf(m_wantsPast ? std::min(m_frame, count - 1) : count - 1);
 }
 
 // --- looking back ------------------------------------------------------------------------------

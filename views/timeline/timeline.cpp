@@ -93,7 +93,7 @@ void Timeline::layOut()
     m_runs->setAccessibleName(tr("Run"));
     m_runs->setToolTip(tr("The runs that are kept"));
     m_runs->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_runs->setMinimumContentsLength(16);
+    m_runs->setMinimumContentsLength(9);
     m_speed->setObjectName(QStringLiteral("playbackSpeed"));
     m_speed->setAccessibleName(tr("Speed of playing back"));
     m_speed->setToolTip(tr("Recorded seconds per second of the clock"));
@@ -107,6 +107,8 @@ void Timeline::layOut()
     for (QToolButton* menu : {m_more, m_loop, m_bookmark, m_compare})
         menu->setPopupMode(QToolButton::InstantPopup);
     m_where->setObjectName(QStringLiteral("where"));
+    m_where->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_where->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // docks stay narrow
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 2, 6, 0);
@@ -123,8 +125,7 @@ void Timeline::layOut()
     row->addSpacing(6);
     row->addWidget(m_continue);
     row->addWidget(m_live);
-    row->addStretch(1);
-    row->addWidget(m_where);
+    row->addWidget(m_where, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
