@@ -665,11 +665,6 @@
     </message>
     <message>
         <location filename="chart.cpp"/>
-        <source>no unit</source>
-        <translation>sans unité</translation>
-    </message>
-    <message>
-        <location filename="chart.cpp"/>
         <source>time (s)</source>
         <translation>temps (s)</translation>
     </message>
@@ -900,6 +895,11 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>Free along a line or &amp;in a plane…</source>
+        <translation>L&amp;ibre sur une ligne ou dans un plan…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>Give the selected particles mass: each, by length, by area, or a total to share.</source>
         <translation>Donner une masse aux particules sélectionnées : chacune, par longueur, par aire, ou un total à répartir.</translation>
     </message>
@@ -912,6 +912,11 @@
         <location filename="design_rows.cpp"/>
         <source>Least %1</source>
         <translation>%1 minimal</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Let the selected particles slide along a line or in a plane only, as rings on a rail: along x, y or z, or as two or three selected particles lie.</source>
+        <translation>Laisser les particules sélectionnées glisser seulement le long d’une ligne ou dans un plan, comme des anneaux sur un rail : le long de x, y ou z, ou selon deux ou trois particules sélectionnées.</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -1002,6 +1007,16 @@
         <location filename="design_rows.cpp"/>
         <source>Select what is to be copied first.</source>
         <translation>Sélectionner d’abord ce qui est à copier.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Smoo&amp;th…</source>
+        <translation>Li&amp;sser…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Take bumps and creases out of the selected fabric and lines.</source>
+        <translation>Ôter les bosses et les plis du tissu et des lignes sélectionnés.</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -1356,6 +1371,19 @@
         <translation>sur une particule</translation>
     </message>
     <message>
+        <location filename="empty_hint.cpp"/>
+        <source>This scene is empty.
+
+Insert brings in a whole kite, glider, parachute or cloth.
+File, Import makes fabric of a mesh (Ctrl+Shift+I).
+Draw, Links draws one particle after the other (D).</source>
+        <translation>Cette scène est vide.
+
+Insertion amène un cerf-volant, un deltaplane, un parachute ou une toile.
+Fichier, Importer fait du tissu d’un maillage (Ctrl+Maj+I).
+Dessin, Liaisons dessine une particule après l’autre (D).</translation>
+    </message>
+    <message>
         <location filename="export_choice.cpp"/>
         <source>%1 and %2</source>
         <translation>%1 et %2</translation>
@@ -1514,6 +1542,11 @@
         <location filename="export_dialog.cpp"/>
         <source>Fi&amp;le</source>
         <translation>F&amp;ichier</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>File</source>
+        <translation>Fichier</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -2542,11 +2575,6 @@
     </message>
     <message>
         <location filename="keys_dialog.cpp"/>
-        <source>Drags what controls move: corners, pilots, colliders.</source>
-        <translation>Tire ce que les commandes déplacent : coins, pilotes, obstacles.</translation>
-    </message>
-    <message>
-        <location filename="keys_dialog.cpp"/>
         <source>Esc, right button</source>
         <translation>Échap, bouton droit</translation>
     </message>
@@ -2559,6 +2587,11 @@
         <location filename="keys_dialog.cpp"/>
         <source>Everywhere</source>
         <translation>Partout</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Gamepad, axis %1</source>
+        <translation>Manette, axe %1</translation>
     </message>
     <message>
         <location filename="keys_dialog.cpp"/>
@@ -2627,6 +2660,11 @@
     </message>
     <message>
         <location filename="keys_dialog.cpp"/>
+        <source>Pulls at fabric and lines, carries colliders, moves what controls move.</source>
+        <translation>Tire sur le tissu et les lignes, porte des obstacles, déplace ce que les commandes déplacent.</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
         <source>Right drag, with box or lasso</source>
         <translation>Glisser à droite, au rectangle ou lasso</translation>
     </message>
@@ -2649,11 +2687,6 @@
         <location filename="keys_dialog.cpp"/>
         <source>Snap</source>
         <translation>Aimanter</translation>
-    </message>
-    <message>
-        <location filename="keys_dialog.cpp"/>
-        <source>Steer</source>
-        <translation>Piloter</translation>
     </message>
     <message>
         <location filename="keys_dialog.cpp"/>
@@ -2695,6 +2728,11 @@
         <location filename="keys_dialog.cpp"/>
         <source>Type the amount</source>
         <translation>Taper la quantité</translation>
+    </message>
+    <message>
+        <location filename="keys_dialog.cpp"/>
+        <source>Up to %1 m either way.</source>
+        <translation>Jusqu’à %1 m de part et d’autre.</translation>
     </message>
     <message>
         <location filename="keys_dialog.cpp"/>
@@ -3162,6 +3200,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="outline.cpp"/>
+        <source>Search the outline</source>
+        <translation>Chercher dans l’arborescence</translation>
+    </message>
+    <message>
+        <location filename="outline.cpp"/>
         <source>Select what is made of it</source>
         <translation>Sélectionner ce qui en est fait</translation>
     </message>
@@ -3347,8 +3390,33 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
+        <source>Clear earlier runs</source>
+        <translation>Effacer les simulations précédentes</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Copy the picture</source>
+        <translation>Copier l’image</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Copy the table</source>
+        <translation>Copier le tableau</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Curves against</source>
+        <translation>Courbes en fonction de</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
         <source>Follow the run</source>
         <translation>Suivre la simulation</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Logarithmic values</source>
+        <translation>Valeurs logarithmiques</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
@@ -3362,8 +3430,8 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
-        <source>PNG (*.png);;PDF (*.pdf)</source>
-        <translation>PNG (*.png);;PDF (*.pdf)</translation>
+        <source>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</source>
+        <translation>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
@@ -3392,8 +3460,18 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
+        <source>Spectra</source>
+        <translation>Spectres</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
         <source>Tick a probe to plot it.</source>
         <translation>Cocher une sonde pour tracer sa courbe.</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>amplitude (%1)</source>
+        <translation>amplitude (%1)</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
@@ -3402,8 +3480,28 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
+        <source>each in its unit</source>
+        <translation>chacune dans son unité</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>frequency (Hz)</source>
+        <translation>fréquence (Hz)</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
         <source>now</source>
         <translation>maintenant</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>run %1</source>
+        <translation>simulation %1</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>time</source>
+        <translation>temps</translation>
     </message>
     <message>
         <location filename="polar_chart.cpp"/>
@@ -4240,6 +4338,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="select_rows.cpp"/>
+        <source>All particles that are free along a line or in a plane only.</source>
+        <translation>Toutes les particules libres seulement le long d’une ligne ou dans un plan.</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
         <source>All particles that are held in place.</source>
         <translation>Toutes les particules tenues en place.</translation>
     </message>
@@ -4357,6 +4460,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="select_rows.cpp"/>
         <source>P&amp;inned particles</source>
         <translation>Particules &amp;fixées</translation>
+    </message>
+    <message>
+        <location filename="select_rows.cpp"/>
+        <source>Particles on &amp;guides</source>
+        <translation>Particules sur &amp;guides</translation>
     </message>
     <message>
         <location filename="select_rows.cpp"/>
@@ -4665,8 +4773,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="start_page.cpp"/>
-        <source>An empty scene with a ground and air</source>
-        <translation>Une scène vide avec un sol et de l’air</translation>
+        <source>An empty scene, to draw or import into</source>
+        <translation>Une scène vide, pour dessiner ou importer</translation>
     </message>
     <message>
         <location filename="start_page.cpp"/>
@@ -5020,6 +5128,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Along a line</source>
+        <translation>Le long d’une ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Along itself</source>
+        <translation>Le long de soi</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Along the pole.</source>
         <translation>Le long du mât.</translation>
     </message>
@@ -5105,8 +5223,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Area</source>
-        <translation>Aire</translation>
+        <source>Area that its panels are meant to have; empty sets no target.</source>
+        <translation>Aire que ses panneaux doivent avoir ; vide ne vise rien.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -5247,6 +5365,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Black denim, 11 oz</source>
         <translation>Denim noir, 11 oz</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Border</source>
+        <translation>Bord</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -5650,6 +5773,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Direction of the line that the particle is free along, or the direction across the plane that it is free in.</source>
+        <translation>Direction de la ligne le long de laquelle la particule est libre, ou perpendiculaire au plan où elle l’est.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Direction of the line, or across the plane: an axis of the world, or the line or plane that fits what is selected best, as through two or three particles.</source>
+        <translation>Direction de la ligne, ou perpendiculaire au plan : un axe du monde, ou la ligne ou le plan qui convient le mieux à la sélection, comme par deux ou trois particules.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Direction that is turned round: x swaps left and right, y up and down, z front and back.</source>
         <translation>Direction qui est retournée : x échange gauche et droite, y haut et bas, z devant et derrière.</translation>
     </message>
@@ -5840,6 +5973,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Fibreglass tube 10 mm</source>
         <translation>Tube de fibre de verre 10 mm</translation>
     </message>
@@ -5857,11 +5995,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Fibreglass tube 9 mm</source>
         <translation>Tube de fibre de verre 9 mm</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>File</source>
-        <translation>Fichier</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6140,6 +6273,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Guide axis</source>
+        <translation>Axe du guide</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Gustiness</source>
         <translation>Force des rafales</translation>
     </message>
@@ -6235,6 +6378,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Held</source>
+        <translation>Tenue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Held in place, whatever pulls on it.</source>
         <translation>Tenue en place, quoi qui tire dessus.</translation>
     </message>
@@ -6255,6 +6403,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Holds the selected particles: a ring on a rail is free along a line, a foot on a floor in a plane. The guide takes up all force across it and gives no friction.</source>
+        <translation>Tient les particules sélectionnées : un anneau sur un rail est libre le long d’une ligne, un pied sur un sol dans un plan. Le guide reprend toute force en travers et ne frotte pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Hoop</source>
         <translation>Cerceau</translation>
     </message>
@@ -6262,6 +6415,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Hoop mass</source>
         <translation>Masse du cerceau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>How each particle is held: free along a line or in a plane through its place, without friction; in its place; or not at all.</source>
+        <translation>Comment chaque particule est tenue : libre le long d’une ligne ou dans un plan par sa place, sans frottement ; en place ; ou pas du tout.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6400,8 +6558,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>In a plane</source>
+        <translation>Dans un plan</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>In a ring</source>
         <translation>En anneau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>In place</source>
+        <translation>En place</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6430,6 +6598,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Iterations</source>
+        <translation>Itérations</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Jet</source>
         <translation>Jet</translation>
     </message>
@@ -6447,6 +6620,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Keel depth</source>
         <translation>Profondeur de quille</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Keep</source>
+        <translation>Garder</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6482,6 +6660,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Kites</source>
         <translation>Cerfs-volants</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Laplacian</source>
+        <translation>Laplacienne</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6542,6 +6725,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Length of an arm over the width; 0 is a square canopy without arms.</source>
         <translation>Longueur d’un bras, rapportée à la largeur ; 0 est une voilure carrée sans bras.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.</source>
+        <translation>Longueur de ligne visée, d’après les longueurs au repos de ses liaisons de rôle ligne ; vide ne vise rien.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6800,11 +6988,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Mass</source>
-        <translation>Masse</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Mass in the unit that the line above says. It takes the place of the mass that is there.</source>
         <translation>Masse dans l’unité que dit la ligne ci-dessus. Elle prend la place de la masse présente.</translation>
     </message>
@@ -6990,6 +7173,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Metres per unit of the mesh file; only meshes use it.</source>
         <translation>Mètres par unité du fichier de maillage ; seuls les maillages l’utilisent.</translation>
     </message>
@@ -7012,6 +7200,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Momentum</source>
         <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>More of them smooth longer waves.</source>
+        <translation>Plus il y en a, plus les ondes lissées sont longues.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7077,6 +7270,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Normal force coefficient per sine of the angle of attack; 2.5 for a plate as wide as it is high.</source>
         <translation>Coefficient de force normale par sinus de l’angle d’attaque ; 2,5 pour une plaque aussi large que haute.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Not at all</source>
+        <translation>Pas du tout</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7570,6 +7768,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Rail</source>
+        <translation>Rail</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Rate</source>
         <translation>Vitesse de réponse</translation>
     </message>
@@ -7592,6 +7795,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Rear legs</source>
         <translation>Brins arrière</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rebind</source>
+        <translation>Recaler</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7627,6 +7835,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Rest length</source>
         <translation>Longueur au repos</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rest lengths of links: rebind them to the new distances, so that the design stays free of load, or keep them.</source>
+        <translation>Longueurs au repos des liaisons : les recaler sur les nouvelles distances, pour que le modèle reste sans charge, ou les garder.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7885,6 +8098,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Share of the way to the middle of its neighbours that a particle goes in one pass.</source>
+        <translation>Part du chemin vers le milieu de ses voisines qu’une particule fait en une passe.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Shear</source>
         <translation>Cisaillement</translation>
     </message>
@@ -7995,6 +8213,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Softness of sweeps</source>
         <translation>Mollesse des balayages</translation>
     </message>
@@ -8072,6 +8295,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Start</source>
         <translation>Départ</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stays</source>
+        <translation>Reste</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8190,13 +8418,38 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Takes bumps and creases out of the selected fabric and lines.</source>
+        <translation>Ôte les bosses et les plis du tissu et des lignes sélectionnés.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Target</source>
         <translation>Cible</translation>
     </message>
     <message>
         <location filename="tables"/>
+        <source>Target area</source>
+        <translation>Aire visée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Target length</source>
+        <translation>Longueur visée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Targets</source>
         <translation>Cibles</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Taubin</source>
+        <translation>Taubin</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Taubin's keeps the size; the Laplacian one shrinks and draws tight.</source>
+        <translation>Celle de Taubin garde la taille ; la laplacienne rétrécit et tend.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8352,6 +8605,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Through all in a line, on to the first again, or every one with every other.</source>
         <translation>Par toutes en ligne, puis de retour à la première, ou chacune avec chacune.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Through what is selected</source>
+        <translation>Par la sélection</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8530,8 +8788,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped.</source>
-        <translation>Ce qui tient la toile : 0 deux coins, 1 le bord gauche comme un drapeau, 2 rien, 3 les bords gauche et droit, dont le droit peut être tiré, 4 le bord gauche encastré.</translation>
+        <source>What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped, 5 rings along a rail, of which the last one can be drawn.</source>
+        <translation>Ce qui tient la toile : 0 deux coins, 1 le bord gauche comme un drapeau, 2 rien, 3 les bords gauche et droit, dont le droit peut être tiré, 4 le bord gauche encastré, 5 des anneaux le long d’un rail, dont le dernier peut être tiré.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8542,6 +8800,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What is measured.</source>
         <translation>Ce qui est mesuré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What it is meant to weigh; the totals show the difference, and empty sets no target.</source>
+        <translation>Ce que cela doit peser ; les totaux montrent la différence, et vide ne vise rien.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8560,8 +8823,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>What the edge of fabric does. Ends of lines stay.</source>
+        <translation>Ce que fait le bord du tissu. Les bouts de lignes restent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>What the link stands for where its material has a physical stiffness: a line or spar by itself, threads of a fabric, or its resistance to shear.</source>
         <translation>Ce que représente la liaison là où son matériau a une rigidité physique : une ligne ou un longeron à elle seule, des fils d’un tissu, ou sa résistance au cisaillement.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the particle cannot leave: a line or a plane through where it is, which takes up every force across it and gives no friction.</source>
+        <translation>Ce que la particule ne peut quitter : une ligne ou un plan par sa place, qui reprend toute force en travers et ne frotte pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8782,6 +9055,46 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>two particles</source>
         <translation>deux particules</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>%1 missing (%2)</source>
+        <translation>%1 manquants (%2)</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>%1 too much (%2)</source>
+        <translation>%1 de trop (%2)</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>Length of line</source>
+        <translation>Longueur de ligne</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>Spread the difference over the particles, in proportion to their masses, so that they weigh what they should.</source>
+        <translation>Répartir la différence sur les particules, en proportion de leurs masses, pour qu’elles pèsent ce qu’elles doivent.</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>Target mass</source>
+        <translation>Masse visée</translation>
+    </message>
+    <message>
+        <location filename="target_rows.cpp"/>
+        <source>on target</source>
+        <translation>atteint</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -9225,6 +9538,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="totals.cpp"/>
+        <source>%1 on guides</source>
+        <translation>%1 sur des guides</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
         <source>%1 pinned</source>
         <translation>%1 fixées</translation>
     </message>
@@ -9242,6 +9560,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="totals.cpp"/>
         <source>Built by %1</source>
         <translation>Construit par %1</translation>
+    </message>
+    <message>
+        <location filename="totals.cpp"/>
+        <source>Centre of gravity %1 m, inertia %2 kg m²</source>
+        <translation>Centre de gravité %1 m, inertie %2 kg m²</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>
