@@ -4878,6 +4878,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>1 kg on a rod of 1 m, let go at 30 degrees: it swings once in 2.041 s.</source>
+        <translation>1 kg sur une tige de 1 m, lâché à 30 degrés : il bat une fois en 2,041 s.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>1 pins the second particle as well, so that the first segment keeps its direction.</source>
         <translation>1 fixe aussi la deuxième particule, et le premier segment garde sa direction.</translation>
     </message>
@@ -4893,6 +4898,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>5 kg hang from three rows of lines. A table has the lengths, row by row from the riser up.</source>
+        <translation>5 kg pendent à trois rangées de brins. Un tableau en a les longueurs, rangée par rangée depuis l’élévateur.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>6 m/s with the gusts of light turbulence after Dryden. Another seed gives other gusts.</source>
+        <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden. Une autre graine donne d’autres rafales.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>65 kg swing on a line of 100 g. Each segment carries 65 000 times its own mass.</source>
+        <translation>65 kg balancent sur une ligne de 100 g. Chaque segment porte 65 000 fois sa propre masse.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A bob at the free end, over and above the rope's own mass.</source>
         <translation>Un poids au bout libre, en plus de la masse de la corde.</translation>
     </message>
@@ -4900,6 +4920,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>A box on the ground that cloth lies on and lines bend round.</source>
         <translation>Une boîte au sol où la toile se pose et que les lignes contournent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A canopy in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop.</source>
+        <translation>Une voilure en plis est jetée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A curtain of 2 m hangs by rings that are free along a rail. The last ring is drawn to the left by itself, at 0.2 m/s.</source>
+        <translation>Un rideau de 2 m pend à des anneaux libres le long d’un rail. Le dernier anneau est tiré de lui-même vers la gauche, à 0,2 m/s.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -4913,6 +4943,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>A flag of 1.2 m x 0.8 m in 8 m/s of wind bends a fibre glass pole of 12 mm.</source>
+        <translation>Un drapeau de 1,2 m x 0,8 m dans un vent de 8 m/s fait plier un mât de fibre de verre de 12 mm.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A flag tied to a pole that stands on the ground and may bend.</source>
         <translation>Un drapeau attaché à un mât planté au sol qui peut plier.</translation>
     </message>
@@ -4923,6 +4958,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>A hanging sheet is let go and folds on the ground. Its layers stay 12 mm apart.</source>
+        <translation>Une toile suspendue est lâchée et se plie au sol. Ses couches restent à 12 mm l’une de l’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A line resists tension only, a strut compression only, a batten both.</source>
         <translation>Une ligne ne résiste qu’à la traction, un étai qu’à la compression, une latte aux deux.</translation>
     </message>
@@ -4930,6 +4970,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>A link breaks above this, in metres, as a strain or in newtons as the rule says.</source>
         <translation>Une liaison rompt au-delà, en mètres, en déformation ou en newtons comme le dit la règle.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A loose sheet falls on three boxes, one of them on its edge. Particles keep 4 mm from the boxes and 8 mm from the sheet itself.</source>
+        <translation>Une toile libre tombe sur trois boîtes, dont une sur son arête. Les particules restent à 4 mm des boîtes et à 8 mm de la toile même.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -4998,6 +5043,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>A sheet of 6 m falls on generated hills, a height field of 256 x 256 points.</source>
+        <translation>Une toile de 6 m tombe sur des collines engendrées, un champ de hauteurs de 256 x 256 points.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A sheet of masses and springs, hung by corners or an edge.</source>
         <translation>Une toile de masses et de ressorts, suspendue par des coins ou un bord.</translation>
     </message>
@@ -5005,6 +5055,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>A sheet over a bowed frame, a bridle of four legs and a tail.</source>
         <translation>Une toile sur une armature arquée, une bride à quatre brins et une queue.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A sheet with a slit is drawn apart at 0.05 m/s. Springs tear at a strain of 0.3, and the panels beside them are gone.</source>
+        <translation>Une toile avec une fente est étirée à 0,05 m/s. Les ressorts rompent à une déformation de 0,3, et les panneaux à côté d’eux disparaissent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A sheet with a slit is drawn apart at 0.05 m/s. The mesh splits where a spring tears, one in each step, and every panel stays whole on its side.</source>
+        <translation>Une toile avec une fente est étirée à 0,05 m/s. Le maillage se fend là où un ressort rompt, un à chaque pas, et chaque panneau reste entier de son côté.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -5020,6 +5080,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>A square of cloth with four arms, or without, over a payload.</source>
         <translation>Un carré de toile à quatre bras, ou sans, au-dessus d’une charge.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A strip of five threads of 100 N/m is drawn at 0.05 m/s. They break at a strain of 0.3: after 3 s, at 0.75 N, one link in each step.</source>
+        <translation>Une bande de cinq fils de 100 N/m est étirée à 0,05 m/s. Ils rompent à une déformation de 0,3 : après 3 s, à 0,75 N, une liaison à chaque pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A wing of 14 m2 and aspect ratio 7.2 with the vortex law, at the mass and the drag of a modern hang glider. Such wings reach a glide ratio of 13.4 (USHPA-4); the plate law reaches half of it. The keys shift the pilot.</source>
+        <translation>Une aile de 14 m2 et d’allongement 7,2 avec la loi tourbillonnaire, à la masse et à la traînée d’un deltaplane moderne. De telles ailes atteignent une finesse de 13,4 (USHPA-4) ; la loi de la plaque en atteint la moitié. Les touches déportent le pilote.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -5718,6 +5788,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cruciform parachute</source>
+        <translation>Parachute cruciforme</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Curtain</source>
+        <translation>Rideau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Damping</source>
         <translation>Amortissement</translation>
     </message>
@@ -5825,6 +5905,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Distance that the sheet keeps from itself and from sphere and boxes; 0 lets it pass through itself.</source>
         <translation>Distance que la toile garde d’elle-même et de la sphère et des boîtes ; 0 la laisse se traverser.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.</source>
+        <translation>Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6088,6 +6173,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Four particles in a row stay straight because two rigidity particles are tied to each of them. Remove one of the two and watch it fold.</source>
+        <translation>Quatre particules en file restent droites parce que deux particules de rigidité sont attachées à chacune. En supprimer une des deux, et la regarder plier.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Four particles in a row, kept straight by two more.</source>
         <translation>Quatre particules en file, tenues droites par deux autres.</translation>
     </message>
@@ -6248,6 +6338,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Glider over hills</source>
+        <translation>Deltaplane sur des collines</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Glider with induced flow</source>
+        <translation>Deltaplane à écoulement induit</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Gores, and suspension lines.</source>
         <translation>Fuseaux, et suspentes.</translation>
     </message>
@@ -6325,6 +6425,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Heading</source>
         <translation>Cap</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Heavy load</source>
+        <translation>Lourde charge</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6655,6 +6760,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Kinetic, potential and elastic.</source>
         <translation>Cinétique, potentielle et élastique.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Kite in gusts</source>
+        <translation>Cerf-volant dans les rafales</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7503,6 +7613,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Parachute opening</source>
+        <translation>Ouverture de parachute</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Parachutes</source>
         <translation>Parachutes</translation>
     </message>
@@ -7958,6 +8073,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Round parachute</source>
+        <translation>Parachute rond</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Rows</source>
         <translation>Rangées</translation>
     </message>
@@ -8110,6 +8230,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Shear stiffness</source>
         <translation>Rigidité de cisaillement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sheet on boxes</source>
+        <translation>Toile sur des boîtes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Sheet on terrain</source>
+        <translation>Toile sur un terrain</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8283,6 +8413,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Split sheet</source>
+        <translation>Toile fendue</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Spring</source>
         <translation>Ressort</translation>
     </message>
@@ -8365,6 +8500,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Strips of fabric that droop over the edge of a table.</source>
         <translation>Des bandes de tissu qui tombent du bord d’une table.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Strips of three measured fabrics reach twice their bending length (B / (density g))^(1/3) over the edge and droop to 41.5 degrees, the slope of the ramps. Peirce 1930.</source>
+        <translation>Des bandes de trois tissus mesurés dépassent le bord de deux fois leur longueur de flexion (B / (densité g))^(1/3) et tombent à 41,5 degrés, la pente des rampes. Peirce 1930.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8463,6 +8603,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Tear test</source>
+        <translation>Essai de déchirure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Tearing</source>
         <translation>Déchirure</translation>
     </message>
@@ -8523,6 +8668,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>The glider flies over generated hills of 40 m, a height field of 256 x 256 points, and lands on them when it is low.</source>
+        <translation>Le deltaplane survole des collines engendrées de 40 m, un champ de hauteurs de 256 x 256 points, et s’y pose quand il est bas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>The largest of all links.</source>
         <translation>La plus grande de toutes les liaisons.</translation>
     </message>
@@ -8550,6 +8700,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>The panels of each frame.</source>
         <translation>Les panneaux de chaque image.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The payload sinks at sqrt(2 m g / (rho CD0 S0)).</source>
+        <translation>La charge descend à sqrt(2 m g / (rho CD0 S0)).</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8643,6 +8798,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Torn sheet</source>
+        <translation>Toile déchirée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Total as it is spread (kg)</source>
         <translation>Total selon la répartition (kg)</translation>
     </message>
@@ -8680,6 +8840,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Uniform</source>
         <translation>Uniforme</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Up dives, Down slows, Left and Right roll: the keys shift the pilot's weight inside the control rods. The pilot hangs where the wing trims at the wanted speed, and the flight starts in that trim.</source>
+        <translation>Haut pique, Bas ralentit, Gauche et Droite inclinent : les touches déportent le poids du pilote à l’intérieur des tiges de commande. Le pilote pend là où l’aile s’équilibre à la vitesse voulue, et le vol commence dans cet équilibre.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8990,6 +9155,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Wind at 20 ft whose gusts these are; 7.7 is light turbulence, 15.4 moderate, 23.2 severe.</source>
         <translation>Vent à 20 pieds dont ce sont les rafales ; 7,7 est une turbulence légère, 15,4 modérée, 23,2 forte.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Wind of 8 m/s along a flag of 1.5 m x 1 m. It flutters because waves on it run slower than the wind.</source>
+        <translation>Un vent de 8 m/s le long d’un drapeau de 1,5 m x 1 m. Il bat parce que les ondes y courent moins vite que le vent.</translation>
     </message>
     <message>
         <location filename="tables"/>
