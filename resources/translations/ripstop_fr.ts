@@ -6383,6 +6383,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Guides</source>
+        <translation>Guides</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Gustiness</source>
         <translation>Force des rafales</translation>
     </message>
@@ -7630,11 +7635,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Particle at the other end.</source>
         <translation>Particule à l’autre bout.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Particle that a distance or an elevation is measured from.</source>
-        <translation>Particule à partir de laquelle une distance ou une élévation est mesurée.</translation>
     </message>
     <message>
         <location filename="tables"/>
