@@ -426,8 +426,8 @@ private:
     }
 
     // What the author of the sample has called things, and whom a preset quotes.
-    // Names of things in the scene, as they are, capitalised or with the sign of a key; what presets
-    // cite; units; files; and the languages, each in its own words.
+    // Names of things in the scene, as they are, capitalised or with the sign of a key; what
+    // presets cite; units; files; and the languages, each in its own words.
     static bool isContent(const QString& text)
     {
         static const QSet<QString> content = [] {
@@ -444,7 +444,8 @@ private:
         }();
         static const QRegularExpression coordinate("^Position [xyz] \\(m\\)$");
         const bool isFile = text.contains("ripstop.json") || text.contains("delta_kite");
-        const bool isUnit = !text.contains(' ') && unitFactor(text.toStdString(), text.toStdString());
+        const bool isUnit =
+            !text.contains(' ') && unitFactor(text.toStdString(), text.toStdString());
         return isFile || isUnit || content.contains(text.toLower()) || text.contains(coordinate);
     }
 };

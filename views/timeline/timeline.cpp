@@ -13,6 +13,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSignalBlocker>
+#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -108,28 +109,26 @@ void Timeline::layOut()
         menu->setPopupMode(QToolButton::InstantPopup);
     m_where->setObjectName(QStringLiteral("where"));
     m_where->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_where->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // docks stay narrow
+    m_where->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(6, 2, 6, 0);
-    row->setSpacing(2);
+    auto* row = new QToolBar; // what has no room goes into a menu at its end
     row->addWidget(m_runs);
     row->addWidget(m_more);
-    row->addSpacing(6);
+    row->addSeparator();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_eventBack, m_back, m_play, m_forward,
                                                            m_eventForward, m_speed})
         row->addWidget(widget);
-    row->addSpacing(6);
+    row->addSeparator();
     for (QToolButton* widget : {m_loop, m_bookmark, m_compare})
         row->addWidget(widget);
-    row->addSpacing(6);
+    row->addSeparator();
     row->addWidget(m_continue);
     row->addWidget(m_live);
-    row->addWidget(m_where, 1);
+    row->addWidget(m_where);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    layout->addLayout(row);
+    layout->addWidget(row);
     layout->addWidget(m_strip, 1);
 }
 
