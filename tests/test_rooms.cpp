@@ -84,11 +84,12 @@ static QList<Room> allRooms()
         const QString name = path.section('/', 1);
         everything << name;
         if (path.startsWith("views/") && !isNamed(path))
-            rooms.append(
-                {path,
-                 viewsMayInclude + viewsMayAlsoInclude.value(name),
-                 {"Q"},
-                 name == "plots" ? QStringList{"Eigen/", "qcustomplot.h"} : QStringList{"Eigen/"}});
+            rooms.append({path,
+                          viewsMayInclude + viewsMayAlsoInclude.value(name),
+                          {"Q"},
+                          name == "plots"
+                              ? QStringList{"Eigen/", "unsupported/Eigen/", "qcustomplot.h"}
+                              : QStringList{"Eigen/"}});
     }
     rooms.append({"app/editor", everything, {"Q", "Eigen/"}, {}});
     return rooms;
