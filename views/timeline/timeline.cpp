@@ -119,11 +119,8 @@ void Timeline::layOut()
                                                            m_eventForward, m_speed})
         row->addWidget(widget);
     row->addSeparator();
-    for (QToolButton* widget : {m_loop, m_bookmark, m_compare})
+    for (QToolButton* widget : {m_live, m_continue, m_loop, m_bookmark, m_compare})
         row->addWidget(widget);
-    row->addSeparator();
-    row->addWidget(m_continue);
-    row->addWidget(m_live);
     row->addWidget(m_where);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
