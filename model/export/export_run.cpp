@@ -23,7 +23,7 @@ Failure stopped(const Simulation& simulation, const std::string& rest)
 
 Failure unknownFormat(const fs::path& target)
 {
-    return Failure{target.string() + " has no known ending: " + knownEndings() + "."};
+    return Failure{target.string() + " has no known ending: " + knownEndings(EndingsOf::All) + "."};
 }
 
 enum class Arrival { There, Cancelled, Stopped };
@@ -127,9 +127,8 @@ std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress, const
     if (!format)
         return unknownFormat(target);
     if (!format->content)
-        return Failure{target.string()
-                       + " is a series; one moment can be .obj, .ply, .stl, .dae, "
-                         ".glb or .vtp."};
+        return Failure{target.string() + " is a series; for one moment "
+                       + knownEndings(EndingsOf::Moments) + "."};
     const auto content = format->content(frame, dress);
     return content ? replaceFile(target, *content, Flush::Later) : content.failure();
 }

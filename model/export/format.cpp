@@ -21,7 +21,7 @@ constexpr std::array formats{
                  Of::Moment,
                  Topology::Free,
                  Beside::Nothing,
-                 {75, 32, 14},
+                 {75, 32, 14, 0},
                  objMoment,
                  nullptr},
     ExportFormat{".ply",
@@ -30,7 +30,7 @@ constexpr std::array formats{
                  Of::Moment,
                  Topology::Free,
                  Beside::Nothing,
-                 {115, 18, 55},
+                 {115, 18, 55, 0},
                  plyMoment,
                  nullptr},
     ExportFormat{".stl",
@@ -39,7 +39,7 @@ constexpr std::array formats{
                  Of::Moment,
                  Topology::Free,
                  Beside::Nothing,
-                 {0, 50, 0},
+                 {0, 50, 0, 0},
                  stlMoment,
                  nullptr},
     ExportFormat{".dae",
@@ -48,7 +48,7 @@ constexpr std::array formats{
                  Of::Moment,
                  Topology::Free,
                  Beside::Nothing,
-                 {80, 24, 14},
+                 {80, 24, 14, 0},
                  colladaMoment,
                  nullptr},
     ExportFormat{".vtp",
@@ -57,7 +57,7 @@ constexpr std::array formats{
                  Of::Moment,
                  Topology::Free,
                  Beside::Nothing,
-                 {90, 95, 95},
+                 {90, 95, 95, 0},
                  vtpMoment,
                  nullptr},
     ExportFormat{".glb",
@@ -67,7 +67,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Nothing,
-                 {12, 0, 0},
+                 {12, 0, 0, 0},
                  glbMoment,
                  gltfSink},
     ExportFormat{".gltf",
@@ -76,7 +76,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Nothing,
-                 {16, 0, 0},
+                 {16, 0, 0, 0},
                  nullptr,
                  gltfSink},
     ExportFormat{".pc2",
@@ -85,7 +85,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Obj,
-                 {12, 0, 0},
+                 {12, 0, 0, 0},
                  nullptr,
                  pc2Sink},
     ExportFormat{".mdd",
@@ -94,7 +94,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Constant,
                  Beside::Obj,
-                 {12, 0, 0},
+                 {12, 0, 0, 0},
                  nullptr,
                  mddSink},
     ExportFormat{"_{frame}.obj",
@@ -103,7 +103,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Free,
                  Beside::Nothing,
-                 {75, 32, 14},
+                 {75, 32, 14, 0},
                  objMoment,
                  nullptr},
     ExportFormat{"_{frame}.ply",
@@ -112,7 +112,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Free,
                  Beside::Nothing,
-                 {115, 18, 55},
+                 {115, 18, 55, 0},
                  plyMoment,
                  nullptr},
     ExportFormat{"_{frame}.stl",
@@ -121,7 +121,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Free,
                  Beside::Nothing,
-                 {0, 50, 0},
+                 {0, 50, 0, 0},
                  stlMoment,
                  nullptr},
     ExportFormat{".pvd",
@@ -130,7 +130,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Free,
                  Beside::Folder,
-                 {90, 95, 95},
+                 {90, 95, 95, 0},
                  nullptr,
                  pvdSink},
     ExportFormat{".csv",
@@ -139,7 +139,7 @@ constexpr std::array formats{
                  Of::Series,
                  Topology::Free,
                  Beside::Nothing,
-                 {0, 0, 0},
+                 {0, 0, 0, 12},
                  nullptr,
                  tableSink},
 };
@@ -171,12 +171,16 @@ const ExportFormat* formatOf(const std::filesystem::path& target)
     return found == formats.end() ? nullptr : &*found;
 }
 
-std::string knownEndings()
+std::string knownEndings(EndingsOf of)
 {
-    std::string list;
-    for (const ExportFormat& format : formats) {
-        list += list.empty() ? "use " : &format == &formats.back() ? " or " : ", ";
-        list += format.ending;
+    std::vector<std::string_view> endings;
+    for (const ExportFormat& format : formats)
+        if (of == EndingsOf::All || (format.content && !isNumbered(format.ending)))
+            endings.push_back(format.ending);
+    std::string list = "use ";
+    for (std::size_t i = 0; i < endings.size(); ++i) {
+        list += i == 0 ? "" : i + 1 == endings.size() ? " or " : ", ";
+        list += endings[i];
     }
     return list;
 }
@@ -189,13 +193,12 @@ Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
 
 double expectedSize(const ExportFormat& format, const Layout& layout, std::size_t frames)
 {
-    constexpr double cell = 12.0; // bytes, of a number in a table
-    const auto& [particle, panel, link] = format.bytes;
+    const auto& [particle, panel, link, probe] = format.bytes;
     const double each = double(particle) * double(layout.particleId.size())
                         + double(panel) * double(layout.panelId.size())
-                        + double(link) * double(layout.links.size());
-    const double table = format.ending == ".csv" ? cell * double(1 + layout.probes.size()) : 0.0;
-    return (each + table) * double(frames);
+                        + double(link) * double(layout.links.size())
+                        + double(probe) * double(layout.probes.size());
+    return each * double(frames);
 }
 
 std::vector<std::filesystem::path> filesOf(const ExportFormat& format,

@@ -23,6 +23,7 @@ struct ExportFormat
         int particle;
         int panel;
         int link;
+        int probe;
     };
 
     std::string_view ending; // of the target's name; says which format is meant
@@ -42,8 +43,9 @@ std::span<const ExportFormat> exportFormats();
 // The first whose ending the name has; null for none. A name with {frame} means a sequence.
 const ExportFormat* formatOf(const std::filesystem::path& target);
 
-// "use .obj, .ply, ...": what to name a target.
-std::string knownEndings();
+// "use .obj, .ply, ...": what to name a target; of formats that can hold one moment, or of all.
+enum class EndingsOf { Moments, All };
+std::string knownEndings(EndingsOf of);
 
 Result<std::unique_ptr<FrameSink>>
 openSink(const ExportFormat& format, const std::filesystem::path& target, const Dress& dress);

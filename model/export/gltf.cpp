@@ -1,8 +1,7 @@
 #include "export/gltf.h"
 
-#include "export/constant_mesh.h"
 #include "export/moment.h"
-#include "export/output_files.h"
+#include "export/spooled_sink.h"
 
 #include <tiny_gltf.h>
 
@@ -247,68 +246,36 @@ std::optional<Failure> write(tinygltf::Model& model, std::ostream& out, Containe
     return std::nullopt;
 }
 
-class Gltf final : public FrameSink
+class Gltf final : public SpooledSink
 {
 public:
-    Gltf(const std::filesystem::path& target, const Dress& dress)
-        : m_target(target)
-        , m_dress(dress)
-    {}
-
-    std::optional<Failure> open()
-    {
-        Result<FrameSpool> spool = FrameSpool::open(m_files, m_target);
-        if (!spool)
-            return spool.failure();
-        m_spool = std::move(*spool);
-        return std::nullopt;
-    }
-
-    std::optional<Failure> add(const Frame& frame) override { return m_spool.add(frame); }
-
-    std::optional<Failure> finish(const Progress& progress) override
-    {
-        Result<ConstantMesh> shapes = ConstantMesh::of(m_spool, m_dress);
-        if (!shapes)
-            return shapes.failure();
-        Builder builder;
-        const bool moves = m_spool.count() > 1;
-        tinygltf::Mesh mesh =
-            meshOf(builder, shapes->surface(), moves ? Normals::Left : Normals::Given);
-        if (moves) {
-            if (auto failure = addTargets(builder, mesh, m_spool, *shapes, progress))
-                return failure;
-            addAnimation(builder, m_spool);
-        }
-        complete(builder, std::move(mesh), shapes->surface());
-
-        Result<std::ofstream> out = m_files.open(m_target);
-        if (!out)
-            return out.failure();
-        if (auto failure =
-                write(builder.model(), *out,
-                      m_target.extension() == ".gltf" ? Container::Text : Container::Binary))
-            return failure;
-        if (auto failure = close(*out, m_target))
-            return failure;
-        return m_files.commit();
-    }
+    using SpooledSink::SpooledSink;
 
 private:
-    OutputFiles m_files;
-    std::filesystem::path m_target;
-    Dress m_dress;
-    FrameSpool m_spool;
+    std::optional<Failure> write(ConstantMesh& shapes, std::ostream& out,
+                                 const Progress& progress) override
+    {
+        Builder builder;
+        const bool moves = spool().count() > 1;
+        tinygltf::Mesh mesh =
+            meshOf(builder, shapes.surface(), moves ? Normals::Left : Normals::Given);
+        if (moves) {
+            if (auto failure = addTargets(builder, mesh, spool(), shapes, progress))
+                return failure;
+            addAnimation(builder, spool());
+        }
+        complete(builder, std::move(mesh), shapes.surface());
+        return ripstop::write(builder.model(), out,
+                              target().extension() == ".gltf" ? Container::Text
+                                                              : Container::Binary);
+    }
 };
 
 } // namespace
 
 Result<std::unique_ptr<FrameSink>> gltfSink(const std::filesystem::path& target, const Dress& dress)
 {
-    auto sink = std::make_unique<Gltf>(target, dress);
-    if (auto failure = sink->open())
-        return *failure;
-    return std::unique_ptr<FrameSink>(std::move(sink));
+    return opened(std::make_unique<Gltf>(target, dress));
 }
 
 Result<std::string> glbMoment(const Frame& frame, const Dress& dress)

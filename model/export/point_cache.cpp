@@ -1,8 +1,7 @@
 #include "export/point_cache.h"
 
-#include "export/constant_mesh.h"
 #include "export/moment.h"
-#include "export/output_files.h"
+#include "export/spooled_sink.h"
 
 #include <algorithm>
 #include <bit>
@@ -43,74 +42,42 @@ std::string mddHeader(const FrameSpool& spool, std::size_t points)
     return bytes;
 }
 
-class PointCache final : public FrameSink
+class PointCache final : public SpooledSink
 {
 public:
     using Header = std::string (*)(const FrameSpool&, std::size_t points);
 
     PointCache(const std::filesystem::path& target, const Dress& dress, Header header,
                std::endian order)
-        : m_target(target)
-        , m_dress(dress)
+        : SpooledSink(target, dress)
         , m_header(header)
         , m_order(order)
     {}
 
-    std::optional<Failure> open()
+private:
+    std::optional<Failure> write(ConstantMesh& mesh, std::ostream& out,
+                                 const Progress& progress) override
     {
-        Result<FrameSpool> spool = FrameSpool::open(m_files, m_target);
-        if (!spool)
-            return spool.failure();
-        m_spool = std::move(*spool);
-        return std::nullopt;
-    }
-
-    std::optional<Failure> add(const Frame& frame) override { return m_spool.add(frame); }
-
-    std::optional<Failure> finish(const Progress& progress) override
-    {
-        Result<ConstantMesh> mesh = ConstantMesh::of(m_spool, m_dress);
-        if (!mesh)
-            return mesh.failure();
-        Result<std::ofstream> out = m_files.open(m_target);
-        if (!out)
-            return out.failure();
-        *out << m_header(m_spool, mesh->surface().position.size());
-        for (std::size_t i = 0; i < m_spool.count(); ++i) {
-            if (!goesOn(progress, double(i) / double(m_spool.count())))
+        out << m_header(spool(), mesh.surface().position.size());
+        for (std::size_t i = 0; i < spool().count(); ++i) {
+            if (!goesOn(progress, double(i) / double(spool().count())))
                 return exportCancelled;
-            const auto places = mesh->positions(m_spool, i);
+            const auto places = mesh.positions(spool(), i);
             if (!places)
                 return places.failure();
             std::string bytes;
             for (const Eigen::Vector3f& place : *places)
                 for (const float x : place)
                     put(bytes, m_order, x);
-            *out << bytes;
+            out << bytes;
         }
-        if (auto failure = close(*out, m_target))
-            return failure;
-        std::filesystem::path obj = m_target;
-        if (auto failure = m_files.write(obj.replace_extension(".obj"), objText(mesh->surface())))
-            return failure;
-        return m_files.commit();
+        std::filesystem::path obj = target();
+        return files().write(obj.replace_extension(".obj"), objText(mesh.surface()));
     }
 
-private:
-    OutputFiles m_files;
-    std::filesystem::path m_target;
-    Dress m_dress;
     Header m_header;
     std::endian m_order;
-    FrameSpool m_spool;
 };
-
-Result<std::unique_ptr<FrameSink>> opened(std::unique_ptr<PointCache> cache)
-{
-    if (auto failure = cache->open())
-        return *failure;
-    return std::unique_ptr<FrameSink>(std::move(cache));
-}
 
 } // namespace
 

@@ -50,4 +50,13 @@ void styleLegend(QCPLegend& legend, const QWidget& chart)
     legend.setTextColor(inkOf(chart));
 }
 
+void stylePlot(QCustomPlot& plot, const QWidget& chart)
+{
+    plot.setBackground(chart.palette().base());
+    styleAxis(*plot.xAxis, chart);
+    styleAxis(*plot.yAxis, chart);
+    styleLegend(*plot.legend, chart);
+    plot.replot(QCustomPlot::rpQueuedReplot);
+}
+
 } // namespace ripstop

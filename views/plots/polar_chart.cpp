@@ -31,7 +31,7 @@ PolarChart::PolarChart(QWidget* parent)
     m_plot->plotLayout()->setRowStretchFactor(1, 0.001);
     m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
     m_plot->legend->setWrap(2);
-    style();
+    stylePlot(*m_plot, *this);
 }
 
 void PolarChart::show(const QString& quantity, const std::vector<Curve>& curves)
@@ -66,17 +66,8 @@ int PolarChart::curveCount() const { return m_plot->graphCount(); }
 void PolarChart::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        style();
+        stylePlot(*m_plot, *this);
     QWidget::changeEvent(event);
-}
-
-void PolarChart::style()
-{
-    m_plot->setBackground(palette().base());
-    styleAxis(*m_plot->xAxis, *this);
-    styleAxis(*m_plot->yAxis, *this);
-    styleLegend(*m_plot->legend, *this);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 } // namespace ripstop

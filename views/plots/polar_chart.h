@@ -37,8 +37,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void style();
-
     QCustomPlot* m_plot;
 };
 

@@ -30,7 +30,7 @@ XyChart::XyChart(QWidget* parent)
         m_held = false;
         fit();
     });
-    style();
+    stylePlot(*m_plot, *this);
 }
 
 void XyChart::show(const QString& xLabel, const QString& yLabel, const std::vector<XyCurve>& curves)
@@ -100,17 +100,8 @@ double XyChart::yTop() const { return m_plot->yAxis->range().upper; }
 void XyChart::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        style();
+        stylePlot(*m_plot, *this);
     QWidget::changeEvent(event);
-}
-
-void XyChart::style()
-{
-    m_plot->setBackground(palette().base());
-    styleAxis(*m_plot->xAxis, *this);
-    styleAxis(*m_plot->yAxis, *this);
-    styleLegend(*m_plot->legend, *this);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 } // namespace ripstop

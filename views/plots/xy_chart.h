@@ -43,7 +43,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void style();
     void fit();
 
     QCustomPlot* m_plot;
