@@ -25,8 +25,8 @@ class QSpinBox;
 
 namespace ripstop {
 
-// Writes meshes, series, films and tables for other programs. The moment on the screen is written as
-// it is; anything else is simulated from the start, on a thread, with progress and cancel.
+// Writes meshes, series, films and tables for other programs. The moment on the screen is written
+// as it is; anything else is simulated from the start, on a thread, with progress and cancel.
 class ExportDialog final : public QDialog
 {
     Q_OBJECT
@@ -60,9 +60,9 @@ private:
     void showPreview();
     void browse();
     void start();
-    bool mayWrite(); // asks before it replaces a file
-    QString writeNow() const;       // the failure, or empty
-    QString write(const Job& job);  // the same, on a thread
+    bool mayWrite();               // asks before it replaces a file
+    QString writeNow() const;      // the failure, or empty
+    QString write(const Job& job); // the same, on a thread
     Result<std::unique_ptr<FrameSink>> open(const Job& job);
     void watch();
     void setBusy(bool busy);

@@ -202,10 +202,9 @@ void Files::exportRun()
 {
     const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
         m_viewport.show(frame);
-        return m_viewport.image(Viewport::Shot{look.size,
-                                               look.overlays ? Viewport::Overlays::With
-                                                             : Viewport::Overlays::Without,
-                                               look.transparent});
+        return m_viewport.image(Viewport::Shot{
+            look.size, look.overlays ? Viewport::Overlays::With : Viewport::Overlays::Without,
+            look.transparent});
     };
     ExportDialog dialog(m_document.scene(), m_player.frame(), suggestedFile(""), draw,
                         m_viewport.size() * m_viewport.devicePixelRatioF(), &m_window);

@@ -26,14 +26,16 @@ constexpr FilmFormat formats[]{
      QT_TRANSLATE_NOOP("Film", "H.264, which everything plays. Made by ffmpeg."), Alpha::Lost, even,
      "-c:v libx264 -preset medium -crf 18 -pix_fmt yuv420p -movflags +faststart -f mp4"},
     {".webm", QT_TRANSLATE_NOOP("Film", "Film, WebM"),
-     QT_TRANSLATE_NOOP("Film", "VP9 for web pages; keeps a transparent background. Made by ffmpeg."),
+     QT_TRANSLATE_NOOP("Film",
+                       "VP9 for web pages; keeps a transparent background. Made by ffmpeg."),
      Alpha::Kept, even,
      "-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -cpu-used 4 -pix_fmt yuva420p -f webm"},
     {".gif", QT_TRANSLATE_NOOP("Film", "Moving picture, GIF"),
      QT_TRANSLATE_NOOP("Film", "For texts and slides; 256 colours, large. Made by ffmpeg."),
      Alpha::Kept, palette, "-f gif"},
     {"_{frame}.png", QT_TRANSLATE_NOOP("Film", "Pictures, PNG"),
-     QT_TRANSLATE_NOOP("Film", "One picture for each frame, exact; for other programs and for papers."),
+     QT_TRANSLATE_NOOP("Film",
+                       "One picture for each frame, exact; for other programs and for papers."),
      Alpha::Kept, nullptr, nullptr}};
 
 Failure about(const QString& text) { return Failure{text.toStdString()}; }
@@ -120,10 +122,22 @@ public:
 private:
     std::optional<Failure> start(QSize size)
     {
-        QStringList arguments{"-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgba",
-                              "-video_size", QString("%1x%2").arg(size.width()).arg(size.height()),
-                              "-framerate", QString::number(m_rate), "-i", "-", "-an",
-                              "-filter_complex", m_format.filter};
+        QStringList arguments{"-loglevel",
+                              "error",
+                              "-y",
+                              "-f",
+                              "rawvideo",
+                              "-pixel_format",
+                              "rgba",
+                              "-video_size",
+                              QString("%1x%2").arg(size.width()).arg(size.height()),
+                              "-framerate",
+                              QString::number(m_rate),
+                              "-i",
+                              "-",
+                              "-an",
+                              "-filter_complex",
+                              m_format.filter};
         arguments += QString(m_format.codec).split(' ');
         arguments += QString::fromStdString(m_files.reserve(m_target.toStdString()).string());
         m_ffmpeg.start("ffmpeg", arguments);
@@ -136,8 +150,7 @@ private:
     {
         m_ffmpeg.waitForFinished(-1);
         const QString said = QString::fromLocal8Bit(m_ffmpeg.readAllStandardError()).trimmed();
-        return about(QCoreApplication::translate(
-                         "Film", "%1 was not written; ffmpeg says: %2")
+        return about(QCoreApplication::translate("Film", "%1 was not written; ffmpeg says: %2")
                          .arg(m_target, said.isEmpty() ? m_ffmpeg.errorString() : said));
     }
 
@@ -166,9 +179,10 @@ QString whyNoFilm(const FilmFormat& format)
 {
     if (!format.codec || !QStandardPaths::findExecutable("ffmpeg").isEmpty())
         return {};
-    return QCoreApplication::translate("Film", "The program ffmpeg, which makes films, is not "
-                                               "installed. Install it (Debian: apt install ffmpeg), "
-                                               "or choose pictures.");
+    return QCoreApplication::translate("Film",
+                                       "The program ffmpeg, which makes films, is not "
+                                       "installed. Install it (Debian: apt install ffmpeg), "
+                                       "or choose pictures.");
 }
 
 Result<std::unique_ptr<FrameSink>> openFilm(const FilmFormat& format, const QString& target,

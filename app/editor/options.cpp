@@ -12,8 +12,7 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
 
 const QStringList appearances{"desktop", "light", "dark"}; // in the order of Appearance
-const QStringList colors{"material", "strain", "tension", "speed",
-                         "load",     "tear"}; // of ColorBy
+const QStringList colors{"material", "strain", "tension", "speed", "load", "tear"}; // of ColorBy
 
 std::optional<QSize> sizeFrom(const QString& text)
 {
@@ -56,7 +55,8 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         "language", tr("Language of the window: system, en or fr; as chosen in the View menu."),
         "CODE");
     const QCommandLineOption colorBy(
-        "color-by", tr("Colour by material, strain, tension, speed, load or tear."), "NAME", "material");
+        "color-by", tr("Colour by material, strain, tension, speed, load or tear."), "NAME",
+        "material");
     const QCommandLineOption select(
         "select", tr("Select the item of this name, or what meets this condition: \"mass < 1 g\"."),
         "WHAT");

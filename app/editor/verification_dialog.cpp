@@ -50,10 +50,9 @@ ResultTable tableOfReferences()
         {tr("Simulated as"), 230}};
     const auto references = std::make_shared<const std::vector<Reference>>(allReferences());
     for (const Reference& one : *references) {
-        table.rows.push_back(
-            {spoken(one.section),
-             {words(one.title), words(publishedText(one.low, one.high)), QString(),
-              words(one.unit), QString(), words(one.source), words(one.note)}});
+        table.rows.push_back({spoken(one.section),
+                              {words(one.title), words(publishedText(one.low, one.high)), QString(),
+                               words(one.unit), QString(), words(one.source), words(one.note)}});
     }
     table.compute = [references](int row) -> ResultTable::Outcome {
         const ReferenceResult result = run((*references)[std::size_t(row)]);

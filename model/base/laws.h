@@ -124,6 +124,7 @@ template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<Response>{"stop", "slide", "contact"};
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<ControlKind>{"move", "weight_shift"};
+// clang-format off
 template <>
 inline constexpr std::array<std::string_view, 45> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
@@ -135,5 +136,6 @@ inline constexpr std::array<std::string_view, 45> choiceNames<Quantity>{
     "reaction",         "lift",           "drag",             "lift_to_drag", "drag_area",
     "pressure_x",       "pressure_y",     "pressure_z",       "angle_of_attack", "pitch",
     "roll",             "heading",        "momentum",         "energy_change", "formula"};
+// clang-format on
 
 } // namespace ripstop

@@ -348,8 +348,17 @@ std::vector<ProbeSpec> probesOf(const Scene& scene, const ElementIndex& index)
     const std::vector<ProbeFormula> formulas = formulasOf(scene);
     std::vector<ProbeSpec> probes;
     forEachItem<Probe>(scene, [&](Id id, const Probe& probe) {
-        ProbeSpec spec{Key(id), probe.name, probe.quantity, {}, {}, {}, -1, -1, probe.plotted,
-                       std::string(unitOf(probe.quantity)), {}};
+        ProbeSpec spec{Key(id),
+                       probe.name,
+                       probe.quantity,
+                       {},
+                       {},
+                       {},
+                       -1,
+                       -1,
+                       probe.plotted,
+                       std::string(unitOf(probe.quantity)),
+                       {}};
         if (probe.quantity == Quantity::Formula) {
             const auto found = std::ranges::find(formulas, id, &ProbeFormula::probe);
             if (const auto& formula = found->formula) {

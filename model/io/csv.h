@@ -11,9 +11,9 @@ namespace ripstop {
 // Quoted where RFC 4180 asks for it; tables for the clipboard have tabs between their cells.
 std::string csvCell(const std::string& text, char separator = ',');
 
-// A table of probe values, one row for each frame. Comments, lines that begin with #, say which program
-// and which state it began with; the header gives each column its unit: "time (s),height (m)". A
-// value that is not a number is an empty cell.
+// A table of probe values, one row for each frame. Comments, lines that begin with #, say which
+// program and which state it began with; the header gives each column its unit: "time (s),height
+// (m)". A value that is not a number is an empty cell.
 std::string csvHeader(const Frame& first);
 std::string csvRow(const Frame& frame);
 std::string csvEnd(const Frame& last); // a comment with the state it ended with

@@ -59,8 +59,7 @@ std::shared_ptr<const Layout> layoutOf(const System& system,
     for (const Obstacle& obstacle : system.obstacles)
         layout->colliderId.push_back(obstacle.key);
     for (const ProbeSpec& probe : system.probes)
-        layout->probes.push_back(
-            {probe.key, probe.name, probe.unit, probe.plotted});
+        layout->probes.push_back({probe.key, probe.name, probe.unit, probe.plotted});
     return layout;
 }
 

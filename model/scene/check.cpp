@@ -1,10 +1,10 @@
 #include "scene/check.h"
 
 #include "base/quantity.h"
-#include "scene/formula.h"
 #include "scene/canopy_shape.h"
 #include "scene/collider_shape.h"
 #include "scene/element_index.h"
+#include "scene/formula.h"
 #include "scene/step_limits.h"
 
 #include <algorithm>

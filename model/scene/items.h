@@ -201,9 +201,9 @@ struct Probe
 {
     std::string name = "probe";
     Quantity quantity = Quantity::PositionY;
-    Id target{}; // particle, link, part or group; none is the whole scene
-    Id from{};   // the other particle, for distance and elevation; the tail, for attitudes
-    Id side{};   // a third particle, on the right, for attitudes
+    Id target{};         // particle, link, part or group; none is the whole scene
+    Id from{};           // the other particle, for distance and elevation; the tail, for attitudes
+    Id side{};           // a third particle, on the right, for attitudes
     std::string formula; // of other probes, by name
     bool plotted = true;
 

@@ -212,7 +212,8 @@ Reason idle(const Probe& probe, std::string_view key, const Around&)
     if (key == "side")
         return unless(row.points >= 3, "only roll and angle of attack need a third particle");
     if (key == "formula")
-        return unless(row.of == QuantityRow::Of::Probes, "the quantity is measured, not made of others");
+        return unless(row.of == QuantityRow::Of::Probes,
+                      "the quantity is measured, not made of others");
     if (key == "target")
         return unless(row.of != QuantityRow::Of::Whole && row.of != QuantityRow::Of::Probes,
                       "the quantity is that of the whole scene");

@@ -150,8 +150,9 @@ RIPSTOP_INLINE void project(const SoftBatch& batch, Lanes& multiplier, PaddedVec
 // In short runs each batch waits for one of the run before.
 constexpr std::uint32_t shortRun = 4; // batches
 
-// Each chunk is a new stretch of memory, shorter than what the processor needs to find out by itself
-// that it is read in order. These addresses may lie beyond the arrays: nothing is read from them.
+// Each chunk is a new stretch of memory, shorter than what the processor needs to find out by
+// itself that it is read in order. These addresses may lie beyond the arrays: nothing is read from
+// them.
 constexpr std::uint32_t ahead = 16; // batches
 
 template <typename Batch>
@@ -194,11 +195,10 @@ RIPSTOP_INLINE void sweepRun(RodBatches& batches, const BatchRun& run, bool back
                              PaddedVec3* position)
 {
     projectAll<note>(run.even, backwards, batches.even.data(), batches.evenStretch.data(),
-                       position);
+                     position);
     projectAll<note>(run.plain, backwards, batches.plain.data(), batches.plainStretch.data(),
-                       position);
-    projectAll<note>(run.soft, backwards, batches.soft.data(), batches.multiplier.data(),
-                       position);
+                     position);
+    projectAll<note>(run.soft, backwards, batches.soft.data(), batches.multiplier.data(), position);
     for (std::uint32_t i = run.guided.first; i < run.guided.last; ++i)
         project(batches.guided[i], position);
 }
@@ -210,7 +210,7 @@ RIPSTOP_INLINE void sweepInOrder(RodBatches& batches, std::span<const int> order
     const std::size_t count = order.size();
     for (std::size_t i = 0; i < count; ++i)
         sweepRun<note>(batches, batches.runs[std::size_t(order[backwards ? count - 1 - i : i])],
-                         backwards, position);
+                       backwards, position);
 }
 
 void sweepRuns(RodBatches& batches, std::span<const int> order, const SweepHow& how,

@@ -45,8 +45,7 @@ private slots:
         Shop shop(Sheet().scene);
         shop.selection.set({Sheet::at(0, 0), Sheet::at(1, 0), Sheet::at(2, 0)});
         shop.run("measure_speed");
-        const Probe* added =
-            findItem<Probe>(shop.document.scene(), shop.selection.ids().front());
+        const Probe* added = findItem<Probe>(shop.document.scene(), shop.selection.ids().front());
         QVERIFY(added);
         const Group* group = findItem<Group>(shop.document.scene(), added->target);
         QVERIFY(group);
@@ -59,8 +58,7 @@ private slots:
         Shop shop(Sheet().scene);
         shop.selection.set({Sheet::at(0, 0), Sheet::at(8, 4)});
         shop.run("measure_distance");
-        const Probe* added =
-            findItem<Probe>(shop.document.scene(), shop.selection.ids().front());
+        const Probe* added = findItem<Probe>(shop.document.scene(), shop.selection.ids().front());
         QVERIFY(added);
         QCOMPARE(added->from, Sheet::at(0, 0));
         QCOMPARE(added->target, Sheet::at(8, 4));

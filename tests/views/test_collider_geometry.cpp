@@ -37,8 +37,8 @@ class TestColliderGeometry : public QObject
     Q_OBJECT
 
 private slots:
-    // The view does not make hills itself; with others it waits, and shows those of before. Where they
-    // will be is known by their size, so that the view can go there.
+    // The view does not make hills itself; with others it waits, and shows those of before. Where
+    // they will be is known by their size, so that the view can go there.
     void shapesOfTheEngineAreTaken()
     {
         Scene scene = sceneOf(ColliderShape::HeightField);
