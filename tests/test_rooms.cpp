@@ -15,7 +15,7 @@ struct Room
     QStringList hidden;
 };
 
-static const QStringList json{"nlohmann/", "assimp/"};
+static const QStringList json{"rapidjson/", "assimp/"};
 static const QStringList posix{"fcntl.h", "sys/", "unistd.h"};
 
 static const QList<Room> namedRooms = {

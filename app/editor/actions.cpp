@@ -12,6 +12,7 @@
 #include "editor/insert_rows.h"
 #include "editor/language.h"
 #include "editor/measure_rows.h"
+#include "editor/mnemonics.h"
 #include "editor/run_rows.h"
 #include "editor/select_rows.h"
 #include "editor/templates.h"
@@ -49,7 +50,8 @@ void about(QWidget* window)
             "hang gliders, parachutes, cloth.</p><p>Every number on the screen can be made "
             "again by <tt>ripstop-cli</tt>, bit for bit.</p><p>Free software under the GNU "
             "General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, "
-            "nlohmann/json, CLI11, muParser and QCustomPlot.</p>")
+            "RapidJSON, nlohmann/json, CLI11, muParser, assimp, tinygltf, zstd and "
+            "QCustomPlot.</p>")
             .arg(QApplication::applicationVersion()));
 }
 
@@ -237,6 +239,8 @@ void Actions::build()
     connect(m_templates, &QMenu::aboutToShow, this, &Actions::fillTemplates);
     addGroupMenus(*menus["&Select"], m_bench);
     m_panels = menus["&View"]->addMenu(tr("Panels and &docks"));
+    giveMnemonics(m_bench.window.menuBar()->actions());
+    keepMnemonics(m_bench.window.menuBar()->actions());
 }
 
 void Actions::addDockToggle(QAction* toggle) { m_panels->addAction(toggle); }
@@ -287,7 +291,7 @@ void Actions::fillTemplates()
 {
     m_templates->clear();
     for (const QString& file : m_bench.files.templates())
-        m_templates->addAction(templateName(file), this,
+        m_templates->addAction(templateName(file).replace('&', "&&"), this,
                                [this, file] { m_bench.files.startFromTemplate(file); });
     if (m_templates->isEmpty())
         m_templates->addAction(tr("None yet: File, Save as template"))->setEnabled(false);
@@ -300,7 +304,7 @@ void Actions::fillRecent()
     m_recent->clear();
     for (const QString& file : m_bench.files.recent())
         m_recent
-            ->addAction(QFileInfo(file).fileName(), this,
+            ->addAction(QFileInfo(file).fileName().replace('&', "&&"), this,
                         [this, file] { m_bench.files.open(file); })
             ->setToolTip(file);
     m_recent->setEnabled(!m_recent->isEmpty());

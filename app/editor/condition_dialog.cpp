@@ -55,6 +55,7 @@ ConditionDialog::ConditionDialog(Document& document, Selection& selection,
     m_sign->setAlignment(Qt::AlignTop);
     m_how->addItems({tr("Replace the selection"), tr("Add to the selection"),
                      tr("Take away from the selection"), tr("Keep only those selected already")});
+    m_how->setAccessibleName(tr("What becomes of the selection"));
     fillKeys();
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);

@@ -36,6 +36,7 @@ KeysDialog::KeysDialog(KeyMap& keys, const Scene& scene, QWidget* parent)
 {
     setWindowTitle(tr("Keys"));
     m_search->setPlaceholderText(tr("Search a key or what it does"));
+    m_search->setAccessibleName(m_search->placeholderText());
     m_search->setClearButtonEnabled(true);
     m_table->setHeaderLabels({tr("Key"), tr("Does"), tr("Help")});
     m_table->setRootIsDecorated(false);
@@ -48,6 +49,7 @@ KeysDialog::KeysDialog(KeyMap& keys, const Scene& scene, QWidget* parent)
     m_table->expandAll();
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
 
+    m_edit->setAccessibleName(tr("Key"));
     m_edit->setClearButtonEnabled(true);
     m_usual->setToolTip(tr("The key that it had at first."));
     auto* resetAll = new QPushButton(tr("All &usual"));

@@ -42,6 +42,7 @@ Palette::Palette(const QMenuBar& menus, QWidget* parent)
             collect(*title->menu(), plain(title->text()));
 
     m_typed->setPlaceholderText(tr("Type what you want to do: mirror, pin, wind…"));
+    m_typed->setAccessibleName(m_typed->placeholderText());
     m_typed->setClearButtonEnabled(true);
     m_typed->installEventFilter(this);
     m_list->setHeaderHidden(true);

@@ -43,6 +43,7 @@ ResultPage::ResultPage(std::function<ResultTable()> make, QWidget* parent)
     , m_run(new QPushButton)
 {
     m_filter->setPlaceholderText(tr("Filter by any word of a row, or by section"));
+    m_filter->setAccessibleName(m_filter->placeholderText());
     m_filter->setClearButtonEnabled(true);
     m_tree->setAlternatingRowColors(true);
     m_tree->setUniformRowHeights(true);

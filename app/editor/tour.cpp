@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int bubbleWidth = 340; // px
+constexpr int bubbleWidth = 360; // px
 constexpr int gap = 12;          // px, between a place and its bubble
 constexpr QColor shade(0, 0, 0, 120);
 

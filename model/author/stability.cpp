@@ -57,7 +57,7 @@ std::optional<Finding> timeStep(const Look& look)
     const Settings& settings = look.scene.settings;
     const StepLimits limits = stepLimitsOf(look.scene, look.index);
     const double substep = settings.timeStep / settings.substeps;
-    Finding finding{Good, "Time step", {}, {}, {}};
+    Finding finding{Good, "Time step", {}, {}, {}, "step"};
     double least = INFINITY;
     std::size_t i = 0;
     Id worst = noId;
@@ -282,7 +282,7 @@ std::optional<Finding> massless(const Look& look)
 
 std::optional<Finding> doubles(const Look& look)
 {
-    Finding finding{Poor, "Double links", {}, {}, {}};
+    Finding finding{Poor, "Double links", {}, {}, {}, "double"};
     std::vector<std::array<int, 3>> ties; // lower end, upper end, link
     for (std::size_t k = 0; k < look.net.ends.size(); ++k)
         if (look.isTied(k)) {
@@ -305,7 +305,7 @@ std::optional<Finding> doubles(const Look& look)
 
 std::optional<Finding> loose(const Look& look)
 {
-    Finding finding{Poor, "Loose particles", {}, {}, {}};
+    Finding finding{Poor, "Loose particles", {}, {}, {}, "loose"};
     if (look.net.ends.empty())
         return std::nullopt; // a cloud of particles is meant
     std::vector<char> tied(look.net.all.particles.size(), 0);

@@ -19,6 +19,7 @@ struct Finding
     std::string message;        // one sentence
     std::vector<Id> culprits;   // ascending
     std::optional<Edit> repair; // its label says what it does; for the scene as it was examined
+    std::string_view sort = {}; // of the problems (scene/check.h) that a poor one tells as well
 };
 
 // The longest a link may be at the start, as a part of its rest length, without being told.

@@ -1,50 +1,51 @@
 #include "io/json_events.h"
 
-#include <nlohmann/json.hpp>
+#include <rapidjson/error/en.h>
+#include <rapidjson/reader.h>
 
 #include <algorithm>
-#include <iterator>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
 
 namespace ripstop {
 namespace {
 
-using nlohmann::json;
+constexpr const char* tooLarge = "must be a finite number; this one is too large for a computer";
 
-// Reads characters and lets the handler see how far the parser has come.
-class Cursor
+// The text, as the parser wants to read it: zero at the end.
+class Characters
 {
 public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = char;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const char*;
-    using reference = const char&;
+    // NOLINTBEGIN(readability-identifier-naming)
+    using Ch = char;
 
-    Cursor(const char* at, std::size_t* consumed)
-        : m_at(at)
-        , m_consumed(consumed)
+    explicit Characters(std::string_view text, std::size_t begin)
+        : m_text(text)
+        , m_at(begin)
     {}
 
-    reference operator*() const { return *m_at; }
-    Cursor& operator++()
-    {
-        ++m_at;
-        ++*m_consumed;
-        return *this;
-    }
-    friend bool operator==(const Cursor& a, const Cursor& b) { return a.m_at == b.m_at; }
-    friend bool operator!=(const Cursor& a, const Cursor& b) { return a.m_at != b.m_at; }
+    char Peek() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
+    char Take() { return m_at < m_text.size() ? m_text[m_at++] : '\0'; }
+    std::size_t Tell() const { return m_at; }
+
+    // Asked for by the parser, and called only where it changes a text in place.
+    char* PutBegin() { return nullptr; }
+    void Put(char) {}
+    void Flush() {}
+    std::size_t PutEnd(char*) { return 0; }
+    // NOLINTEND(readability-identifier-naming)
 
 private:
-    const char* m_at;
-    std::size_t* m_consumed;
+    std::string_view m_text;
+    std::size_t m_at;
 };
 
-// The word in which the parser stopped, in lower case.
-std::string wordBefore(std::string_view text, std::size_t end)
+// The word at a place, in lower case.
+std::string wordAt(std::string_view text, std::size_t place)
 {
     constexpr std::string_view letters = "+-abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-    std::size_t first = end > 0 ? end - 1 : 0;
+    std::size_t first = std::min(place, text.size());
     while (first > 0 && letters.find(text[first - 1]) != std::string_view::npos)
         --first;
     constexpr std::size_t longest = 10;
@@ -55,79 +56,112 @@ std::string wordBefore(std::string_view text, std::size_t end)
     return word;
 }
 
-// What is wrong with a text that the parser gave up at `end`, and what to do.
-std::string explanation(std::string_view text, std::size_t end, std::string_view what)
+// What is wrong with a text that the parser gave up at `place`, and what to do.
+std::string explanation(std::string_view text, std::size_t place, rapidjson::ParseErrorCode code)
 {
-    const std::string word = wordBefore(text, end);
+    const std::string word = wordAt(text, place);
     const std::string_view name = std::string_view(word).substr(word.find_first_not_of("+-") == 1);
     if (name == "nan" || name == "inf" || name == "infinity")
         return "must be a finite number, not " + word;
-    if (what.find("number overflow") != std::string_view::npos)
-        return "must be a finite number; this one is too large for a computer";
-    if (end > 0 && text[end - 1] == '\0')
+    if (code == rapidjson::kParseErrorNumberTooBig)
+        return tooLarge;
+    if (place < text.size() && text[place] == '\0')
         return "is followed by zero bytes: the file is damaged, restore it from a copy";
 
-    // "[json...] parse error at line 1, column 2: syntax error while parsing value - WHAT"
-    if (const auto dash = what.find(" - "); dash != std::string_view::npos)
-        what.remove_prefix(dash + 3);
-    constexpr std::size_t longest = 200;
-    return "is not JSON (" + std::string(what.substr(0, longest))
-           + "); mend the text here, or restore the file from a copy";
+    std::string what = rapidjson::GetParseError_En(code);
+    if (code == rapidjson::kParseErrorStringInvalidEncoding)
+        what = "A string has a line break or a tab in it, or is not UTF-8";
+    if (what.ends_with('.'))
+        what.pop_back();
+    return "is not JSON (" + what + "); mend the text here, or restore the file from a copy";
 }
 
-// What nlohmann::json reports, by the names that it asks for.
-struct Handler
+// What RapidJSON reports, by the names that it asks for.
+class Handler
 {
+public:
     using Type = JsonEvent::Type;
 
-    std::string_view source;
-    const JsonVisitor& visit;
-    const std::size_t& end;
+    Handler(const Characters& characters, const JsonVisitor& visit)
+        : m_characters(characters)
+        , m_visit(visit)
+    {}
 
-    bool tell(Type type) const { return visit({.type = type, .end = end}); }
-    bool tellNumber(double number) const
+    bool tell(Type type, std::string_view text = {}) const
     {
-        return visit({.type = Type::Number, .number = number, .end = end});
-    }
-    bool tellText(Type type, std::string_view text) const
-    {
-        return visit({.type = type, .text = text, .end = end});
+        return m_visit({.type = type, .text = text, .end = m_characters.Tell()});
     }
 
     // NOLINTBEGIN(readability-identifier-naming)
-    bool null() { return tell(Type::Null); }
-    bool boolean(bool value)
-    {
-        return visit({.type = Type::Boolean, .boolean = value, .end = end});
-    }
-    bool number_integer(json::number_integer_t value) { return tellNumber(double(value)); }
-    bool number_unsigned(json::number_unsigned_t value) { return tellNumber(double(value)); }
-    bool number_float(double value, const std::string&) { return tellNumber(value); }
-    bool string(std::string& value) { return tellText(Type::Text, value); }
-    bool binary(json::binary_t&) { return false; } // never in a text
-    bool start_object(std::size_t) { return tell(Type::BeginObject); }
-    bool key(std::string& value) { return tellText(Type::Key, value); }
-    bool end_object() { return tell(Type::EndObject); }
-    bool start_array(std::size_t) { return tell(Type::BeginArray); }
-    bool end_array() { return tell(Type::EndArray); }
+    using Ch = char;
+    using Size = rapidjson::SizeType;
 
-    bool parse_error(std::size_t, const std::string&, const json::exception& error)
+    bool Null() { return tell(Type::Null); }
+    bool Bool(bool value)
     {
-        tellText(Type::Error, explanation(source, end, error.what()));
-        return false;
+        return m_visit({.type = Type::Boolean, .boolean = value, .end = m_characters.Tell()});
     }
+    // Read here, since the parser does not round every decimal to the nearest double.
+    bool RawNumber(const char* begin, Size length, bool)
+    {
+        double number = 0.0;
+        if (std::from_chars(begin, begin + length, number).ec == std::errc::result_out_of_range)
+            number = std::strtod(std::string(begin, length).c_str(), nullptr); // huge or tiny
+        if (!std::isfinite(number)) {
+            tell(Type::Error, tooLarge);
+            return false;
+        }
+        return m_visit({.type = Type::Number, .number = number, .end = m_characters.Tell()});
+    }
+    bool String(const char* begin, Size length, bool) { return tell(Type::Text, {begin, length}); }
+    bool Key(const char* begin, Size length, bool) { return tell(Type::Key, {begin, length}); }
+    // Told of when the parser is at a bracket, and not behind it.
+    bool StartObject() { return tellBracket(Type::BeginObject); }
+    bool EndObject(Size) { return tellBracket(Type::EndObject); }
+    bool StartArray() { return tellBracket(Type::BeginArray); }
+    bool EndArray(Size) { return tellBracket(Type::EndArray); }
+
+    // Numbers come as texts.
+    bool Int(int) { return false; }
+    bool Uint(unsigned) { return false; }
+    bool Int64(std::int64_t) { return false; }
+    bool Uint64(std::uint64_t) { return false; }
+    bool Double(double) { return false; }
     // NOLINTEND(readability-identifier-naming)
+
+private:
+    bool tellBracket(Type type) const
+    {
+        return m_visit({.type = type, .end = m_characters.Tell() + 1});
+    }
+
+    const Characters& m_characters;
+    const JsonVisitor& m_visit;
 };
 
 } // namespace
 
 void walkJson(std::string_view text, std::size_t begin, bool whole, const JsonVisitor& visit)
 {
-    std::size_t consumed = begin;
-    Handler handler{text, visit, consumed};
-    json::sax_parse(Cursor(text.data() + begin, &consumed),
-                    Cursor(text.data() + text.size(), &consumed), &handler,
-                    nlohmann::detail::input_format_t::json, whole);
+    constexpr unsigned flags = rapidjson::kParseIterativeFlag | rapidjson::kParseStopWhenDoneFlag
+                               | rapidjson::kParseNumbersAsStringsFlag
+                               | rapidjson::kParseValidateEncodingFlag;
+    Characters characters(text, begin);
+    Handler handler(characters, visit);
+    rapidjson::Reader reader;
+    const rapidjson::ParseResult result = reader.Parse<flags>(characters, handler);
+    const auto fail = [&](std::size_t place, rapidjson::ParseErrorCode code) {
+        visit({.type = JsonEvent::Type::Error,
+               .text = explanation(text, place, code),
+               .end = std::min(place + 1, text.size())});
+    };
+    if (result.IsError() && result.Code() != rapidjson::kParseErrorTermination)
+        fail(result.Offset(), result.Code());
+    if (result.IsError() || !whole)
+        return;
+    const std::size_t rest = text.find_first_not_of(" \t\r\n", characters.Tell());
+    if (rest != std::string_view::npos)
+        fail(rest, rapidjson::kParseErrorDocumentRootNotSingular);
 }
 
 std::string_view numberText(std::string_view text, std::size_t end)

@@ -43,10 +43,6 @@ public:
         walkJson(m_text, 0, true, [this](const JsonEvent& event) { return on(event); });
         if (m_draft.flaw)
             return std::move(m_draft);
-        // A zero byte ends a JSON text for the parser; here it is damage.
-        if (const auto rest = m_text.find_first_not_of(" \t\r\n", m_end);
-            rest != std::string_view::npos)
-            m_draft.flaw = Flaw{rest + 1, "the scene ends before this; remove what follows"};
         Scene& scene = m_draft.scene;
         if (!m_fileUnknown.empty())
             scene.unknown[noId] = "{" + m_fileUnknown + "}";

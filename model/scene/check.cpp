@@ -132,7 +132,7 @@ private:
     void add(const char* sort, Severity severity, std::string message, Id culprit)
     {
         if (++m_count[sort] <= m_most)
-            m_problems.push_back({severity, std::move(message), culprit});
+            m_problems.push_back({severity, std::move(message), culprit, sort});
     }
 
     void pointing(Id holder, const ConstRef& ref)

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ripstop {
@@ -14,8 +15,9 @@ enum class Severity { Error, Warning };
 struct Problem
 {
     Severity severity;
-    std::string message; // what is wrong and what to do about it
-    Id culprit{};        // item or element; noId when it is the scene as a whole
+    std::string message;        // what is wrong and what to do about it
+    Id culprit{};               // item or element; noId when it is the scene as a whole
+    std::string_view sort = {}; // "step", "loose": the same for all of its sort
 };
 
 // Errors first. At most `most` problems of each sort, so that a broken table of a million rows

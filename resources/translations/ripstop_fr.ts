@@ -165,8 +165,8 @@
     </message>
     <message>
         <location filename="actions.cpp"/>
-        <source>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;An editor and simulator for fabric that flies: kites, hang gliders, parachutes, cloth.&lt;/p&gt;&lt;p&gt;Every number on the screen can be made again by &lt;tt&gt;ripstop-cli&lt;/tt&gt;, bit for bit.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, nlohmann/json, CLI11, muParser and QCustomPlot.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;Un éditeur et simulateur de tissu qui vole : cerfs-volants, deltaplanes, parachutes, toiles.&lt;/p&gt;&lt;p&gt;Chaque nombre à l’écran peut être recalculé par &lt;tt&gt;ripstop-cli&lt;/tt&gt;, au bit près.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, VTK, Eigen, oneTBB, nlohmann/json, CLI11, muParser et QCustomPlot.&lt;/p&gt;</translation>
+        <source>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;An editor and simulator for fabric that flies: kites, hang gliders, parachutes, cloth.&lt;/p&gt;&lt;p&gt;Every number on the screen can be made again by &lt;tt&gt;ripstop-cli&lt;/tt&gt;, bit for bit.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, RapidJSON, nlohmann/json, CLI11, muParser, assimp, tinygltf, zstd and QCustomPlot.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;Un éditeur et simulateur de tissu qui vole : cerfs-volants, deltaplanes, parachutes, toiles.&lt;/p&gt;&lt;p&gt;Chaque nombre à l’écran peut être recalculé par &lt;tt&gt;ripstop-cli&lt;/tt&gt;, au bit près.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, VTK, Eigen, oneTBB, RapidJSON, nlohmann/json, CLI11, muParser, assimp, tinygltf, zstd et QCustomPlot.&lt;/p&gt;</translation>
     </message>
     <message>
         <location filename="actions.cpp"/>
@@ -747,6 +747,11 @@
         <location filename="condition_dialog.cpp"/>
         <source>Unit</source>
         <translation>Unité</translation>
+    </message>
+    <message>
+        <location filename="condition_dialog.cpp"/>
+        <source>What becomes of the selection</source>
+        <translation>Ce que devient la sélection</translation>
     </message>
     <message>
         <location filename="condition_dialog.cpp"/>
@@ -9303,11 +9308,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline.cpp"/>
-        <source>&amp;Remove this run</source>
-        <translation>&amp;Supprimer cette simulation</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
         <source>&amp;Rename…</source>
         <translation>Reno&amp;mmer…</translation>
     </message>
@@ -9440,6 +9440,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="timeline.cpp"/>
         <source>Previous event</source>
         <translation>Événement précédent</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Re&amp;move this run</source>
+        <translation>&amp;Supprimer cette simulation</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>

@@ -12,6 +12,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QFileDialog>
+#include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -175,6 +176,7 @@ bool takesInput(const QWidget& widget)
 {
     return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget)
            || qobject_cast<const QAbstractSpinBox*>(&widget)
+           || qobject_cast<const QKeySequenceEdit*>(&widget)
            || qobject_cast<const QSlider*>(&widget) || qobject_cast<const QPlainTextEdit*>(&widget);
 }
 

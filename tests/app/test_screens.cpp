@@ -2,11 +2,20 @@
 // ./dev screens, which also says what is cut off or has no name.
 #include "album/window_walk.h"
 #include "app/window_shop.h"
+#include "editor/mnemonics.h"
 
+#include <QMenu>
+#include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
 
 using namespace ripstop;
+
+namespace {
+
+QString letterOf(const QAction& entry) { return QKeySequence::mnemonic(entry.text()).toString(); }
+
+} // namespace
 
 class TestScreens : public QObject
 {
@@ -27,6 +36,40 @@ private slots:
                 QVERIFY2(!action->icon().isNull(), qPrintable(action->text()));
                 QVERIFY2(!button->toolTip().isEmpty(), qPrintable(action->text()));
             }
+    }
+
+    void letterIsOfOneEntry()
+    {
+        QMenu menu;
+        for (const char* text : {"&Copy", "&Cut", "Coarse && fine", "Cu&t and copy", "42", "&Copy"})
+            menu.addAction(text);
+        giveMnemonics(menu.actions());
+        QStringList letters, texts;
+        for (const QAction* entry : menu.actions()) {
+            letters << letterOf(*entry);
+            texts << entry->text();
+        }
+        QCOMPARE(texts, (QStringList{"&Copy", "C&ut", "Coarse && &fine", "Cu&t and copy", "&42",
+                                     "C&opy"}));
+        QCOMPARE(letters, (QStringList{"Alt+C", "Alt+U", "Alt+F", "Alt+T", "Alt+4", "Alt+O"}));
+        giveMnemonics(menu.actions()); // nothing is left to do
+        for (const QAction* entry : menu.actions())
+            QCOMPARE(entry->text(), texts.takeFirst());
+    }
+
+    void lettersOfEveryMenuDiffer()
+    {
+        WindowShop shop;
+        for (QMenu* menu : shop.window.findChildren<QMenu*>()) {
+            emit menu->aboutToShow();
+            QStringList letters;
+            for (const QAction* entry : menu->actions())
+                if (const QString letter = letterOf(*entry); !letter.isEmpty()) {
+                    QVERIFY2(!letters.contains(letter),
+                             qPrintable(menu->title() + ": " + entry->text()));
+                    letters << letter;
+                }
+        }
     }
 };
 

@@ -245,6 +245,21 @@ private slots:
         QTRY_VERIFY(!poor());
     }
 
+    // Both the check and the stability list know of it; the one with a repair tells it.
+    void aDoubleLinkIsToldOnce()
+    {
+        Scene scene = fallingPair();
+        std::get<Part>(*findItem(scene, Id{1})).links.push_back(rod(Id{8}, Id{2}, Id{3}, Id{5}));
+        scene.nextId = Id{9};
+        Bench bench(scene);
+        ProblemList problems(bench.document, bench.selection, bench.player);
+        problems.show();
+        auto* list = problems.findChild<QTreeWidget*>();
+        QTRY_VERIFY(!list->findItems("Double links", Qt::MatchExactly).isEmpty());
+        QCOMPARE(problems.findChild<QListWidget*>()->count(), 0);
+        QCOMPARE(problems.warningCount(), 1);
+    }
+
     void theStartPageOffersEverySampleAndBuilder()
     {
         QVERIFY(!sampleFiles().empty());

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 
 namespace ripstop {
 namespace {
@@ -67,11 +68,12 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     connect(&document, &Document::changed, &m_delay, qOverload<>(&QTimer::start));
     connect(&document, &Document::replaced, this, &ProblemList::check);
     connect(&player.follower(), &Follower::checked, this,
-            [this](const std::vector<Problem>& problems) {
-                m_problems = problems;
+            [this](const std::vector<Problem>& problems) { m_problems = problems; });
+    connect(&player.follower(), &Follower::examined, this,
+            [this](const std::vector<Finding>& findings) { // comes right after the other
+                m_stability->showFindings(findings);
                 rebuild();
             });
-    connect(&player.follower(), &Follower::examined, m_stability, &StabilityList::showFindings);
     connect(&player, &Player::stopped, this, &ProblemList::noteStop);
     connect(&player, &Player::frameReady, this, [this](const std::shared_ptr<const Frame>& frame) {
         if (frame->stopped.empty() && !m_stops.empty()) {
@@ -100,11 +102,18 @@ void ProblemList::noteStop(const QString& why, quint32 culprit)
     rebuild();
 }
 
-void ProblemList::rebuild()
+std::vector<Problem> ProblemList::told() const
 {
     std::vector<Problem> all = m_stops;
-    all.insert(all.end(), m_problems.begin(), m_problems.end());
+    std::ranges::copy_if(m_problems, std::back_inserter(all), [this](const Problem& problem) {
+        return problem.severity == Severity::Error || !m_stability->tellsPoor(problem.sort);
+    });
+    return all;
+}
 
+void ProblemList::rebuild()
+{
+    const std::vector<Problem> all = told();
     m_list->clear();
     for (const Problem& problem : all) {
         const bool isError = problem.severity == Severity::Error;
@@ -117,7 +126,7 @@ void ProblemList::rebuild()
 
     m_errors = int(std::count_if(all.begin(), all.end(),
                                  [](const Problem& p) { return p.severity == Severity::Error; }));
-    m_warnings = int(all.size()) - m_errors;
+    m_warnings = int(all.size()) - m_errors + m_stability->poor();
     emit countChanged(m_errors, m_warnings);
 }
 

@@ -18,7 +18,8 @@ class StabilityList;
 
 // What keeps the scene from running, and what will run but hardly as meant; and why the
 // simulation stopped. A click selects the culprit. Beside it stands how near the design is to what
-// its solver can follow. The check runs on a thread of its own, shortly after the last edit.
+// its solver can follow; a warning that is told there, with its repair, is not told twice. The
+// check runs on a thread of its own, shortly after the last edit.
 class ProblemList final : public QWidget
 {
     Q_OBJECT
@@ -36,6 +37,7 @@ signals:
 private:
     void check();
     void noteStop(const QString& why, quint32 culprit);
+    std::vector<Problem> told() const; // here: what the list beside does not tell
     void rebuild();
 
     Selection& m_selection;

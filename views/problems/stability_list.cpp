@@ -9,6 +9,8 @@
 #include <QHeaderView>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
@@ -72,6 +74,18 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
         setItemWidget(item, Repair, place);
     }
     fitRows();
+}
+
+int StabilityList::poor() const
+{
+    return int(std::ranges::count(m_findings, Finding::Verdict::Poor, &Finding::verdict));
+}
+
+bool StabilityList::tellsPoor(std::string_view sort) const
+{
+    return !sort.empty() && std::ranges::any_of(m_findings, [sort](const Finding& finding) {
+        return finding.verdict == Finding::Verdict::Poor && finding.sort == sort;
+    });
 }
 
 void StabilityList::resizeEvent(QResizeEvent* event)

@@ -151,7 +151,7 @@ void Timeline::connectButtons()
 
     auto* run = new QMenu(m_more);
     run->addAction(tr("&Rename\u2026"), this, &Timeline::rename);
-    run->addAction(icon(QStringLiteral("delete")), tr("&Remove this run"), this,
+    run->addAction(icon(QStringLiteral("delete")), tr("Re&move this run"), this,
                    [this] { m_recordings.remove(m_recordings.current()); });
     m_more->setMenu(run);
 
