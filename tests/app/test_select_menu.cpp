@@ -59,7 +59,7 @@ struct Editor
             return nullptr;
         emit menus.first()->aboutToShow();
         for (QAction* action : menus.first()->actions())
-            if (action->text().remove('            if (action->text() == name)') == name)
+            if (action->text().remove('&') == name)
                 return action;
         return nullptr;
     }
