@@ -46,6 +46,11 @@ struct Editor
     bool isChecked(const char* id) { return window.actions()[id]->isChecked(); }
     std::size_t count() const { return selection.ids().size(); }
 
+    // As it stands on the screen.
+    static QString seen(QString text)
+    {
+        return text.replace("&&", "\n").remove('&').replace('\n', '&');
+    }
     // The entry of a menu of the Select menu that is filled when it opens.
     QAction* entry(const QString& title, const QString& name)
     {
@@ -59,7 +64,7 @@ struct Editor
             return nullptr;
         emit menus.first()->aboutToShow();
         for (QAction* action : menus.first()->actions())
-            if (action->text().remove('&') == name)
+            if (seen(action->text()) == name)
                 return action;
         return nullptr;
     }
@@ -166,21 +171,21 @@ private slots:
 
         editor.trigger("allPanels");
         const std::vector<Id> panels = editor.selection.ids();
-        QAction* add = editor.entry("Add to group", "edge && seam");
+        QAction* add = editor.entry("Add to group", "edge & seam");
         QVERIFY(add);
         add->trigger();
         QCOMPARE(members().size(), edge.size() + panels.size());
-        editor.entry("Add to group", "edge && seam")->trigger(); // they are in it: no step
+        editor.entry("Add to group", "edge & seam")->trigger(); // they are in it: no step
         QCOMPARE(editor.document.history().count(), 2);
-        editor.entry("Remove from group", "edge && seam")->trigger();
+        editor.entry("Remove from group", "edge & seam")->trigger();
         QCOMPARE(members(), edge);
-        editor.entry("By group", "edge && seam")->trigger();
+        editor.entry("By group", "edge & seam")->trigger();
         QCOMPARE(editor.selection.ids(), edge);
 
         for (int i = 0; i < 3; ++i)
             editor.document.history().undo();
         QCOMPARE(editor.document.scene().items.size(), before);
-        QVERIFY(!editor.entry("By group", "edge && seam"));
+        QVERIFY(!editor.entry("By group", "edge & seam"));
     }
 
     void conditionsCountAndExplain()
