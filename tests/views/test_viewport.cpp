@@ -69,6 +69,26 @@ class TestViewport : public QObject
     Q_OBJECT
 
 private slots:
+    void arrowsGoWithWhatTheyStoodOn()
+    {
+        Scene scene = redPanel();
+        for (Particle& row : std::get<Part>(*findItem(scene, Id{1})).particles)
+            row.velocity = Vec3(0, 5, 0), row.pinned = false, row.mass = 1.0;
+        View view(scene);
+        QVERIFY(QTest::qWaitForWindowExposed(&view.viewport));
+        view.viewport.setVectors(Vectors::Velocity);
+        QTRY_VERIFY(view.player.frame());
+        view.viewport.setPanelsShown(false);
+        view.viewport.setLinksShown(false);
+        const QImage with = view.viewport.image();
+        view.viewport.setVectors(Vectors::None);
+        QVERIFY(view.viewport.image() != with);
+        view.viewport.setVectors(Vectors::Velocity);
+        view.document.replace(Scene{});
+        QTRY_VERIFY(view.player.frame() && view.player.frame()->position.empty());
+        QVERIFY(view.viewport.image() != with);
+    }
+
     void panelsAreDrawnInTheColourOfTheirMaterial()
     {
         View view(redPanel());

@@ -2,14 +2,40 @@
 
 #include <vtkRenderer.h>
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
 constexpr std::size_t most = 3000;   // arrows
-constexpr double longest = 0.12;     // of the diagonal of what is shown
+constexpr double longest = 0.4;      // of how far the tails spread
 constexpr double negligible = 0.002; // of the longest
 
 std::size_t strideOf(std::size_t count) { return count / most + 1; }
+
+double median(std::vector<double>& values)
+{
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// How far from their midst half of the tails are, m. A long line to a kite does not count, as it
+// would in a box around them all.
+double spreadOf(const std::vector<VectorArrow>& arrows)
+{
+    std::vector<double> values(arrows.size());
+    Vec3 midst;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::ranges::transform(arrows, values.begin(),
+                               [axis](const VectorArrow& arrow) { return arrow.place[axis]; });
+        midst[axis] = median(values);
+    }
+    std::ranges::transform(arrows, values.begin(), [&midst](const VectorArrow& arrow) {
+        return (arrow.place - midst).norm();
+    });
+    return median(values);
+}
 
 } // namespace
 
@@ -78,8 +104,8 @@ void VectorLayer::update(const Picture& picture)
     m_range.take(sizes, false);
     const double largest = m_range.range().high;
     m_arrows.clear();
-    if (largest > 0.0 && !picture.bounds.isEmpty()) {
-        const double scale = longest * picture.bounds.diagonal().norm() / largest;
+    if (largest > 0.0 && !arrows.empty()) {
+        const double scale = longest * spreadOf(arrows) / largest;
         for (std::size_t i = 0; i < arrows.size(); ++i)
             if (sizes[i] > negligible * largest)
                 m_arrows.add(arrows[i].place, scale * arrows[i].value);
