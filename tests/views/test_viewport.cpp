@@ -59,7 +59,11 @@ struct View
         viewport.view(PresetView::Front);
     }
 
-    QColor middle() { return viewport.image().pixelColor(200, 160); }
+    QColor middle()
+    {
+        const QImage image = viewport.image(); // more pixels than points on a fine screen
+        return image.pixelColor(image.width() / 2, image.height() * 8 / 15);
+    }
 };
 
 } // namespace
