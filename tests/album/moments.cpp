@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
@@ -111,6 +112,23 @@ void inspector(WindowShop& shop, WindowWalk& walk)
             walk.window(QStringLiteral("inspector one ") + name);
         }
     });
+}
+
+// The usual sliders, and a part with targets beside what it weighs and measures.
+void tuned(WindowShop& shop, WindowWalk& walk)
+{
+    shop.window.showDock("tuning");
+    for (QPushButton* button : shop.window.findChildren<QPushButton*>())
+        if (button->isVisible() && button->text().contains("usual"))
+            button->click();
+    QTest::qWait(1);
+    walk.window("sliders");
+    const Id part = selectionsOf(shop.document.scene())[1].front();
+    for (const auto& [key, value] : {std::pair{"massTarget", 0.2}, {"areaTarget", 1.7}})
+        shop.document.push(setValue(shop.document.scene(), part, key, value));
+    shop.selection.set({part});
+    shop.window.showDock("inspector");
+    walk.window("targets");
 }
 
 void comesByItself(WindowShop& shop, WindowWalk& walk)
@@ -239,8 +257,9 @@ void showEverything(WindowShop& shop, const WindowWalk::Look& look)
     (void)QTest::qWaitFor(
         [&] { return !shop.player.isPlaying() && shop.player.frame()->time >= 1.0; }, 20000);
     walk.panels("flown");
-    walk.tools("flown");
     walk.during("adopt pose", [&] { shop.run("adoptPose"); });
+    tuned(shop, walk);
+    walk.tools("flown");
     comesByItself(shop, walk);
 }
 
