@@ -9,6 +9,7 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"
+#include "io/whole_file.h"
 #include "measure/diagnostics.h"
 #include "run/pose.h"
 #include "run/recorder.h"
@@ -312,6 +313,10 @@ int run(const Options& options)
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
+    for (const std::string& file : {options.finalScene, options.tears, options.record})
+        if (!file.empty())
+            if (const auto failure = unwritable(file)) // better now than after an hour
+                return fail(BadInput, failure->message);
     ControlTrack track;
     if (!options.controls.empty()) {
         Result<ControlTrack> read = readControlTrack(options.controls, *loaded.scene);

@@ -8,6 +8,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A file would take the place of a folder or a device.
+bool isTaken(const fs::path& target)
+{
+    std::error_code error;
+    const fs::file_status status = fs::status(target, error);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
 std::string reason()
 {
     return errno ? std::generic_category().message(errno) : std::string("the disk does not answer");
@@ -59,9 +67,8 @@ std::optional<Failure> OutputFiles::makeFolder(const fs::path& folder)
 
 Result<std::ofstream> OutputFiles::open(const fs::path& target)
 {
-    std::error_code error;
-    if (fs::is_directory(target, error))
-        return Failure{target.string() + " is a folder; name a file in it."};
+    if (isTaken(target))
+        return Failure{target.string() + " is a folder or a device; name a file."};
     const fs::path written = nameFor(target);
     errno = 0;
     std::ofstream out(written, std::ios::binary | std::ios::trunc);
@@ -103,6 +110,8 @@ std::optional<Failure> OutputFiles::commit()
     for (const File& file : m_files) {
         if (file.target.empty())
             continue;
+        if (isTaken(file.target))
+            return notWritten(file.target, "it is a folder or a device");
         fs::rename(file.written, file.target, error);
         if (error)
             return notWritten(file.target, error.message());

@@ -28,6 +28,30 @@ bool flushToDisk(const fs::path& file)
     return done;
 }
 
+// A device, a pipe: there, and nothing that another file may take the place of.
+bool isSpecial(const fs::path& file)
+{
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+Failure notSaved(const fs::path& file, const std::string& why)
+{
+    return Failure{file.string() + " was not saved: " + why
+                   + "; make room or choose another folder."};
+}
+
+std::optional<Failure> writeInPlace(const fs::path& file, const WriteInto& write)
+{
+    errno = 0;
+    std::ofstream out(file, std::ios::binary);
+    if (auto failure = write(out))
+        return failure;
+    out.close();
+    return out ? std::nullopt : std::optional(notSaved(file, reason()));
+}
+
 } // namespace
 
 Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
@@ -72,6 +96,22 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
     }
 }
 
+std::optional<Failure> unwritable(const fs::path& file)
+{
+    std::error_code error;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error))
+        return Failure{file.string() + " cannot be written: there is no folder " + folder.string()
+                       + "; make it or choose another."};
+    if (fs::is_directory(file, error))
+        return Failure{file.string() + " is a folder; name a file in it."};
+    errno = 0;
+    if (::access((isSpecial(file) ? file : folder).c_str(), W_OK) != 0)
+        return Failure{file.string() + " cannot be written: " + reason()
+                       + "; choose another folder."};
+    return std::nullopt;
+}
+
 std::optional<Failure> replaceFile(const fs::path& file, std::string_view content, Flush flush)
 {
     const auto write = [content](std::ostream& out) -> std::optional<Failure> {
@@ -85,13 +125,14 @@ std::optional<Failure> replaceFile(const fs::path& file, const WriteInto& write,
 {
     std::error_code error;
     const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    if (isSpecial(target))
+        return writeInPlace(file, write);
     fs::path temporary = target;
     temporary.concat(".").concat(std::to_string(::getpid())).concat(".saving");
 
     const auto failed = [&](const std::string& why) {
         fs::remove(temporary, error);
-        return Failure{file.string() + " was not saved: " + why
-                       + "; make room or choose another folder."};
+        return notSaved(file, why);
     };
     if (fs::is_directory(target, error))
         return failed("it is a folder");

@@ -22,8 +22,13 @@ Result<std::string> readWholeFile(const std::filesystem::path& file, const Start
 // series.
 enum class Flush { ToDisk, Later };
 
+// Why a file cannot be written: its folder is missing, or it or its folder is protected. For long
+// work that ends in writing it; nothing when it can be, as far as can be known beforehand.
+std::optional<Failure> unwritable(const std::filesystem::path& file);
+
 // Writes a file beside the target and renames it, so that whoever looks finds the old content or
-// the new one whole, even after a crash. Follows symbolic links and keeps permissions.
+// the new one whole, even after a crash. Follows symbolic links and keeps permissions. Devices and
+// pipes are written as they are, and stay.
 std::optional<Failure> replaceFile(const std::filesystem::path& file, std::string_view content,
                                    Flush flush = Flush::ToDisk);
 

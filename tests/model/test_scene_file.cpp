@@ -2,6 +2,7 @@
 #include "model/scene_texts.h"
 
 #include "io/scene_file.h"
+#include "io/whole_file.h"
 #include "scene/property.h"
 
 #include <QFile>
@@ -10,8 +11,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <thread>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 using namespace ripstop;
 
@@ -328,6 +332,34 @@ private slots:
         QVERIFY(failure);
         QVERIFY2(failure->message.starts_with(path.toStdString() + " was not saved"),
                  failure->message.c_str());
+    }
+
+    void longWorkAsksBefore()
+    {
+        QTemporaryDir folder;
+        QVERIFY(!unwritable(folder.filePath("new.ripstop.json").toStdString()));
+        QVERIFY(!unwritable("in_the_folder_where_one_is.ripstop.json"));
+        QVERIFY(!unwritable("/dev/null"));
+        QVERIFY(unwritable("/nowhere/at all/wing.ripstop.json"));
+        QVERIFY(unwritable(SOURCE_DIR));
+    }
+
+    // A file never takes the place of a pipe or of /dev/null.
+    void aPipeIsWrittenAsItIs()
+    {
+        QTemporaryDir folder;
+        const std::string file = folder.filePath("pipe").toStdString();
+        QCOMPARE(mkfifo(file.c_str(), 0600), 0);
+        std::string read;
+        std::thread reader([&] {
+            std::ifstream in(file);
+            std::getline(in, read);
+        });
+        const std::optional<Failure> failure = replaceFile(file, "kite\n");
+        reader.join();
+        QVERIFY(!failure);
+        QCOMPARE(read, std::string("kite"));
+        QVERIFY(std::filesystem::is_fifo(file));
     }
 
     void refusesToSaveWhatItCouldNotRead_data()
