@@ -1,6 +1,7 @@
 #include "export/output_files.h"
 
 #include <cerrno>
+#include <ranges>
 #include <system_error>
 
 namespace ripstop {
@@ -43,8 +44,8 @@ OutputFiles::~OutputFiles()
     std::error_code ignored;
     for (const File& file : m_files)
         fs::remove(file.written, ignored);
-    for (auto folder = m_newFolders.rbegin(); folder != m_newFolders.rend(); ++folder)
-        fs::remove(*folder, ignored); // only when it is empty
+    for (const fs::path& folder : m_newFolders | std::views::reverse)
+        fs::remove(folder, ignored); // only when it is empty
 }
 
 fs::path OutputFiles::nameFor(const fs::path& target) const
