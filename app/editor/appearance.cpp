@@ -44,6 +44,7 @@ QPalette paletteOf(const Colors& colors)
     for (const QPalette::ColorRole role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, colors.faint);
+    palette.setColor(QPalette::Disabled, QPalette::Light, colors.base); // of their embossed edge
     return palette;
 }
 

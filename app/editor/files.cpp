@@ -9,6 +9,7 @@
 #include "editor/templates.h"
 #include "import/import_dialog.h"
 #include "io/scene_file.h"
+#include "start/samples.h"
 #include "viewport/viewport.h"
 
 #include <QDir>
@@ -105,7 +106,12 @@ void Files::importMesh(Into into, const QString& file)
                   .arg(QDir::toNativeSeparators(dialog.file())));
 }
 
-bool Files::save() { return m_document.file().isEmpty() ? saveAs() : write(m_document.file()); }
+// A sample is for everybody: what was made of it gets a file of its own.
+bool Files::save()
+{
+    const QString file = m_document.file();
+    return file.isEmpty() || isSample(file) ? saveAs() : write(file);
+}
 
 bool Files::saveAs()
 {
@@ -262,14 +268,14 @@ void Files::remember(const QString& file)
     emit recentChanged();
 }
 
-// Beside the scene, with its name.
+// Beside the scene, with its name; not among the samples.
 QString Files::suggestedFile(const QString& extension) const
 {
-    const QFileInfo scene(m_document.file());
-    QString name = m_document.file().isEmpty() ? m_document.displayName() : scene.fileName();
+    const QString file = m_document.file();
+    QString name = file.isEmpty() ? m_document.displayName() : QFileInfo(file).fileName();
     name.remove(".ripstop.json");
-    const QString folder = m_document.file().isEmpty() ? QDir::currentPath() : scene.path();
-    return QDir(folder).filePath(name + extension);
+    const bool isOwn = !file.isEmpty() && !isSample(file);
+    return QDir(isOwn ? QFileInfo(file).path() : QDir::currentPath()).filePath(name + extension);
 }
 
 } // namespace ripstop

@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/gauge.h"
 #include "document/player.h"
+#include "document/reading.h"
 #include "document/recordings.h"
 #include "document/selection.h"
 #include "document/words.h"
@@ -269,9 +270,11 @@ void MainWindow::connectParts()
     connect(&m_selection, &Selection::changed, this, [this] { m_selectedSoon.start(); });
     connect(&m_viewport->pointing(), &Pointing::hoveredChanged, this, [this](Id id) {
         if (id == noId)
-            statusBar()->clearMessage();
-        else
-            statusBar()->showMessage(summary({id}));
+            return statusBar()->clearMessage();
+        const auto& frame = m_player.frame();
+        const QString reading = frame ? readingOf(*frame, id) : QString();
+        statusBar()->showMessage(reading.isEmpty() ? summary({id})
+                                                   : summary({id}) + " · " + reading);
     });
     connect(m_problems, &ProblemList::countChanged, this, [this](int errors, int warnings) {
         const int count = errors + warnings;

@@ -11,6 +11,7 @@
 #include "viewport/viewport.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QMainWindow>
 #include <QStatusBar>
 
@@ -24,6 +25,15 @@ void choose(const Workbench& bench, std::vector<Id> ids)
         return bench.selection.set(std::move(ids));
     bench.window.statusBar()->showMessage(
         Actions::tr("There is none of that here; the selection stays."), 5000);
+}
+
+// An open list has the key first.
+void deselect(Selection& selection)
+{
+    if (QWidget* list = QApplication::activePopupWidget())
+        list->close();
+    else
+        selection.clear();
 }
 
 // A selection from the selection.
@@ -164,7 +174,7 @@ std::vector<MenuRow> selectRows(const Workbench& bench, const Actions& actions)
     // clang-format off
     const std::vector<MenuRow> more{
         {"&Select", "selectAll", tr("&All"),        "select-all", QKeySequence::SelectAll, tr("Select all particles, links and panels."), all},
-        {"&Select", "deselect",  tr("Non&e"),       "deselect",   QKeySequence("Esc"),     tr("Select nothing; the inspector then shows the settings."), [&selection = bench.selection] { selection.clear(); }},
+        {"&Select", "deselect",  tr("Non&e"),       "deselect",   QKeySequence("Esc"),     tr("Select nothing; the inspector then shows the settings."), [&selection = bench.selection] { deselect(selection); }},
         {"&Select", "invert",    tr("&Invert"),     nullptr,      QKeySequence("Ctrl+I"),  tr("Select all others of the same kinds: the other particles, where particles are selected."), reducing(bench, inverted)},
         line,
         {"&Select", "grow",      tr("&Grow"),       nullptr,      QKeySequence("Ctrl++"),  tr("Add one ring: the neighbours of particles, the links and panels that touch the selected ones."), from(grown)},

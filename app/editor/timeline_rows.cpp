@@ -46,6 +46,7 @@ std::vector<MenuRow> timelineRows(const Workbench& bench)
         line,
         {"Ti&meline", "continueHere", tr("&Continue from here"), "branch",    QKeySequence("Ctrl+Alt+Space"), tr("Begin a new run at this moment, with the design as it is now. The run that is shown is kept."), [&runs] { runs.continueHere(); }},
         {"Ti&meline", "backToLive", tr("Back to the &run"),     "live",       QKeySequence("Alt+End"),     tr("Show the run as it stands now."), [&runs] { runs.backToLive(); }},
+        {"Ti&meline", "compare",     tr("C&ompare with…"),      "compare",    {},                          tr("Show another run at the same time as a ghost, and plot how far the two are apart."), [&timeline, show] { show("timeline"); timeline.askWhatToCompare(); }},
         {"Ti&meline", "renameRun",  tr("Rename the r&un…"),     nullptr,      {},                          tr("Give the run that is shown another name."), [&timeline] { timeline.rename(); }},
         line,
         {"Ti&meline", "recordingMemory", tr("M&emory for recordings…"), nullptr, {},                       tr("How much of a run stays in memory before it goes to the disk."), [&files] { files.askForMemory(); }},

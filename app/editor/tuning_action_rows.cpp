@@ -15,6 +15,7 @@ std::vector<MenuRow> tuningActionRows(const Workbench& bench)
     return {
         {"&Run", nullptr, {}, nullptr, {}, {}, {}},
         {"&Run", "tuning",      tr("Sl&iders"),            "slider",  QKeySequence("T"),    tr("Show the sliders that tune the design while it flies."), [show] { show("tuning"); }},
+        {"&Run", "usualSliders", tr("Add the &usual sliders"), nullptr, {},                   tr("Wind, stiffness, damping, tear limit and the settings of the solver, as far as they have an effect here."), [&tuning, show] { show("tuning"); tuning.addUsual(); }},
         {"&Run", "switchSets",  tr("Switch &A and B"),     nullptr,   QKeySequence("Ctrl+Shift+T"), tr("Go to the other set of slider values, to compare the two."), [&tuning] { tuning.switchSets(); }},
         {"&Run", "keepSliders", tr("&Keep slider values"), nullptr,   {},                   tr("Make the present values those that resetting the sliders goes back to."), [&tuning] { tuning.keep(); }},
         {"&Run", "resetSliders", tr("Re&set sliders"),     nullptr,   {},                   tr("All sliders back to the values they had when they were added or last kept."), [&tuning] { tuning.reset(); }},

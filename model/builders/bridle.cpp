@@ -52,10 +52,11 @@ using Forks = std::vector<std::vector<Vec3>>;
 
 Failure tooShort(int row, int level, double length, double needed)
 {
+    const double enough = (std::floor(1e3 * needed) + 1.0) * 1e-3; // m, in whole millimetres
     char text[160];
     std::snprintf(text, sizeof text,
-                  "lengths, row %d, column %d: %g m do not reach; it takes more than %.3g m.",
-                  row + 1, level + 1, length, needed);
+                  "lengths, row %d, column %d: %g m do not reach; it takes %.3f m.", row + 1,
+                  level + 1, length, enough);
     return Failure{text};
 }
 

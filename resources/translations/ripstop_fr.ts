@@ -9558,6 +9558,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
+        <source>C&amp;ompare with…</source>
+        <translation>C&amp;omparer avec…</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
         <source>Give the run that is shown another name.</source>
         <translation>Donner un autre nom à la simulation montrée.</translation>
     </message>
@@ -9645,6 +9650,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="timeline_rows.cpp"/>
         <source>Save the run that the timeline shows, every step of it.</source>
         <translation>Enregistrer la simulation que montre la chronologie, chacun de ses pas.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Show another run at the same time as a ghost, and plot how far the two are apart.</source>
+        <translation>Montrer une autre simulation au même instant, comme un fantôme, et tracer l’écart entre les deux.</translation>
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
@@ -10039,6 +10049,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tuning_action_rows.cpp"/>
+        <source>Add the &amp;usual sliders</source>
+        <translation>Ajouter les curseurs &amp;usuels</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
         <source>All sliders back to the values they had when they were added or last kept.</source>
         <translation>Tous les curseurs reviennent aux valeurs qu’ils avaient à leur ajout ou à la dernière retenue.</translation>
     </message>
@@ -10086,6 +10101,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tuning_action_rows.cpp"/>
         <source>Switch &amp;A and B</source>
         <translation>&amp;Basculer entre A et B</translation>
+    </message>
+    <message>
+        <location filename="tuning_action_rows.cpp"/>
+        <source>Wind, stiffness, damping, tear limit and the settings of the solver, as far as they have an effect here.</source>
+        <translation>Vent, raideur, amortissement, limite de déchirure et réglages du solveur, dans la mesure où ils ont un effet ici.</translation>
     </message>
     <message numerus="yes">
         <location filename="tuning_panel.cpp"/>
@@ -10139,11 +10159,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tuning_panel.cpp"/>
         <source>Two sets of values, to compare: what you tune belongs to the one that is pressed. Ctrl+Shift+T switches.</source>
         <translation>Deux jeux de valeurs, à comparer : ce que l’on règle appartient à celui qui est enfoncé. Ctrl+Maj+T bascule.</translation>
-    </message>
-    <message>
-        <location filename="tuning_panel.cpp"/>
-        <source>Wind, stiffness, damping, tear limit and the settings of the solver, as far as they have an effect here.</source>
-        <translation>Vent, raideur, amortissement, limite de déchirure et réglages du solveur, dans la mesure où ils ont un effet ici.</translation>
     </message>
     <message>
         <location filename="tuning_panel.cpp"/>

@@ -11,6 +11,7 @@
 #include "views/run_with_view.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QInputDialog>
 #include <QLabel>
@@ -153,6 +154,27 @@ private slots:
         QVERIFY(wanted.particles && !wanted.links && wanted.panels);
         editor.trigger("takeLinks");
         QVERIFY(wanted.links);
+    }
+
+    void escapeInAnOpenListKeepsTheSelection()
+    {
+        Editor editor;
+        editor.trigger("allPanels");
+        const std::size_t selected = editor.count();
+        QVERIFY(selected > 0);
+        editor.selection.set({editor.selection.ids().front()});
+        QComboBox* list = nullptr;
+        for (QComboBox* any : editor.window.findChildren<QComboBox*>())
+            if (any->isVisible() && any->count() > 1 && any->window() == &editor.window)
+                list = any;
+        QVERIFY(list);
+        list->showPopup();
+        QTRY_VERIFY(QApplication::activePopupWidget());
+        QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(!QApplication::activePopupWidget());
+        QCOMPARE(editor.count(), std::size_t(1));
+        QTest::keyClick(&editor.window, Qt::Key_Escape);
+        QCOMPARE(editor.count(), std::size_t(0));
     }
 
     void groupsAreNamedFilledAndEmptied()

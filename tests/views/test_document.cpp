@@ -1,8 +1,12 @@
 #include "document/document.h"
+
+#include "compile/compile.h"
 #include "document/gauge.h"
+#include "document/reading.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "io/scene_file.h"
+#include "run/simulation.h"
 #include "small_scenes.h"
 
 #include <QSignalSpy>
@@ -297,6 +301,27 @@ private slots:
         QCOMPARE(compactNumber(0.1), QString("0.1"));
         QCOMPARE(compactNumber(-9.80665), QString("-9.80665"));
         QCOMPARE(choiceLabel("semi_implicit_euler"), QString("Semi implicit Euler"));
+    }
+
+    // Hooke: 100 N/m and 10 cm; nothing has moved yet.
+    void readingsSayWhatAnElementDoes()
+    {
+        const QLocale before;
+        QLocale::setDefault(QLocale::c());
+        Scene scene = fallingPair();
+        Part& part = std::get<Part>(*findItem(scene, Id{1}));
+        part.particles[1].velocity = Vec3(3.0, 4.0, 0.0);
+        part.links[0].kind = LinkKind::Spring;
+        part.links[0].stiffness = 100.0;
+        part.links[0].restLength = 0.9;
+        const auto system = compile(scene);
+        QVERIFY(system);
+        const Simulation simulation(*system);
+        const std::shared_ptr<const Frame> frame = simulation.frame();
+        QCOMPARE(readingOf(*frame, Id{4}), QString("10 N · 11.1 %"));
+        QCOMPARE(readingOf(*frame, Id{3}), QString("5 m/s"));
+        QCOMPARE(readingOf(*frame, Id{1}), QString());
+        QLocale::setDefault(before);
     }
 };
 

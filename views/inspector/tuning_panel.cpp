@@ -120,6 +120,8 @@ QWidget* TuningPanel::buildEmpty()
     return empty;
 }
 
+void TuningPanel::addUsual() { m_sliders.addUsual(); }
+
 // New rows where sliders came or went; else only what they show.
 void TuningPanel::rebuild()
 {

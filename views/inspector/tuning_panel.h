@@ -35,6 +35,7 @@ public:
                 QWidget* parent = nullptr);
     ~TuningPanel() override;
 
+    void addUsual();   // sliders, of what has an effect in this design
     void switchSets(); // from A to B and back; what was tuned stays in the set that is left
     void keep();       // the present values are those that reset() goes back to
     void reset();

@@ -42,6 +42,13 @@ QStringList sampleFiles(const QString& folder)
     return files;
 }
 
+bool isSample(const QString& file)
+{
+    const QString folder = samplesFolder();
+    return !folder.isEmpty()
+           && QFileInfo(file).canonicalPath() == QFileInfo(folder).canonicalFilePath();
+}
+
 Sample readSample(const QString& file)
 {
     Sample sample;

@@ -20,6 +20,7 @@ struct Sample
 QString samplesFolder();
 
 QStringList sampleFiles(const QString& folder = samplesFolder()); // in order of name
+bool isSample(const QString& file);
 
 // Reads no more of the scene than its title and its notes. A file that cannot be read still has a
 // name and a title.

@@ -103,8 +103,6 @@ void Timeline::layOut()
     m_speed->setCurrentIndex(m_speed->findData(m_recordings.speed()));
     for (QToolButton* repeats : {m_back, m_forward})
         repeats->setAutoRepeat(true);
-    for (QToolButton* worded : {m_continue, m_live})
-        worded->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (QToolButton* menu : {m_more, m_loop, m_bookmark, m_compare})
         menu->setPopupMode(QToolButton::InstantPopup);
     m_where->setObjectName(QStringLiteral("where"));
@@ -127,6 +125,15 @@ void Timeline::layOut()
     layout->setSpacing(2);
     layout->addWidget(row);
     layout->addWidget(m_strip, 1);
+}
+
+// In a narrow window the words go first.
+void Timeline::resizeEvent(QResizeEvent* event)
+{
+    const bool isWide = width() >= 50 * fontMetrics().averageCharWidth() + 500;
+    for (QToolButton* worded : {m_continue, m_live})
+        worded->setToolButtonStyle(isWide ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    QWidget::resizeEvent(event);
 }
 
 void Timeline::connectButtons()
@@ -228,6 +235,8 @@ void Timeline::fillCompare()
         menu->addAction(tr("&No ghost"), this, [this] { m_recordings.setGhost(nullptr); });
     none->setEnabled(m_recordings.ghost() != nullptr);
 }
+
+void Timeline::askWhatToCompare() { m_compare->showMenu(); }
 
 void Timeline::plotDifference()
 {

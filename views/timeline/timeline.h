@@ -24,6 +24,10 @@ public:
 
     void askForBookmark(); // its name, and sets it here
     void rename();         // the current run
+    void askWhatToCompare();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QToolButton* button(const char* name, const char* iconName, const QString& text,
