@@ -33,11 +33,13 @@ static const QList<Room> namedRooms = {
                                                                                      {"Eigen/"},  {}},
     {"model/io",       {"base", "scene", "measure", "run"},                          {"Eigen/"},  json + posix},
     {"model/export",   {"base", "scene", "run", "io"},                               {"Eigen/"},  {"assimp/", "tiny_gltf.h"}},
+    {"model/bundle",   {"base", "scene", "compile", "measure", "run", "io", "export"},
+                                                                                     {"Eigen/"},  {"zip.h", "nlohmann/"}},
     {"views/document", {"base", "scene", "author", "compile", "run", "io"},          {"Q", "Eigen/"},        {}},
     {"views/viewport", {"base", "shapes", "scene", "author", "run", "document", "icons"},
                                                                                      {"Q", "Eigen/", "vtk"}, {}},
     {"app/cli",        {"base", "shapes", "scene", "builders", "author", "sim", "compile", "measure",
-                        "run", "io", "export", "verify"},
+                        "run", "io", "export", "bundle", "verify"},
                                                                                      {"Eigen/", "CLI/", "nlohmann/"}, posix},
     // clang-format on
 };

@@ -18,6 +18,7 @@ void addImport(CLI::App& app, Command& chosen);
 void addRun(CLI::App& app, Command& chosen);
 void addCompare(CLI::App& app, Command& chosen);
 void addExport(CLI::App& app, Command& chosen);
+void addBundle(CLI::App& app, Command& chosen);
 void addPolar(CLI::App& app, Command& chosen);
 void addBench(CLI::App& app, Command& chosen);
 void addProperties(CLI::App& app, Command& chosen);

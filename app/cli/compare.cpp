@@ -45,8 +45,8 @@ Json jsonOf(const std::vector<RunDistance>& list)
 
 int compare(const Options& options)
 {
-    const auto a = openOrSay(options.a);
-    const auto b = a ? openOrSay(options.b) : nullptr;
+    const auto a = openOrSay(options.a).recording;
+    const auto b = a ? openOrSay(options.b).recording : nullptr;
     if (!b)
         return BadInput;
     catchInterrupt();

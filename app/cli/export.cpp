@@ -2,26 +2,29 @@
 #include "export/export_run.h"
 
 #include "cli/commands.h"
+#include "cli/replay.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
 #include "compile/compile.h"
 #include "export/format.h"
 
+#include <cmath>
 #include <optional>
 
 namespace ripstop {
 namespace {
 
-constexpr double seriesSeconds = 10.0; // s, of a series or table without --to
+constexpr double seriesSeconds = 10.0; // s, of a series or table that is flown without --to
 
 struct Options
 {
     SceneInput scene;
     std::string output;
     double fps = 25.0;
-    double from = 0.0;
+    std::optional<double> from;
     std::optional<double> to;
     std::string controls;
+    bool exact = false; // of a recording
     int threads = 1;
 };
 
@@ -31,8 +34,47 @@ bool isOneMoment(const std::filesystem::path& target)
     return format && format->of == ExportFormat::Of::Moment;
 }
 
+// What was asked for, in the time of the source.
+ExportRange rangeOf(const Options& options, const FrameSource& source)
+{
+    const double from = options.from.value_or(source.begin());
+    const double all =
+        std::isfinite(source.end()) ? std::max(from, source.end()) : from + seriesSeconds;
+    return {from, options.to.value_or(isOneMoment(options.output) ? from : all), options.fps};
+}
+
+std::optional<Failure> write(FrameSource& source, const Scene& scene, const Options& options)
+{
+    catchInterrupt();
+    ProgressLine progress(options.output);
+    return exportRun(source, Dress(scene), rangeOf(options, source), options.output,
+                     [&](double share) {
+                         progress.show(share);
+                         return !interrupted();
+                     });
+}
+
+int exportRecording(const Options& options)
+{
+    if (!options.scene.assignments.empty() || !options.controls.empty())
+        return fail(WrongUsage, "A recording is exported as it was flown: --set and --controls go "
+                                "with a scene.");
+    const OpenedRecording opened = openOrSay(options.scene.file);
+    if (!opened.recording)
+        return BadInput;
+    using Places = RecordedFrames::Places;
+    RecordedFrames source(opened.recording, options.exact ? Places::Exact : Places::AsKept,
+                          options.threads);
+    const int lastDesign = int(opened.recording->designCount()) - 1;
+    if (auto failure = write(source, opened.recording->design(lastDesign).scene(), options))
+        return fail(interrupted() ? Interrupted : BadInput, failure->message);
+    return opened.damage.empty() ? Done : BadInput; // the damage has been told
+}
+
 int exportScene(const Options& options)
 {
+    if (options.scene.file.ends_with(recordingExtension))
+        return exportRecording(options);
     const SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
@@ -41,22 +83,15 @@ int exportScene(const Options& options)
         return fail(BadInput, options.scene.file + ": " + system.message());
 
     Simulation simulation(*system, options.threads);
-    ExportRange range{options.from, 0.0, options.fps};
-    range.to = options.to.value_or(isOneMoment(options.output) ? options.from
-                                                               : options.from + seriesSeconds);
+    ControlTrack controls;
     if (!options.controls.empty()) {
         Result<ControlTrack> track = readControlTrack(options.controls, *loaded.scene);
         if (!track)
             return fail(BadInput, track.message());
-        range.controls = std::move(*track);
+        controls = std::move(*track);
     }
-    catchInterrupt();
-    ProgressLine progress(options.output);
-    const auto failure =
-        exportRun(simulation, Dress(*loaded.scene), range, options.output, [&](double share) {
-            progress.show(share);
-            return !interrupted();
-        });
+    FlownFrames source(simulation, std::move(controls));
+    const auto failure = write(source, *loaded.scene, options);
     if (!failure)
         return Done;
     return fail(simulation.trouble() ? Diverged
@@ -81,9 +116,14 @@ std::string formatList()
 void addExport(CLI::App& app, Command& chosen)
 {
     CLI::App* command = app.add_subcommand(
-        "export", "Fly a scene and write meshes, an animation or a table for other programs.");
+        "export", "Write meshes, an animation or a table of a flight for other programs.");
     const auto options = std::make_shared<Options>();
-    addSceneOption(*command, options->scene);
+    command
+        ->add_option(
+            "SCENE", options->scene.file,
+            "Scene file, which is flown, or a recording (*.ripstop-run), which is taken as "
+            "it is")
+        ->required();
     command
         ->add_option("-o,--output", options->output,
                      "What to write; the ending says the format, see below")
@@ -98,14 +138,17 @@ void addExport(CLI::App& app, Command& chosen)
         ->type_name("T0");
     command
         ->add_option("--to", options->to,
-                     "Simulated time of the last frame, s; by default 10 s after the first, and "
-                     "for one moment the first itself")
+                     "Simulated time of the last frame, s; by default 10 s after the first, or the "
+                     "end of the recording; for one moment the first itself")
         ->check(numberBetween(0.0, 1e9))
         ->type_name("T1");
     command
         ->add_option("--controls", options->controls,
                      "What pilot and hands do: a control track, as of run --controls")
         ->type_name("FILE");
+    command->add_flag("--exact", options->exact,
+                      "Of a recording: compute each frame again, to the bit, instead of taking the "
+                      "places that were kept, to 1e-6 m");
     addSetOption(*command, options->scene.assignments);
     command->add_option("--threads", options->threads, "Threads; the result is the same for all")
         ->check(CLI::Range(1, 1024))
@@ -118,6 +161,7 @@ void addExport(CLI::App& app, Command& chosen)
           "  ripstop-cli export kite.ripstop.json -o flying.ply --to 20    (after 20 s)\n"
           "  ripstop-cli export kite.ripstop.json -o kite.glb --to 10 --fps 25\n"
           "  ripstop-cli export kite.ripstop.json -o kite_{frame}.obj --to 2\n"
+          "  ripstop-cli export kite.ripstop-run -o kite.pvd --from 3 --to 5 --fps 60\n"
           "\n"
           "Torn links and the panels beside them are left out of meshes. Formats of one\n"
           "mesh for all frames have the mesh as it is split in the end, from the start on;\n"

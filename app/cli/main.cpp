@@ -36,6 +36,7 @@ int call(int argc, char** argv)
                "  ripstop-cli info small.ripstop.json\n"
                "  ripstop-cli run small.ripstop.json --seconds 20 --csv small.csv\n"
                "  ripstop-cli export small.ripstop.json -o small.pvd --to 10 --fps 25\n"
+               "  ripstop-cli bundle small.ripstop.json -o small.zip --seconds 20\n"
                "\n"
                "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 the simulation diverged,\n"
                "4 a replay or a comparison differs.\n"
@@ -49,6 +50,7 @@ int call(int argc, char** argv)
     addRun(app, chosen);
     addCompare(app, chosen);
     addExport(app, chosen);
+    addBundle(app, chosen);
     addPolar(app, chosen);
     addBench(app, chosen);
     addProperties(app, chosen);

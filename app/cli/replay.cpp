@@ -1,9 +1,7 @@
 #include "cli/replay.h"
 
 #include "cli/terminal.h"
-#include "io/recording_file.h"
 #include "measure/diagnostics.h"
-#include "run/replay.h"
 
 #include <cstdio>
 #include <iostream>
@@ -53,7 +51,7 @@ std::string megabytes(std::size_t bytes) { return shortNumber(double(bytes) / 1e
 
 } // namespace
 
-std::shared_ptr<Recording> openOrSay(const std::string& file)
+OpenedRecording openOrSay(const std::string& file)
 {
     ProgressLine progress("opening " + file);
     auto opened = openRecording(file, [&](double share) {
@@ -62,16 +60,16 @@ std::shared_ptr<Recording> openOrSay(const std::string& file)
     });
     if (!opened) {
         (void)fail(BadInput, opened.message());
-        return nullptr;
+        return {};
     }
     if (!opened->damage.empty())
         (void)fail(BadInput, opened->damage);
-    return opened->recording;
+    return std::move(*opened);
 }
 
 int replayFile(const std::string& file, int threads, bool json)
 {
-    const auto recording = openOrSay(file);
+    const auto recording = openOrSay(file).recording;
     if (!recording)
         return BadInput;
     catchInterrupt();
@@ -80,23 +78,26 @@ int replayFile(const std::string& file, int threads, bool json)
         progress.show(share);
         return !interrupted();
     });
-    if (!outcome)
-        return fail(Diverged, outcome.message());
+    return outcome ? tellReplay(*outcome, json) : fail(Diverged, outcome.message());
+}
+
+int tellReplay(const ReplayOutcome& outcome, bool json)
+{
     if (json) {
-        Json result = {{"steps", outcome->steps},
-                       {"hash", hashText(outcome->hash)},
-                       {"same", !outcome->difference && !outcome->cancelled},
+        Json result = {{"steps", outcome.steps},
+                       {"hash", hashText(outcome.hash)},
+                       {"same", !outcome.difference && !outcome.cancelled},
                        {"difference", nullptr}};
-        if (outcome->difference)
-            result["difference"] = jsonOf(*outcome->difference);
+        if (outcome.difference)
+            result["difference"] = jsonOf(*outcome.difference);
         print(result);
     } else {
-        row("replayed", plural(std::size_t(outcome->steps), "step"));
-        row("hash", hashText(outcome->hash));
+        row("replayed", plural(std::size_t(outcome.steps), "step"));
+        row("hash", hashText(outcome.hash));
     }
-    if (outcome->difference)
-        return fail(Differs, sentence(*outcome->difference));
-    if (outcome->cancelled)
+    if (outcome.difference)
+        return fail(Differs, sentence(*outcome.difference));
+    if (outcome.cancelled)
         return fail(Interrupted, "Interrupted; all steps up to then are the same.");
     if (!json)
         row("result", "the same bits in every step");
@@ -105,7 +106,7 @@ int replayFile(const std::string& file, int threads, bool json)
 
 int describeRecording(const std::string& file, bool json)
 {
-    const auto recording = openOrSay(file);
+    const auto recording = openOrSay(file).recording;
     if (!recording)
         return BadInput;
     const std::size_t frames = recording->frameCount();

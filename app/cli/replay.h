@@ -1,7 +1,8 @@
-// What run and info do with recordings.
+// What run and info do with recordings and bundles.
 #pragma once
 
-#include "run/recording.h"
+#include "io/recording_file.h"
+#include "run/replay.h"
 
 #include <string>
 
@@ -11,8 +12,14 @@ namespace ripstop {
 // code.
 int replayFile(const std::string& file, int threads, bool json);
 
-// The recording, or null after a message. Damage is told, and what comes before it is used.
-std::shared_ptr<Recording> openOrSay(const std::string& file);
+// The same of a bundle.
+int flyBundle(const std::string& file, int threads, bool json);
+
+// Prints what a replay has shown. Returns the exit code.
+int tellReplay(const ReplayOutcome& outcome, bool json);
+
+// Without a recording after a message. Damage is told here, and what comes before it is used.
+OpenedRecording openOrSay(const std::string& file);
 
 int describeRecording(const std::string& file, bool json);
 

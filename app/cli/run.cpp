@@ -1,4 +1,5 @@
 // ripstop-cli run: flies a scene and says what came of it.
+#include "bundle/bundle.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <set>
 
 namespace ripstop {
 namespace {
@@ -43,6 +43,7 @@ struct Options
     std::string replay; // a recording; nothing is flown then but that
     bool profile = false;
     bool json = false;
+    bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
@@ -85,18 +86,6 @@ Json tearSummary(std::span<const Tear> tears)
     for (const TearReport::Front& front : report.front)
         result["front"].push_back({{"time", front.time}, {"distance", front.distance}});
     return result;
-}
-
-// Links at which the mesh has parted are whole again, and have torn all the same.
-std::size_t tornLinks(const Frame& frame)
-{
-    std::set<std::uint32_t> torn;
-    for (std::size_t i = 0; i < frame.torn.size(); ++i)
-        if (frame.torn[i])
-            torn.insert(frame.layout->links[i].id);
-    for (const Tear& tear : frame.tears)
-        torn.insert(tear.link);
-    return torn.size();
 }
 
 Json report(const Simulation& simulation, double wallSeconds)
@@ -307,6 +296,12 @@ int run(const Options& options)
         return replayFile(options.replay, options.threads, options.json);
     if (options.scene.file.empty())
         return fail(WrongUsage, "SCENE is required, or --replay FILE.");
+    if (looksLikeBundle(options.scene.file)) {
+        if (options.asksMore)
+            return fail(WrongUsage, "A bundle is flown as it was, with --threads and --json alone; "
+                                    "fly its scene.ripstop.json for anything else.");
+        return flyBundle(options.scene.file, options.threads, options.json);
+    }
     const auto goal = settleGoal(options);
     if (!goal)
         return fail(WrongUsage, goal.message());
@@ -345,7 +340,9 @@ void addRun(CLI::App& app, Command& chosen)
             ->add_option("--replay", options->replay,
                          "Compute a recording (*.ripstop-run) once more and compare every step")
             ->type_name("FILE");
-    command->add_option("SCENE", options->scene.file, "Scene file, *.ripstop.json")
+    command
+        ->add_option("SCENE", options->scene.file,
+                     "Scene file, *.ripstop.json; or a bundle, to compare")
         ->excludes(replay);
     command
         ->add_option("--seconds", options->seconds,
@@ -396,14 +393,19 @@ void addRun(CLI::App& app, Command& chosen)
         "  ripstop-cli run scenes/torn_sheet.ripstop.json --seconds 3 --tears tears.csv\n"
         "  ripstop-cli run scenes/delta_kite.ripstop.json --seconds 20 --record kite.ripstop-run\n"
         "  ripstop-cli run --replay kite.ripstop-run --threads 2\n"
+        "  ripstop-cli run paper.zip                       (a bundle: see bundle --help)\n"
         "\n"
         "The hash is that of the final state: equal for equal bits only.\n"
         "Ctrl-C ends the run and reports what there is. When the simulation diverges, the last\n"
-        "good state is reported and the exit code is 3. It is 4 when a replay differs: the first "
-        "step\n"
-        "and particle that do are named.");
-    command->callback([options, settle, &chosen] {
+        "good state is reported and the exit code is 3. It is 4 when a replay or a bundle "
+        "differs:\n"
+        "the first step and particle that do are named.");
+    command->callback([options, settle, command, &chosen] {
         options->settles = settle->count() > 0;
+        for (const CLI::Option* option : command->get_options({}))
+            options->asksMore |= option->count() > 0 && option->get_name() != "SCENE"
+                                 && option->get_name() != "--threads"
+                                 && option->get_name() != "--json";
         chosen = [options] { return run(*options); };
     });
 }

@@ -89,7 +89,7 @@ std::vector<MenuRow> rowsOf(const Workbench& bench, const Actions& actions)
         {"&File", "save",       tr("&Save"),               "save",    QKeySequence::Save,   tr("Save the scene in its file."), [&files] { files.save(); }},
         {"&File", "saveAs",     tr("Save &as…"),           "save-as", QKeySequence("Ctrl+Shift+S"), tr("Save the scene in another file."), [&files] { files.saveAs(); }},
         {"&File", "saveTemplate", tr("Save as &template…"), nullptr, {},                   tr("Keep the design as one to begin new ones from."), [&files] { files.saveAsTemplate(); }},
-        {"&File", "export",     tr("&Export…"),            "export",  QKeySequence("Ctrl+E"), tr("Meshes for Blender, series for ParaView, tables of the probes and of what has torn."), [&files] { files.exportRun(); }},
+        {"&File", "export",     tr("&Export…"),            "export",  QKeySequence("Ctrl+E"), tr("Meshes for Blender, series for ParaView, tables of the probes and of what has torn."), [&files, &recordings = bench.recordings] { files.exportRun(recordings); }},
         {"&File", "picture",    tr("Save &picture…"),      "picture", QKeySequence("Ctrl+P"), tr("The 3D view as a PNG or JPEG file."), [&files] { files.savePicture(); }},
         line,
         {"&File", "quit",       tr("&Quit"),               "quit",    QKeySequence::Quit,   tr("Leave Ripstop."), [&window] { window.close(); }},

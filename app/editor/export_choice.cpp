@@ -83,6 +83,11 @@ QString controlsInWords(const Frame* frame)
 QString contentInWords(const ExportChoice& choice, const ExportRange& range, const Frame* now,
                        QSize picture)
 {
+    if (choice.isBundle())
+        return tr(
+            "In it are the scene, what was done by hand, the recording, the probes as a table "
+            "and a figure, a picture of the view, and the command lines that make all of it "
+            "again.");
     if (const auto* table = std::get_if<RunTable>(&choice.what))
         return *table == RunTable::Tears ? tearsInWords(now) : controlsInWords(now);
     const std::size_t frames = frameCount(range);
@@ -125,6 +130,8 @@ bool ExportChoice::isSeries() const
     return film() || (mesh() && mesh()->of == ExportFormat::Of::Series);
 }
 
+bool ExportChoice::isBundle() const { return std::holds_alternative<WholeRun>(what); }
+
 std::vector<ExportChoice> exportChoices()
 {
     std::vector<ExportChoice> choices;
@@ -140,6 +147,9 @@ std::vector<ExportChoice> exportChoices()
          tr("A row for each link that broke: when, where, at which strain and force.")});
     choices.push_back({RunTable::Controls, "_controls.csv", tr("Control track of this run, CSV"),
                        tr("ripstop-cli run --controls does it again, in this or another design.")});
+    choices.push_back({WholeRun{}, ".zip", tr("Bundle of the whole run, ZIP"),
+                       tr("For a paper or a colleague: ripstop-cli run flies it again and compares "
+                          "every step.")});
     return choices;
 }
 

@@ -14,17 +14,21 @@
 namespace ripstop {
 
 enum class RunTable { Tears, Controls }; // of the run on the screen
+struct WholeRun                          // a bundle (bundle/bundle.h)
+{};
 
 struct ExportChoice
 {
-    std::variant<const ExportFormat*, const FilmFormat*, RunTable> what;
+    std::variant<const ExportFormat*, const FilmFormat*, RunTable, WholeRun> what;
     QString ending; // after the name of the scene
     QString label;
     QString note;
 
     const ExportFormat* mesh() const; // null when it is something else
     const FilmFormat* film() const;   // the same
-    bool isSeries() const;            // is flown, other than what is there on the screen
+    bool isSeries() const;            // has frames
+    bool isBundle() const;
+    bool isFlown() const { return isSeries() || isBundle(); } // is not on the screen
 };
 
 std::vector<ExportChoice> exportChoices();

@@ -1,8 +1,10 @@
 #include "editor/export_dialog.h"
 
+#include "bundle/bundle.h"
 #include "compile/compile.h"
 #include "document/words.h"
 #include "editor/ask_file.h"
+#include "export/output_files.h"
 #include "io/tear_table.h"
 
 #include <QCheckBox>
@@ -19,6 +21,8 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <cmath>
 
 namespace ripstop {
 namespace {
@@ -75,11 +79,12 @@ DrawFrame drawnBy(QObject* window, const ExportDialog::Draw& draw, const FilmLoo
 
 } // namespace
 
-ExportDialog::ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now,
-                           const QString& stem, Draw draw, QSize view, QWidget* parent)
+ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw, QSize view,
+                           QWidget* parent)
     : QDialog(parent)
-    , m_scene(scene)
-    , m_now(std::move(now))
+    , m_scene(matter.scene)
+    , m_now(matter.now)
+    , m_recording(matter.recording)
     , m_stem(stem)
     , m_draw(std::move(draw))
     , m_choices(exportChoices())
@@ -87,6 +92,7 @@ ExportDialog::ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now,
     , m_form(new QFormLayout(m_fields))
     , m_format(new QComboBox)
     , m_target(new QLineEdit)
+    , m_source(new QComboBox)
     , m_from(seconds(0.0))
     , m_to(seconds(m_now && m_now->time > 0.0 ? m_now->time : 10.0))
     , m_fps(new QDoubleSpinBox)
@@ -116,7 +122,13 @@ ExportDialog::ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now,
         connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showPreview);
     for (QSpinBox* box : {m_width, m_height})
         connect(box, &QSpinBox::valueChanged, this, &ExportDialog::showPreview);
+    connect(m_source, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseSource);
     connect(&m_watch, &QTimer::timeout, this, &ExportDialog::watch);
+    chooseSource();
+    if (matter.range) {
+        m_from->setValue(matter.range->first);
+        m_to->setValue(matter.range->second);
+    }
     chooseFormat();
 }
 
@@ -134,6 +146,9 @@ void ExportDialog::layOut()
     for (const ExportChoice& choice : m_choices)
         m_format->addItem(choice.label);
     m_format->setMaxVisibleItems(int(m_choices.size()));
+    if (m_recording)
+        m_source->addItem(tr("The run as it was recorded"));
+    m_source->addItem(tr("Simulated anew from the start of the scene"));
     m_fps->setRange(0.1, 10000.0);
     m_fps->setValue(25.0);
     m_fps->setSuffix(tr(" per s"));
@@ -147,8 +162,10 @@ void ExportDialog::layOut()
         tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
     m_again->setChecked(true);
     const std::pair<QWidget*, const char*> names[]{
-        {m_to, "to"},          {m_fps, "rate"},      {m_speed, "speed"},
-        {m_width, "width"},    {m_height, "height"}, {m_transparent, "transparent"},
+        {m_source, "source"},  {m_from, "from"},
+        {m_to, "to"},          {m_fps, "rate"},
+        {m_speed, "speed"},    {m_width, "width"},
+        {m_height, "height"},  {m_transparent, "transparent"},
         {m_message, "message"}};
     for (const auto& [field, name] : names)
         field->setObjectName(name);
@@ -171,6 +188,7 @@ void ExportDialog::layOut()
     m_note->setForegroundRole(QPalette::PlaceholderText);
     m_form->addRow(QString(), m_note);
     m_form->addRow(tr("Fi&le"), file);
+    m_form->addRow(tr("F&light"), m_source);
     m_form->addRow(tr("F&rom"), m_from);
     m_form->addRow(tr("&To"), m_to);
     m_form->addRow(tr("R&ate"), m_fps);
@@ -219,17 +237,18 @@ const ExportChoice& ExportDialog::choice() const
 ExportRange ExportDialog::range() const
 {
     const double perSecond = choice().film() ? m_fps->value() / m_speed->value() : m_fps->value();
-    ExportRange range{m_from->value(), std::max(m_to->value(), m_from->value()), perSecond};
-    if (m_now && m_again->isChecked())
-        range.controls = trackOf(*m_now);
-    return range;
+    return {m_from->value(), std::max(m_to->value(), m_from->value()), perSecond};
 }
+
+bool ExportDialog::isRecorded() const { return m_recording && m_source->currentIndex() == 0; }
 
 ExportDialog::Job ExportDialog::job() const
 {
     return {choice(),
             target(),
             range(),
+            isRecorded(),
+            m_now && m_again->isChecked() ? trackOf(*m_now) : ControlTrack(),
             m_fps->value(),
             {.size = QSize(m_width->value(), m_height->value()),
              .overlays = m_overlays->isChecked(),
@@ -238,15 +257,38 @@ ExportDialog::Job ExportDialog::job() const
              .transparent = m_transparent->isChecked()}};
 }
 
+// A recording has a beginning and an end; what is simulated goes on as long as one likes.
+void ExportDialog::chooseSource()
+{
+    if (isRecorded()) {
+        const RecordedFrames frames(m_recording);
+        // the fields show hundredths: up, then down, so that all of it is in reach
+        const double begin = std::ceil(100.0 * frames.begin() - 0.01) / 100.0;
+        const double end = std::max(begin, std::floor(100.0 * frames.end() + 0.01) / 100.0);
+        for (QDoubleSpinBox* box : {m_from, m_to})
+            box->setRange(begin, end);
+        m_from->setValue(begin);
+        m_to->setValue(end);
+    } else {
+        for (QDoubleSpinBox* box : {m_from, m_to})
+            box->setRange(0.0, 100000.0);
+    }
+    chooseFormat();
+}
+
 // QFormLayout of Qt 6.4 can hide whole rows.
 void ExportDialog::chooseFormat()
 {
     const ExportChoice& chosen = choice();
-    m_target->setText(m_stem + chosen.ending);
+    if (!m_target->text().endsWith(chosen.ending) || m_target->text().isEmpty())
+        m_target->setText(m_stem + chosen.ending);
     m_note->setText(chosen.note);
-    for (QWidget* field : std::initializer_list<QWidget*>{m_from, m_to, m_fps})
+    m_form->setRowVisible(m_source, chosen.isFlown() && m_recording);
+    for (QWidget* field : {m_from, m_fps})
         m_form->setRowVisible(field, chosen.isSeries());
-    m_form->setRowVisible(m_again, chosen.isSeries() && wasDoneByHand(m_now.get()));
+    // a recording is bundled as a whole
+    m_form->setRowVisible(m_to, chosen.isSeries() || (chosen.isBundle() && !isRecorded()));
+    m_form->setRowVisible(m_again, chosen.isFlown() && !isRecorded() && wasDoneByHand(m_now.get()));
     for (QWidget* field : std::initializer_list<QWidget*>{m_speed, m_size, m_shown})
         m_form->setRowVisible(field, chosen.film() != nullptr);
     m_form->setRowVisible(m_transparent,
@@ -263,8 +305,10 @@ void ExportDialog::showPreview()
             return m_message->setText(why);
     QString text = previewOf(choice(), target(), range(), m_now.get(),
                              QSize(m_width->value(), m_height->value()));
-    if (choice().isSeries())
-        text += ' ' + tr("The scene is simulated anew from its start.");
+    if (choice().isFlown())
+        text += ' '
+                + (isRecorded() ? tr("It is taken from the recording, as it was flown.")
+                                : tr("The scene is simulated anew from its start."));
     m_message->setText(text);
 }
 
@@ -284,11 +328,11 @@ void ExportDialog::start()
 {
     if (m_work.valid() || !mayWrite())
         return;
-    if (!choice().isSeries()) {
+    if (!choice().isFlown()) {
         const QString failure = writeNow();
         return failure.isEmpty() ? accept() : end(failure);
     }
-    if (m_to->value() <= m_from->value())
+    if (choice().isSeries() && m_to->value() <= m_from->value())
         return end(tr("The series ends before it begins: make To later than From."));
 
     m_cancelled = false;
@@ -320,16 +364,48 @@ Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
     return openSink(*job.choice.mesh(), job.target.toStdString(), Dress(m_scene));
 }
 
+QString ExportDialog::writeBundle(const Job& job)
+{
+    BundleOrder order;
+    order.seconds = job.range.to;
+    order.controls = job.controls;
+    if (m_draw && m_now)
+        order.decorate = [picture = drawnBy(this, m_draw, job.look)(m_now)](
+                             const std::filesystem::path& folder) -> std::optional<Failure> {
+            const std::filesystem::path file = folder / "view.png";
+            if (picture.save(QString::fromStdString(file.string())))
+                return std::nullopt;
+            return notWritten(file, "the picture could not be saved");
+        };
+    const std::filesystem::path target = job.target.toStdString();
+    const Progress progress = [this](double done) {
+        m_done = done;
+        return !m_cancelled;
+    };
+    const BundleWritten written = job.recorded
+                                      ? ripstop::writeBundle(m_recording, order, target, progress)
+                                      : ripstop::writeBundle(m_scene, order, target, progress);
+    return written.failure ? spoken(written.failure->message) : QString();
+}
+
 QString ExportDialog::write(const Job& job)
 {
-    const auto system = compile(m_scene);
-    if (!system)
-        return spoken(system.message());
-    Simulation simulation(*system);
+    if (job.choice.isBundle())
+        return writeBundle(job);
+    std::optional<Simulation> simulation;
+    std::unique_ptr<FrameSource> source;
+    if (job.recorded) {
+        source = std::make_unique<RecordedFrames>(m_recording);
+    } else {
+        const auto system = compile(m_scene);
+        if (!system)
+            return spoken(system.message());
+        source = std::make_unique<FlownFrames>(simulation.emplace(*system), job.controls);
+    }
     const auto sink = open(job);
     if (!sink)
         return spoken(sink.message());
-    const auto failure = exportSeries(simulation, job.range, **sink, [this](double done) {
+    const auto failure = exportSeries(*source, job.range, **sink, [this](double done) {
         m_done = done;
         return !m_cancelled;
     });

@@ -2,7 +2,7 @@
 
 #include "editor/export_choice.h"
 #include "editor/film_look.h"
-#include "run/frame.h"
+#include "run/recording.h"
 #include "scene/scene.h"
 
 #include <QDialog>
@@ -11,6 +11,8 @@
 #include <atomic>
 #include <future>
 #include <memory>
+#include <optional>
+#include <utility>
 
 class QCheckBox;
 class QComboBox;
@@ -26,7 +28,8 @@ class QSpinBox;
 namespace ripstop {
 
 // Writes meshes, series, films and tables for other programs. The moment on the screen is written
-// as it is; anything else is simulated from the start, on a thread, with progress and cancel.
+// as it is; anything else is taken from a recording or simulated from the start, on a thread, with
+// progress and cancel.
 class ExportDialog final : public QDialog
 {
     Q_OBJECT
@@ -34,10 +37,20 @@ class ExportDialog final : public QDialog
 public:
     using Draw = std::function<QImage(const std::shared_ptr<const Frame>&, const FilmLook&)>;
 
+    // What is there to be exported.
+    struct Matter
+    {
+        const Scene& scene;
+        std::shared_ptr<const Frame> now; // on the screen
+        // The run that is looked back at, or null; and the part of it that is played again and
+        // again.
+        std::shared_ptr<const Recording> recording = nullptr;
+        std::optional<std::pair<double, double>> range = std::nullopt; // s
+    };
+
     // `stem` is the suggested file without its extension. `draw` makes pictures of frames, in the
     // size `view` unless asked for another.
-    ExportDialog(const Scene& scene, std::shared_ptr<const Frame> now, const QString& stem,
-                 Draw draw, QSize view, QWidget* parent);
+    ExportDialog(const Matter& matter, const QString& stem, Draw draw, QSize view, QWidget* parent);
     ~ExportDialog() override;
 
     QString target() const;
@@ -51,29 +64,35 @@ private:
         ExportChoice choice;
         QString target;
         ExportRange range;
+        bool recorded; // as it was; else simulated anew
+        ControlTrack controls;
         double picturesPerSecond; // of the film
         FilmLook look;
     };
 
     void layOut();
     void chooseFormat();
+    void chooseSource();
     void showPreview();
     void browse();
     void start();
     bool mayWrite();               // asks before it replaces a file
     QString writeNow() const;      // the failure, or empty
     QString write(const Job& job); // the same, on a thread
+    QString writeBundle(const Job& job);
     Result<std::unique_ptr<FrameSink>> open(const Job& job);
     void watch();
     void setBusy(bool busy);
     void end(const QString& failure);
 
     const ExportChoice& choice() const;
+    bool isRecorded() const;
     ExportRange range() const;
     Job job() const;
 
     const Scene m_scene;
     const std::shared_ptr<const Frame> m_now;
+    const std::shared_ptr<const Recording> m_recording;
     const QString m_stem;
     const Draw m_draw;
     const QSize m_view;
@@ -84,6 +103,7 @@ private:
     QFormLayout* m_form;
     QComboBox* m_format;
     QLineEdit* m_target;
+    QComboBox* m_source; // the recording, or anew
     QDoubleSpinBox* m_from;
     QDoubleSpinBox* m_to;
     QDoubleSpinBox* m_fps;

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "document/words.h"
 #include "editor/ask_file.h"
 #include "editor/builder_dialog.h"
@@ -204,7 +205,7 @@ bool Files::write(const QString& file)
     return true;
 }
 
-void Files::exportRun()
+void Files::exportRun(const Recordings& recordings)
 {
     const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
         m_viewport.show(frame);
@@ -212,7 +213,13 @@ void Files::exportRun()
             look.size, look.overlays ? Viewport::Overlays::With : Viewport::Overlays::Without,
             look.transparent});
     };
-    ExportDialog dialog(m_document.scene(), m_player.frame(), suggestedFile(""), draw,
+    ExportDialog::Matter matter{m_document.scene(), m_player.frame()};
+    if (recordings.isLookingBack()) {
+        matter.recording = recordings.current();
+        if (const auto& loop = recordings.loop())
+            matter.range.emplace(loop->from, loop->to);
+    }
+    ExportDialog dialog(matter, suggestedFile(""), draw,
                         m_viewport.size() * m_viewport.devicePixelRatioF(), &m_window);
     const int answer = dialog.exec();
     if (m_player.frame())

@@ -15,6 +15,7 @@ namespace ripstop {
 
 class Document;
 class Player;
+class Recordings;
 class Viewport;
 
 // What the File menu does: dialogs around the document, and the list of recent files. Nothing is
@@ -39,7 +40,7 @@ public:
     bool saveAs();
     void saveAsTemplate();
     void startFromTemplate(const QString& file);
-    void exportRun();
+    void exportRun(const Recordings& recordings);
     void savePicture();
     bool mayDiscard(); // asks to save when there are changes
 

@@ -16,103 +16,83 @@ namespace fs = std::filesystem;
 
 constexpr double shareOfFlight = 0.8; // of the progress; the rest is writing
 
-Failure stopped(const Simulation& simulation, const std::string& rest)
-{
-    return Failure{"The simulation stopped: " + simulation.trouble()->message + " " + rest};
-}
-
 Failure unknownFormat(const fs::path& target)
 {
     return Failure{target.string() + " has no known ending: " + knownEndings(EndingsOf::All) + "."};
 }
 
-enum class Arrival { There, Cancelled, Stopped };
-
-double shareDone(const Simulation& simulation, double begin, double end)
+// Progress from the time of the source to `end`, s.
+FrameSource::Reached told(const FrameSource& source, double end, const Progress& progress)
 {
-    return std::min((simulation.state().time - begin) / std::max(end - begin, 1e-9), 1.0);
+    const double begin = source.begin();
+    return [=, &progress](double time) {
+        return goesOn(progress, std::clamp((time - begin) / std::max(end - begin, 1e-9), 0.0, 1.0));
+    };
 }
 
-// Steps to `time`, like Simulation::runUntil(), and tells of progress on the way.
-Arrival advance(Simulation& simulation, ControlPlayer& controls, double time, double begin,
-                double end, const Progress& progress)
-{
-    constexpr int stepsBetweenReports = 50;
-    const double timeStep = simulation.system().timeStep;
-    for (int i = 0; !hasReached(simulation.state().time, time, timeStep); ++i) {
-        if (i % stepsBetweenReports == 0 && !goesOn(progress, shareDone(simulation, begin, end)))
-            return Arrival::Cancelled;
-        controls.giveTo(simulation);
-        if (!simulation.step())
-            return Arrival::Stopped;
-    }
-    return Arrival::There;
-}
-
-std::optional<Failure> exportMoment(Simulation& simulation, const Dress& dress,
+std::optional<Failure> exportMoment(FrameSource& source, const Dress& dress,
                                     const ExportRange& range, const fs::path& target,
                                     const Progress& progress)
 {
-    const double begin = simulation.state().time;
-    ControlPlayer controls(range.controls);
-    switch (advance(simulation, controls, range.to, begin, range.to, progress)) {
-    case Arrival::Cancelled:
+    const auto taken = source.take(range.to, told(source, range.to, progress));
+    if (!taken.end.empty())
+        return Failure{taken.end + " Nothing was written."};
+    if (!taken.frame)
         return Failure{"The export was cancelled; nothing was written."};
-    case Arrival::Stopped:
-        return stopped(simulation, "Nothing was written.");
-    case Arrival::There:
-        break;
-    }
-    if (auto failure = writeMoment(*simulation.frame(), dress, target))
+    if (auto failure = writeMoment(*taken.frame, dress, target))
         return failure;
     if (progress)
         progress(1.0);
     return std::nullopt;
 }
 
-std::optional<Failure> wrongRange(const Simulation& simulation, const ExportRange& range)
+std::optional<Failure> wrongRange(const FrameSource& source, const ExportRange& range)
 {
     if (!(range.fps > 0.0) || !std::isfinite(range.fps))
         return Failure{"The number of frames per second must be above 0."};
     if (!std::isfinite(range.from) || !std::isfinite(range.to) || range.to < range.from)
         return Failure{"The end of the range must not lie before its start."};
-    const double halfStep = 0.5 * simulation.system().timeStep;
-    if (range.from < simulation.state().time - halfStep)
-        return Failure{"The range starts before the present time of the simulation; reset it."};
+    const double halfStep = 0.5 * source.timeStep();
+    if (range.from < source.begin() - halfStep)
+        return Failure{"The range starts at " + inSeconds(range.from)
+                       + ", but the run begins only at " + inSeconds(source.begin()) + "."};
+    if (range.from > source.end() + halfStep)
+        return Failure{"The range starts at " + inSeconds(range.from) + ", but the run ends at "
+                       + inSeconds(source.end()) + "."};
     return std::nullopt;
 }
 
 } // namespace
 
-std::optional<Failure> exportSeries(Simulation& simulation, const ExportRange& range,
-                                    FrameSink& sink, const Progress& progress)
+std::optional<Failure> exportSeries(FrameSource& source, const ExportRange& range, FrameSink& sink,
+                                    const Progress& progress)
 {
-    if (auto failure = wrongRange(simulation, range))
+    if (auto failure = wrongRange(source, range))
         return failure;
-    ControlPlayer controls(range.controls);
     const Progress flight = stageOf(progress, 0.0, shareOfFlight);
-    const double begin = simulation.state().time;
+    const auto reached = told(source, range.to, flight);
     const std::size_t count = frameCount(range);
     std::int64_t last = -1; // step; a rate above that of the steps must not repeat frames
-    for (std::size_t i = 0; i < count; ++i) {
-        const Arrival arrival = advance(simulation, controls, range.from + double(i) / range.fps,
-                                        begin, range.to, flight);
-        if (arrival == Arrival::Cancelled
-            || !goesOn(flight, shareDone(simulation, begin, range.to)))
+    std::string end;
+    for (std::size_t i = 0; i < count && end.empty(); ++i) {
+        const auto taken = source.take(range.from + double(i) / range.fps, reached);
+        end = taken.end;
+        if (end.empty() && !(taken.frame && reached(taken.frame->time)))
             return exportCancelled;
-        if (simulation.state().step != last)
-            if (auto failure = sink.add(*simulation.frame()))
+        if (taken.frame && taken.frame->step != last) {
+            if (auto failure = sink.add(*taken.frame))
                 return failure;
-        last = simulation.state().step;
-        if (arrival == Arrival::Stopped)
-            break;
+            last = taken.frame->step;
+        }
     }
+    if (last < 0)
+        return Failure{end + " Nothing was written."};
     if (auto failure = sink.finish(stageOf(progress, shareOfFlight, 1.0)))
         return failure;
     if (progress)
         progress(1.0);
-    if (simulation.trouble())
-        return stopped(simulation, "What was written ends there.");
+    if (!end.empty())
+        return Failure{end + " What was written ends there."};
     return std::nullopt;
 }
 
@@ -133,9 +113,8 @@ std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress, const
     return content ? replaceFile(target, *content, Flush::Later) : content.failure();
 }
 
-std::optional<Failure> exportRun(Simulation& simulation, const Dress& dress,
-                                 const ExportRange& range, const fs::path& target,
-                                 const Progress& progress)
+std::optional<Failure> exportRun(FrameSource& source, const Dress& dress, const ExportRange& range,
+                                 const fs::path& target, const Progress& progress)
 {
     const ExportFormat* format = formatOf(target);
     if (!format)
@@ -144,12 +123,12 @@ std::optional<Failure> exportRun(Simulation& simulation, const Dress& dress,
     ExportRange whole = range;
     if (isMoment)
         whole.from = whole.to;
-    if (auto failure = wrongRange(simulation, whole))
+    if (auto failure = wrongRange(source, whole))
         return failure;
     if (isMoment)
-        return exportMoment(simulation, dress, whole, target, progress);
+        return exportMoment(source, dress, whole, target, progress);
     Result<std::unique_ptr<FrameSink>> sink = openSink(*format, target, dress);
-    return sink ? exportSeries(simulation, whole, **sink, progress) : sink.failure();
+    return sink ? exportSeries(source, whole, **sink, progress) : sink.failure();
 }
 
 } // namespace ripstop

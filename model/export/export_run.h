@@ -1,12 +1,11 @@
-// A flight for other programs: runs a simulation and writes what it passes through.
+// A flight for other programs: writes what a simulation or a recording passes through.
 #pragma once
 
 #include "base/progress.h"
 #include "base/result.h"
 #include "export/dress.h"
 #include "export/frame_sink.h"
-#include "io/control_track.h"
-#include "run/simulation.h"
+#include "export/frame_source.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,10 +14,9 @@ namespace ripstop {
 
 struct ExportRange
 {
-    double from = 0.0;          // s
-    double to = 0.0;            // s; a format of one moment is taken at this time
-    double fps = 25.0;          // frames per simulated second
-    ControlTrack controls = {}; // what pilot and hands do on the way
+    double from = 0.0; // s
+    double to = 0.0;   // s; a format of one moment is taken at this time
+    double fps = 25.0; // frames per simulated second
 };
 
 // How many frames the range asks for; there are fewer where it asks for more than there are steps.
@@ -28,16 +26,15 @@ std::size_t frameCount(const ExportRange& range);
 std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress,
                                    const std::filesystem::path& target);
 
-// Runs the simulation from where it is and writes the target, whose name says the format
-// (export/format.h). Gone panels and torn links are left out of meshes. When cancelled, nothing is
-// left of what was written. When the simulation cannot go on, a series that ends there is kept and
-// the failure says so; Simulation::trouble() tells this case from the others.
-std::optional<Failure> exportRun(Simulation& simulation, const Dress& dress,
-                                 const ExportRange& range, const std::filesystem::path& target,
+// Writes the target, whose name says the format (export/format.h). Gone panels and torn links are
+// left out of meshes. When cancelled, nothing is left of what was written. When the source ends
+// before the range does, a series that ends there is kept and the failure says so.
+std::optional<Failure> exportRun(FrameSource& source, const Dress& dress, const ExportRange& range,
+                                 const std::filesystem::path& target,
                                  const Progress& progress = {});
 
 // The same for any series.
-std::optional<Failure> exportSeries(Simulation& simulation, const ExportRange& range,
-                                    FrameSink& sink, const Progress& progress = {});
+std::optional<Failure> exportSeries(FrameSource& source, const ExportRange& range, FrameSink& sink,
+                                    const Progress& progress = {});
 
 } // namespace ripstop

@@ -1,5 +1,6 @@
 #include "export/format.h"
 
+#include "export/curve_figure.h"
 #include "export/gltf.h"
 #include "export/moment.h"
 #include "export/point_cache.h"
@@ -142,6 +143,15 @@ constexpr std::array formats{
                  {0, 0, 0, 12},
                  nullptr,
                  tableSink},
+    ExportFormat{".svg",
+                 "Figure of the probes, SVG",
+                 "Curves over time for a paper, a panel for each unit; sharp at any size.",
+                 Of::Series,
+                 Topology::Free,
+                 Beside::Nothing,
+                 {0, 0, 0, 14},
+                 nullptr,
+                 figureSink},
 };
 
 bool isNumbered(std::string_view name)

@@ -105,8 +105,9 @@ void write(std::ostream& out, BlockKind kind, std::string_view content)
 class Writer
 {
 public:
-    Writer(const Recording& recording, std::ostream& out)
+    Writer(const Recording& recording, fs::path folder, std::ostream& out)
         : m_recording(recording)
+        , m_folder(std::move(folder))
         , m_out(out)
     {}
 
@@ -144,7 +145,7 @@ private:
             if (const auto* change = std::get_if<DesignChange>(&input.what))
                 last = std::max(last, change->number);
         for (; m_designs <= last; ++m_designs) {
-            std::string text = sceneText(m_recording.design(m_designs).scene());
+            std::string text = sceneText(m_recording.design(m_designs).scene(), m_folder);
             ripstop::write(m_out, BlockKind::Design,
                            m_designs == 0 ? packed(text, Packing::Small)
                                           : packedAfter(m_text, text));
@@ -153,6 +154,7 @@ private:
     }
 
     const Recording& m_recording;
+    fs::path m_folder; // of the file; what scenes name is seen from there
     std::ostream& m_out;
     int m_designs = 0;  // that are written
     std::string m_text; // of the last
@@ -188,10 +190,11 @@ private:
 class Reader
 {
 public:
-    Reader(std::shared_ptr<RunFile> file, std::uint64_t size, std::string name)
+    Reader(std::shared_ptr<RunFile> file, std::uint64_t size, const fs::path& path)
         : m_file(std::move(file))
         , m_size(size)
-        , m_name(std::move(name))
+        , m_name(path.string())
+        , m_folder(path.parent_path().string())
     {}
 
     // What is wrong with the next block, or nothing.
@@ -243,6 +246,7 @@ private:
         Result<Scene> scene = parseScene(*text, m_name);
         if (!scene)
             return "has a scene that cannot be read (" + scene.message() + ")";
+        scene->folder.path = m_folder;
         m_recording->addDesign({std::make_shared<const Scene>(std::move(*scene)), {}});
         m_text = std::move(*text);
         return std::nullopt;
@@ -291,6 +295,7 @@ private:
     std::shared_ptr<RunFile> m_file;
     std::uint64_t m_size;
     std::string m_name;
+    std::string m_folder; // what scenes name is seen from there
     std::uint64_t m_place = firstLine.size();
     bool m_atEnd = false;
     std::string m_text; // of the last design
@@ -309,8 +314,9 @@ std::string shortTime(double time)
 std::optional<Failure> saveRecording(const Recording& recording, const fs::path& file,
                                      const Progress& progress)
 {
-    return replaceFile(
-        file, WriteInto([&](std::ostream& out) { return Writer(recording, out).write(progress); }));
+    return replaceFile(file, WriteInto([&](std::ostream& out) {
+                           return Writer(recording, file.parent_path(), out).write(progress);
+                       }));
 }
 
 Result<OpenedRecording> openRecording(const fs::path& file, const Progress& progress)
@@ -333,7 +339,7 @@ Result<OpenedRecording> openRecording(const fs::path& file, const Progress& prog
                                 : " is not a recording of Ripstop (*.ripstop-run).")};
     }
 
-    Reader reader(open, size, file.string());
+    Reader reader(open, size, file);
     OpenedRecording opened;
     std::optional<std::string> wrong;
     while (!reader.atEnd() && !wrong) {

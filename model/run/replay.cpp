@@ -64,13 +64,20 @@ Result<ReplayOutcome> replay(const Recording& recording, int threads, const Prog
         return start.failure();
     InputPlayer inputs(recording, start->state);
     Simulation simulation(start->system, std::move(start->state), threads);
+    return compareFlight(
+        recording, simulation, [&](Simulation& flown) { return inputs.giveTo(flown); }, progress);
+}
+
+Result<ReplayOutcome> compareFlight(const Recording& recording, Simulation& simulation,
+                                    const BeforeStep& tell, const Progress& progress)
+{
     ReplayOutcome outcome;
     Comparison comparison(recording, outcome);
     const std::int64_t first = recording.firstStep();
     const std::int64_t last = recording.lastStep();
     bool goes = comparison.look(simulation.state());
     while (goes && simulation.state().step < last) {
-        if (auto failure = inputs.giveTo(simulation))
+        if (auto failure = tell(simulation))
             return *failure;
         if (!simulation.step())
             return Failure{"The run cannot be computed to its end here: "

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "run/recording.h"
+#include "run/simulation.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -37,5 +39,11 @@ struct ReplayOutcome
 // Fails when it cannot be computed: a design that does not compile here, a damaged first state.
 Result<ReplayOutcome> replay(const Recording& recording, int threads,
                              const Progress& progress = {});
+
+// The same for any flight: a simulation at the first step of the recording. `tell` is called before
+// each step.
+using BeforeStep = std::function<std::optional<Failure>(Simulation&)>;
+Result<ReplayOutcome> compareFlight(const Recording& recording, Simulation& simulation,
+                                    const BeforeStep& tell, const Progress& progress = {});
 
 } // namespace ripstop

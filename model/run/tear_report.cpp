@@ -1,5 +1,7 @@
 #include "run/tear_report.h"
 
+#include <set>
+
 namespace ripstop {
 
 TearReport tearReport(std::span<const Tear> tears)
@@ -13,6 +15,17 @@ TearReport tearReport(std::span<const Tear> tears)
             report.front.push_back({tear.time, distance});
     }
     return report;
+}
+
+std::size_t tornLinks(const Frame& frame)
+{
+    std::set<std::uint32_t> torn;
+    for (std::size_t i = 0; i < frame.torn.size(); ++i)
+        if (frame.torn[i])
+            torn.insert(frame.layout->links[i].id);
+    for (const Tear& tear : frame.tears)
+        torn.insert(tear.link);
+    return torn.size();
 }
 
 } // namespace ripstop

@@ -24,4 +24,7 @@ struct TearReport
 // a sheet that flies away moves with it.
 TearReport tearReport(std::span<const Tear> tears);
 
+// Links at which the mesh has parted are whole again, and have torn all the same.
+std::size_t tornLinks(const Frame& frame);
+
 } // namespace ripstop

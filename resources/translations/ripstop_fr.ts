@@ -1430,8 +1430,23 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
+        <source>Bundle of the whole run, ZIP</source>
+        <translation>Dossier de toute la simulation, ZIP</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
         <source>Control track of this run, CSV</source>
         <translation>Piste des commandes de cette simulation, CSV</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>For a paper or a colleague: ripstop-cli run flies it again and compares every step.</source>
+        <translation>Pour un article ou un collègue : ripstop-cli run la refait et compare chaque pas.</translation>
+    </message>
+    <message>
+        <location filename="export_choice.cpp"/>
+        <source>In it are the scene, what was done by hand, the recording, the probes as a table and a figure, a picture of the view, and the command lines that make all of it again.</source>
+        <translation>Il contient la scène, ce qui a été fait à la main, l’enregistrement, les sondes en tableau et en figure, une image de la vue et les lignes de commande qui refont le tout.</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
@@ -1535,6 +1550,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
+        <source>F&amp;light</source>
+        <translation>&amp;Vol</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
         <source>F&amp;ormat</source>
         <translation>F&amp;ormat</translation>
     </message>
@@ -1565,6 +1585,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
+        <source>It is taken from the recording, as it was flown.</source>
+        <translation>C’est pris de l’enregistrement, tel que cela a volé.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
         <source>R&amp;ate</source>
         <translation>&amp;Cadence</translation>
     </message>
@@ -1585,8 +1610,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
+        <source>Simulated anew from the start of the scene</source>
+        <translation>Simulé de nouveau depuis le début de la scène</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
         <source>T&amp;ime</source>
         <translation>T&amp;emps</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>The run as it was recorded</source>
+        <translation>La simulation telle qu’elle a été enregistrée</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -5803,6 +5838,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Curves over time for a paper, a panel for each unit; sharp at any size.</source>
+        <translation>Courbes dans le temps pour un article, un cadre par unité ; nettes à toute taille.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Damping</source>
         <translation>Amortissement</translation>
     </message>
@@ -6085,6 +6125,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Fibreglass tube 9 mm</source>
         <translation>Tube de fibre de verre 9 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Figure of the probes, SVG</source>
+        <translation>Figure des sondes, SVG</translation>
     </message>
     <message>
         <location filename="tables"/>

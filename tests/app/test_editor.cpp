@@ -190,7 +190,8 @@ private slots:
         const auto frame = simulation.frame();
         QVERIFY(!frame->tears.empty());
         QTemporaryDir folder;
-        ExportDialog dialog(*scene, frame, folder.filePath("strip"), {}, QSize(640, 480), nullptr);
+        ExportDialog dialog({*scene, frame}, folder.filePath("strip"), {}, QSize(640, 480),
+                            nullptr);
         auto* format = dialog.findChild<QComboBox*>();
         format->setCurrentIndex(format->findText("Table of what has torn, CSV"));
         QCOMPARE(dialog.target(), folder.filePath("strip_tears.csv"));

@@ -36,7 +36,7 @@ struct FilmShop : WindowShop
                 Viewport::Shot{look.size, Viewport::Overlays::With, look.transparent});
         };
         dialog =
-            std::make_unique<ExportDialog>(document.scene(), player.frame(),
+            std::make_unique<ExportDialog>(ExportDialog::Matter{document.scene(), player.frame()},
                                            folder.filePath("kite"), draw, viewport.size(), &window);
         dialog->show();
     }

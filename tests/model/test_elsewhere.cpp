@@ -92,7 +92,8 @@ bool write(const QString& path, const QJsonObject& object)
 std::optional<Failure> exported(const Flight& flight, const QString& target)
 {
     Simulation simulation = started(flight.scene);
-    return exportRun(simulation, Dress(sample(flight.scene)), {0.0, flight.seconds, fps},
+    FlownFrames flown(simulation);
+    return exportRun(flown, Dress(sample(flight.scene)), {0.0, flight.seconds, fps},
                      target.toStdString());
 }
 

@@ -257,8 +257,9 @@ private slots:
         QTemporaryDir folder;
         const QString path = folder.filePath("a & b.pvd");
         Simulation simulation = simulationOf(pendulum());
+        FlownFrames flown(simulation);
         double share = 0.0;
-        const auto failure = exportRun(simulation, Dress(), {.from = 0.1, .to = 0.5, .fps = 10.0},
+        const auto failure = exportRun(flown, Dress(), {.from = 0.1, .to = 0.5, .fps = 10.0},
                                        path.toStdString(), [&](double done) {
                                            const bool forward = done >= share;
                                            share = done;
@@ -290,7 +291,8 @@ private slots:
         QTemporaryDir folder;
         const QString path = folder.filePath("height.csv");
         Simulation simulation = simulationOf(pendulum());
-        QVERIFY(!exportRun(simulation, Dress(), {.from = 0.0, .to = 0.2, .fps = 1000.0},
+        FlownFrames flown(simulation);
+        QVERIFY(!exportRun(flown, Dress(), {.from = 0.0, .to = 0.2, .fps = 1000.0},
                            path.toStdString()));
         const QStringList lines = QString(contentOf(path)).trimmed().split('\n');
         QCOMPARE(lines.size(), 3 + 21); // two comments
@@ -306,8 +308,9 @@ private slots:
         QVERIFY(direct.runUntil(0.3));
         QVERIFY(!written(*direct.frame(), folder.filePath("direct.ply").toStdString()));
         Simulation exported = simulationOf(pendulum());
-        QVERIFY(!exportRun(exported, Dress(), {.to = 0.3},
-                           folder.filePath("exported.ply").toStdString()));
+        FlownFrames flown(exported);
+        QVERIFY(
+            !exportRun(flown, Dress(), {.to = 0.3}, folder.filePath("exported.ply").toStdString()));
         QCOMPARE(contentOf(folder.filePath("exported.ply")),
                  contentOf(folder.filePath("direct.ply")));
     }
@@ -325,7 +328,8 @@ private slots:
         QFETCH(QString, target);
         QTemporaryDir folder;
         Simulation simulation = simulationOf(pendulum());
-        const auto failure = exportRun(simulation, Dress(), {.from = 0.0, .to = 2.0},
+        FlownFrames flown(simulation);
+        const auto failure = exportRun(flown, Dress(), {.from = 0.0, .to = 2.0},
                                        folder.filePath(target).toStdString(),
                                        [](double done) { return done < 0.5; });
         QVERIFY(failure);
@@ -341,9 +345,10 @@ private slots:
         std::get<Part>(scene.items[0].item).links.clear();
         scene.settings.speedLimit = 9.80665;
         Simulation simulation = simulationOf(scene);
+        FlownFrames flown(simulation);
         const QString path = folder.filePath("fall.csv");
-        const auto failure = exportRun(simulation, Dress(), {.from = 0.0, .to = 5.0, .fps = 10.0},
-                                       path.toStdString());
+        const auto failure =
+            exportRun(flown, Dress(), {.from = 0.0, .to = 5.0, .fps = 10.0}, path.toStdString());
         QVERIFY(failure);
         QVERIFY(simulation.trouble());
         QVERIFY(failure->message.find("stopped") != std::string::npos);
@@ -369,7 +374,7 @@ private slots:
         QTest::newRow("cache where none may") << "/proc/kite.pc2"    << 0.0  << 0.1 << 25.0 << "/proc/kite.pc2";
         QTest::newRow("CSV where none may")  << "/proc/kite.csv"     << 0.0  << 0.1 << 25.0 << "/proc/kite.csv";
         QTest::newRow("end before start")    << "kite.pvd"           << 1.0  << 0.5 << 25.0 << "end of the range";
-        QTest::newRow("before the design")   << "kite.pvd"           << -1.0 << 0.5 << 25.0 << "before the present";
+        QTest::newRow("before the design")   << "kite.pvd"           << -1.0 << 0.5 << 25.0 << "begins only at";
         QTest::newRow("no frames")           << "kite.pvd"           << 0.0  << 0.5 << 0.0  << "above 0";
         QTest::newRow("not a time")          << "kite.obj"           << 0.0  << notANumber << 25.0 << "range";
         // clang-format on
@@ -384,9 +389,10 @@ private slots:
         QFETCH(QString, fragment);
         QTemporaryDir folder;
         Simulation simulation = simulationOf(pendulum());
+        FlownFrames flown(simulation);
         const QString path = target.startsWith('/') ? target : folder.filePath(target);
-        const auto failure = exportRun(simulation, Dress(), {.from = from, .to = to, .fps = fps},
-                                       path.toStdString());
+        const auto failure =
+            exportRun(flown, Dress(), {.from = from, .to = to, .fps = fps}, path.toStdString());
         QVERIFY(failure);
         QVERIFY2(failure->message.find(fragment.toStdString()) != std::string::npos,
                  failure->message.c_str());
@@ -399,7 +405,8 @@ private slots:
         Scene scene = pendulum();
         scene.items.pop_back();
         Simulation simulation = simulationOf(scene);
-        const auto failure = exportRun(simulation, Dress(), {.from = 0.0, .to = 1.0},
+        FlownFrames flown(simulation);
+        const auto failure = exportRun(flown, Dress(), {.from = 0.0, .to = 1.0},
                                        folder.filePath("kite.csv").toStdString());
         QVERIFY(failure);
         QVERIFY(failure->message.find("add a probe") != std::string::npos);

@@ -277,7 +277,8 @@ private slots:
         old.write("old");
         old.close();
         Simulation simulation(*compile(kite()));
-        QVERIFY(exportRun(simulation, Dress(), {.to = 1.0}, path.toStdString(),
+        FlownFrames flown(simulation);
+        QVERIFY(exportRun(flown, Dress(), {.to = 1.0}, path.toStdString(),
                           [](double done) { return done < 0.9; }));
         QCOMPARE(contentOf(path), QByteArray("old"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);

@@ -1,0 +1,322 @@
+#include "bundle/bundle.h"
+
+#include "bundle/manifest.h"
+#include "bundle/readme.h"
+#include "bundle/zip_file.h"
+#include "compile/compile.h"
+#include "export/export_run.h"
+#include "export/format.h"
+#include "io/recording_file.h"
+#include "io/scene_file.h"
+#include "io/whole_file.h"
+#include "measure/diagnostics.h"
+#include "scene/collider_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isZipName(const fs::path& target)
+{
+    std::string extension = target.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".zip";
+}
+
+// "out/" is the folder out.
+fs::path plain(const fs::path& target)
+{
+    const fs::path path = target.lexically_normal();
+    return path.has_filename() ? path : path.parent_path();
+}
+
+std::optional<Failure> whyNotThere(const fs::path& target)
+{
+    std::error_code error;
+    if (target.empty() || target == "." || target == "..")
+        return Failure{"Name the bundle: a new folder, or a file that ends with .zip."};
+    if (isZipName(target))
+        return fs::is_directory(target, error)
+                   ? std::optional(Failure{target.string() + " is a folder; name a file."})
+                   : std::nullopt;
+    if (!fs::exists(target, error))
+        return std::nullopt;
+    if (!fs::is_directory(target, error))
+        return Failure{target.string()
+                       + " is a file; name a new folder, or a file that ends with .zip."};
+    if (fs::is_empty(target, error) || fs::exists(target / bundled::manifest, error))
+        return std::nullopt;
+    return Failure{target.string() + " is a folder with other things in it; name a new one."};
+}
+
+// Puts the folder into its place. An older bundle goes when the new one is there.
+std::optional<Failure> place(const fs::path& folder, const fs::path& target)
+{
+    std::error_code error;
+    std::optional<TemporaryFolder> old;
+    if (fs::exists(target, error)) {
+        auto made = TemporaryFolder::make(target);
+        if (!made)
+            return made.failure();
+        old = std::move(*made);
+        fs::rename(target, old->path(), error); // over an empty folder
+    }
+    if (!error)
+        fs::rename(folder, target, error);
+    if (!error)
+        return std::nullopt;
+    const std::string why = error.message();
+    if (old && !fs::exists(target, error))
+        fs::rename(old->path(), target, error);
+    return Failure{target.string() + " was not written: " + why + "; choose another folder."};
+}
+
+// With copies of the files that colliders name, so that the bundle needs nothing else.
+Result<Scene> gathered(const Scene& scene, const fs::path& folder)
+{
+    Scene own = scene;
+    for (Entry& entry : own.items) {
+        auto* collider = std::get_if<Collider>(&entry.item);
+        if (!collider || collider->file.empty())
+            continue;
+        const fs::path file = placeOfFile(scene.folder.path, collider->file);
+        // the number keeps files of one name apart
+        const fs::path name =
+            fs::path(bundled::colliders)
+            / (std::to_string(std::uint32_t(entry.id)) + "_" + file.filename().string());
+        std::error_code error;
+        fs::create_directory(folder / bundled::colliders, error);
+        fs::copy_file(file, folder / name, error);
+        if (error)
+            return Failure{"Collider " + collider->name + ": " + file.string()
+                           + " cannot be copied into the bundle: " + error.message() + "."};
+        collider->file = name.generic_string();
+    }
+    own.folder.path = folder.string();
+    return own;
+}
+
+bool namesFiles(const Scene& scene)
+{
+    return std::ranges::any_of(scene.items, [](const Entry& entry) {
+        const auto* collider = std::get_if<Collider>(&entry.item);
+        return collider && !collider->file.empty();
+    });
+}
+
+// Table and figure of the probes, and what the manifest says of the flight.
+class Findings final : public FrameSink
+{
+public:
+    explicit Findings(fs::path folder)
+        : m_folder(std::move(folder))
+    {}
+
+    std::optional<Failure> add(const Frame& frame) override
+    {
+        if (m_manifest.hashAtStart.empty()) {
+            m_manifest.hashAtStart = hashText(frame.hash);
+            m_manifest.begin = frame.time;
+            m_first = frame.step;
+            if (!frame.layout->probes.empty())
+                if (auto failure = open())
+                    return failure;
+        }
+        m_manifest.hashAtEnd = hashText(frame.hash);
+        m_manifest.end = frame.time;
+        m_manifest.steps = frame.step - m_first;
+        for (const auto& sink : m_sinks)
+            if (auto failure = sink->add(frame))
+                return failure;
+        return std::nullopt;
+    }
+
+    std::optional<Failure> finish(const Progress& progress) override
+    {
+        for (const auto& sink : m_sinks)
+            if (auto failure = sink->finish(progress))
+                return failure;
+        m_isFinished = true;
+        return std::nullopt;
+    }
+
+    bool isFinished() const { return m_isFinished; }
+    bool hasProbes() const { return !m_sinks.empty(); }
+    const Manifest& manifest() const { return m_manifest; }
+
+private:
+    std::optional<Failure> open()
+    {
+        for (const char* name : {bundled::probes, bundled::curves}) {
+            auto sink = openSink(*formatOf(name), m_folder / name, Dress());
+            if (!sink)
+                return sink.failure();
+            m_sinks.push_back(std::move(*sink));
+        }
+        return std::nullopt;
+    }
+
+    fs::path m_folder;
+    std::vector<std::unique_ptr<FrameSink>> m_sinks;
+    Manifest m_manifest;
+    std::int64_t m_first = 0; // step
+    bool m_isFinished = false;
+};
+
+// One frame for each step.
+ExportRange everyStep(double begin, double end, double timeStep)
+{
+    // up to the step that hasReached() the end
+    const double steps = std::max(0.0, std::ceil((end - begin) / timeStep - 0.5 - 1e-6));
+    return {begin, begin + steps * timeStep, 1.0 / timeStep};
+}
+
+// Flies and writes into a folder beside the target, then puts it into its place.
+class Writer
+{
+public:
+    Writer(const BundleOrder& order, fs::path target, const Progress& progress)
+        : m_order(order)
+        , m_target(plain(target))
+        , m_progress(progress)
+    {}
+
+    BundleWritten writeScene(const Scene& scene)
+    {
+        if (auto failure = open())
+            return {failure};
+        const Result<Scene> own = gathered(scene, folder());
+        if (!own)
+            return {own.failure()};
+        const auto system = compile(*own);
+        if (!system)
+            return {system.failure()};
+        Simulation simulation(*system, m_order.threads);
+        Recorder recorder;
+        recorder.loaded(simulation, {std::make_shared<const Scene>(*own), {}});
+        FlownFrames source(simulation, m_order.controls, &recorder);
+        if (auto failure = fly(source, everyStep(0.0, m_order.seconds, (*system)->timeStep)))
+            return {failure};
+        const auto recording = recorder.recording();
+        if (!recording)
+            return {Failure{"Nothing was flown: a bundle needs one time step at least."}};
+        recorder.finish();
+        return write(*own, *recording, Manifest::From::Scene);
+    }
+
+    BundleWritten writeRecording(const std::shared_ptr<const Recording>& recording)
+    {
+        for (std::size_t i = 0; i < recording->designCount(); ++i)
+            if (namesFiles(recording->design(int(i)).scene()))
+                return {Failure{"The recording needs the files of its colliders, which are not in "
+                                "it; make the bundle of the scene instead."}};
+        if (auto failure = open())
+            return {failure};
+        RecordedFrames source(recording, RecordedFrames::Places::Exact, m_order.threads);
+        if (auto failure = fly(source, everyStep(source.begin(), source.end(), source.timeStep())))
+            return {failure};
+        return write(recording->scene(), *recording, Manifest::From::Recording);
+    }
+
+private:
+    const fs::path& folder() const { return m_folder->path(); }
+
+    std::optional<Failure> open()
+    {
+        if (auto failure = whyNotThere(m_target))
+            return failure;
+        auto made = TemporaryFolder::make(m_target);
+        if (!made)
+            return made.failure();
+        m_folder.emplace(std::move(*made));
+        m_findings.emplace(folder());
+        return std::nullopt;
+    }
+
+    // A flight that stops is no failure here.
+    std::optional<Failure> fly(FrameSource& source, const ExportRange& range)
+    {
+        auto failure = exportSeries(source, range, *m_findings, stageOf(m_progress, 0.0, 0.8));
+        if (failure && m_findings->isFinished())
+            m_stopped = std::exchange(failure, std::nullopt);
+        return failure;
+    }
+
+    BundleWritten write(const Scene& scene, const Recording& recording, Manifest::From from)
+    {
+        if (auto failure = writeFiles(scene, recording, from))
+            return {failure};
+        const Progress packing = stageOf(m_progress, 0.9, 1.0);
+        if (auto failure = isZipName(m_target)
+                               ? zipFolder(folder(), m_target.stem().string(), m_target, packing)
+                               : place(folder(), m_target))
+            return {failure};
+        if (m_progress)
+            m_progress(1.0);
+        return {m_stopped, m_stopped.has_value()};
+    }
+
+    std::optional<Failure> writeFiles(const Scene& scene, const Recording& recording,
+                                      Manifest::From from)
+    {
+        if (auto failure = saveScene(scene, folder() / bundled::scene))
+            return failure;
+        const ControlTrack& controls = m_order.controls;
+        const bool isSteered = !controls.commands.empty() || !controls.hands.empty();
+        if (isSteered)
+            if (auto failure = writeControlTrack(scene, controls, folder() / bundled::controls))
+                return failure;
+        if (auto failure = saveRecording(recording, folder() / bundled::recording,
+                                         stageOf(m_progress, 0.8, 0.9)))
+            return failure;
+        if (!recording.trouble().empty())
+            return Failure{"The run cannot be kept whole: " + recording.trouble()};
+        if (m_order.decorate)
+            if (auto failure = m_order.decorate(folder()))
+                return failure;
+
+        Manifest manifest = m_findings->manifest();
+        manifest.program = "ripstop " RIPSTOP_VERSION;
+        manifest.title = scene.settings.title;
+        manifest.from = from;
+        manifest.timeStep = scene.settings.timeStep;
+        manifest.stopped = m_stopped ? m_stopped->message : "";
+        manifest.commands = commandsOf(manifest, m_findings->hasProbes(), isSteered);
+        if (auto failure = replaceFile(folder() / bundled::readme, readmeText(manifest, folder())))
+            return failure;
+        auto files = filesIn(folder());
+        if (!files)
+            return files.failure();
+        manifest.files = std::move(*files);
+        return replaceFile(folder() / bundled::manifest, manifestText(manifest));
+    }
+
+    const BundleOrder& m_order;
+    const fs::path m_target;
+    const Progress& m_progress;
+    std::optional<TemporaryFolder> m_folder;
+    std::optional<Findings> m_findings;
+    std::optional<Failure> m_stopped; // why the flight ended early
+};
+
+} // namespace
+
+BundleWritten writeBundle(const Scene& scene, const BundleOrder& order, const fs::path& target,
+                          const Progress& progress)
+{
+    return Writer(order, target, progress).writeScene(scene);
+}
+
+BundleWritten writeBundle(const std::shared_ptr<const Recording>& recording,
+                          const BundleOrder& order, const fs::path& target,
+                          const Progress& progress)
+{
+    return Writer(order, target, progress).writeRecording(recording);
+}
+
+} // namespace ripstop

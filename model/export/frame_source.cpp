@@ -1,0 +1,129 @@
+#include "export/frame_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ripstop {
+namespace {
+
+constexpr int stepsBetweenReports = 50;
+
+} // namespace
+
+std::string inSeconds(double time)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g s", time);
+    return text;
+}
+
+FlownFrames::FlownFrames(Simulation& simulation, ControlTrack controls, Recorder* recorder)
+    : m_simulation(simulation)
+    , m_controls(std::move(controls))
+    , m_recorder(recorder)
+{}
+
+// Steps like Simulation::runUntil().
+FrameSource::Taken FlownFrames::take(double time, const Reached& reached)
+{
+    for (int i = 0; !hasReached(m_simulation.state().time, time, timeStep()); ++i) {
+        if (i % stepsBetweenReports == 0 && !reached(m_simulation.state().time))
+            return {};
+        m_controls.giveTo(m_simulation);
+        if (m_recorder)
+            m_recorder->beforeStep(m_simulation);
+        if (!m_simulation.step())
+            return {m_simulation.frame(),
+                    "The simulation stopped: " + m_simulation.trouble()->message};
+        if (m_recorder)
+            m_recorder->afterStep(m_simulation);
+    }
+    return {m_simulation.frame(), {}};
+}
+
+RecordedFrames::RecordedFrames(std::shared_ptr<const Recording> recording, Places places,
+                               int threads)
+    : m_recording(std::move(recording))
+    , m_places(places)
+    , m_threads(threads)
+    , m_timeStep(m_recording->scene().settings.timeStep)
+{}
+
+double RecordedFrames::begin() const { return m_recording->timeOf(0); }
+
+// The last frame need not be of the last step.
+double RecordedFrames::end() const
+{
+    const std::size_t last = m_recording->frameCount() - 1;
+    return m_recording->timeOf(last)
+           + double(m_recording->lastStep() - m_recording->stepOf(last)) * timeStepFrom(last);
+}
+
+double RecordedFrames::timeStepFrom(std::size_t frame) const
+{
+    const std::size_t last = m_recording->frameCount() - 1;
+    const std::size_t a = frame < last ? frame : last - std::min<std::size_t>(last, 1);
+    const std::size_t b = std::min(a + 1, last);
+    const auto steps = double(m_recording->stepOf(b) - m_recording->stepOf(a));
+    return steps > 0.0 ? (m_recording->timeOf(b) - m_recording->timeOf(a)) / steps : m_timeStep;
+}
+
+// The first step that hasReached() the time.
+std::int64_t RecordedFrames::stepAt(double time) const
+{
+    std::size_t before = m_recording->frameAt(time);
+    if (before > 0 && m_recording->timeOf(before) > time)
+        --before;
+    const double steps =
+        std::ceil((time - m_recording->timeOf(before)) / timeStepFrom(before) - 0.5 - 1e-6);
+    const double step = double(m_recording->stepOf(before)) + steps;
+    return std::int64_t(
+        std::clamp(step, double(m_recording->firstStep()), double(m_recording->lastStep())));
+}
+
+FrameSource::Taken RecordedFrames::take(double time, const Reached& reached)
+{
+    const std::int64_t step = stepAt(time);
+    const std::size_t kept = m_recording->frameOfStep(step);
+    Taken taken;
+    if (m_places == Places::Exact || m_recording->stepOf(kept) != step) {
+        taken = computed(step, reached);
+    } else if (auto frame = m_recording->frame(kept)) {
+        taken.frame = std::move(*frame);
+        if (!reached(taken.frame->time))
+            return {};
+    } else {
+        taken.end = frame.message();
+    }
+    if (taken.end.empty() && time > end() + 0.5 * m_timeStep)
+        taken.end = "The recording ends at " + inSeconds(end()) + ".";
+    return taken;
+}
+
+FrameSource::Taken RecordedFrames::computed(std::int64_t step, const Reached& reached)
+{
+    if (!m_walk || m_walk->simulation.state().step > step) {
+        bool cancelled = false;
+        const double time = begin();
+        auto moment = m_recording->moment(
+            step, [&](double) { return !(cancelled = cancelled || !reached(time)); });
+        if (!moment)
+            return {nullptr, cancelled ? "" : moment.message()};
+        InputPlayer inputs(*m_recording, moment->state);
+        m_walk.emplace(Simulation(moment->system, std::move(moment->state), m_threads),
+                       std::move(inputs));
+    }
+    auto& [simulation, inputs] = *m_walk;
+    for (int i = 0; simulation.state().step < step; ++i) {
+        if (i % stepsBetweenReports == 0 && !reached(simulation.state().time))
+            return {};
+        if (auto failure = inputs.giveTo(simulation))
+            return {simulation.frame(), failure->message};
+        if (!simulation.step())
+            return {simulation.frame(), "The simulation stopped: " + simulation.trouble()->message};
+    }
+    return {simulation.frame(), {}};
+}
+
+} // namespace ripstop
