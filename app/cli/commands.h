@@ -16,6 +16,7 @@ void addBuild(CLI::App& app, Command& chosen);
 void addBuilders(CLI::App& app, Command& chosen);
 void addImport(CLI::App& app, Command& chosen);
 void addRun(CLI::App& app, Command& chosen);
+void addSweep(CLI::App& app, Command& chosen);
 void addCompare(CLI::App& app, Command& chosen);
 void addExport(CLI::App& app, Command& chosen);
 void addBundle(CLI::App& app, Command& chosen);

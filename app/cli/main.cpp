@@ -48,6 +48,7 @@ int call(int argc, char** argv)
     addBuilders(app, chosen);
     addImport(app, chosen);
     addRun(app, chosen);
+    addSweep(app, chosen);
     addCompare(app, chosen);
     addExport(app, chosen);
     addBundle(app, chosen);

@@ -1,0 +1,389 @@
+// ripstop-cli sweep: one table of many runs.
+#include "cli/commands.h"
+#include "cli/scene_input.h"
+#include "cli/sweep_axes.h"
+#include "cli/terminal.h"
+#include "compile/compile.h"
+#include "io/control_track.h"
+#include "io/csv.h"
+#include "io/json_text.h"
+#include "io/whole_file.h"
+#include "measure/diagnostics.h"
+#include "run/tear_report.h"
+#include "scene/path.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+namespace ripstop {
+namespace {
+
+constexpr double mostRuns = 1e6;
+
+struct Options
+{
+    std::vector<std::string> scenes;
+    std::vector<std::string> sweeps; // "PATH=VALUES"
+    std::vector<std::string> assignments;
+    double seconds = 0.0; // s
+    std::string output;   // empty for standard output
+    std::string controls;
+    int threads = 1;
+    int jobs = 1;
+};
+
+// One run of the sweep: a scene of the list and a value for each axis.
+struct Order
+{
+    std::size_t scene;
+    std::vector<std::string> values;
+};
+
+// What a probe read over a run, moments without a reading left out.
+struct Reading
+{
+    double last = std::numeric_limits<double>::quiet_NaN();
+    double sum = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    std::int64_t count = 0;
+
+    void take(double value)
+    {
+        last = value;
+        if (!std::isfinite(value))
+            return;
+        sum += value;
+        least = std::min(least, value);
+        most = std::max(most, value);
+        ++count;
+    }
+};
+
+struct Row
+{
+    double time = 0.0; // s
+    std::int64_t steps = 0;
+    std::string hash;
+    std::size_t torn = 0;
+    std::string stopped;               // why it ended early; empty when it did not
+    std::vector<Layout::Probe> probes; // as many as
+    std::vector<Reading> readings;
+};
+
+struct Sweep
+{
+    const Options& options;
+    std::vector<SweepAxis> axes;
+    std::vector<Scene> scenes; // as loaded, with --set
+    std::vector<ControlTrack> controls;
+    std::vector<Order> orders;
+};
+
+// Nothing when it was interrupted.
+std::optional<Row> fly(const Sweep& sweep, const Order& order)
+{
+    Row row;
+    Scene scene = sweep.scenes[order.scene];
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i)
+        if (auto failure = assign(scene, {sweep.axes[i].path + "=" + order.values[i]})) {
+            row.stopped = failure->message;
+            return row;
+        }
+    const auto system = compile(scene);
+    if (!system) {
+        row.stopped = system.message();
+        return row;
+    }
+    scene = Scene(); // nobody reads it again
+    Simulation simulation(*system, sweep.options.threads);
+    ControlPlayer controls(sweep.controls[order.scene]);
+    const double timeStep = (*system)->timeStep;
+    auto frame = simulation.frame();
+    row.probes = frame->layout->probes;
+    row.readings.resize(row.probes.size());
+    const auto read = [&] {
+        if (row.probes.empty())
+            return;
+        frame = simulation.frame();
+        for (std::size_t i = 0; i < row.readings.size(); ++i)
+            row.readings[i].take(frame->probe[i]);
+    };
+    read();
+    while (!hasReached(simulation.state().time, sweep.options.seconds, timeStep)) {
+        if (interrupted())
+            return std::nullopt;
+        controls.giveTo(simulation);
+        if (!simulation.step()) {
+            row.stopped = simulation.trouble()->message;
+            break;
+        }
+        read();
+    }
+    row.time = simulation.state().time;
+    row.steps = simulation.state().step;
+    row.hash = hashText(stateHash(simulation.state()));
+    row.torn = tornLinks(*simulation.frame());
+    return row;
+}
+
+// --- the table -----------------------------------------------------------------------------------
+
+using Rows = std::vector<std::optional<Row>>; // [orders], those that are done
+
+// By name and unit: probes of several scenes that are called alike share their columns.
+bool isSame(const Layout::Probe& a, const Layout::Probe& b)
+{
+    return a.name == b.name && a.unit == b.unit;
+}
+
+std::vector<Layout::Probe> probesOf(const Rows& rows)
+{
+    std::vector<Layout::Probe> all;
+    for (const auto& row : rows)
+        if (row)
+            for (const Layout::Probe& probe : row->probes)
+                if (std::ranges::none_of(all, [&](const auto& p) { return isSame(p, probe); }))
+                    all.push_back(probe);
+    return all;
+}
+
+std::string header(const Sweep& sweep, const std::vector<Layout::Probe>& probes)
+{
+    std::string text = "# Ripstop " RIPSTOP_VERSION "; each run until ";
+    appendNumber(text, sweep.options.seconds);
+    text += " s\nscene";
+    for (const SweepAxis& axis : sweep.axes)
+        text += ',' + csvCell(axis.path);
+    text += ",time (s),steps,hash,torn links,stopped";
+    for (const Layout::Probe& probe : probes)
+        for (const char* what : {" final", " mean", " min", " max"})
+            text +=
+                ','
+                + csvCell(probe.name + what + (probe.unit.empty() ? "" : " (" + probe.unit + ")"));
+    return text + '\n';
+}
+
+void appendCell(std::string& text, double value)
+{
+    text += ',';
+    if (std::isfinite(value))
+        appendNumber(text, value);
+}
+
+std::string line(const Sweep& sweep, const Order& order, const Row& row,
+                 const std::vector<Layout::Probe>& probes)
+{
+    std::string text = csvCell(sweep.options.scenes[order.scene]);
+    for (const std::string& value : order.values)
+        text += ',' + csvCell(value);
+    appendCell(text, row.time);
+    text += ',' + std::to_string(row.steps) + ',' + row.hash + ',' + std::to_string(row.torn) + ','
+            + csvCell(row.stopped);
+    for (const Layout::Probe& probe : probes) {
+        const auto found =
+            std::ranges::find_if(row.probes, [&](const auto& p) { return isSame(p, probe); });
+        if (found == row.probes.end()) {
+            text += ",,,,";
+            continue;
+        }
+        const Reading& reading = row.readings[std::size_t(found - row.probes.begin())];
+        appendCell(text, reading.last);
+        appendCell(text, reading.sum / double(reading.count)); // without any, not a number
+        appendCell(text, reading.least);
+        appendCell(text, reading.most);
+    }
+    return text + '\n';
+}
+
+std::string table(const Sweep& sweep, const Rows& rows)
+{
+    const std::vector<Layout::Probe> probes = probesOf(rows);
+    std::string text = header(sweep, probes);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i])
+            text += line(sweep, sweep.orders[i], *rows[i], probes);
+    return text;
+}
+
+// --- many runs -----------------------------------------------------------------------------------
+
+// Takes the orders one after the other, as many at a time as there are jobs. After each run the
+// file has all that are done, whole.
+class Works
+{
+public:
+    explicit Works(const Sweep& sweep)
+        : m_sweep(sweep)
+        , m_rows(sweep.orders.size())
+        , m_progress("sweep")
+    {}
+
+    std::optional<Failure> run()
+    {
+        std::vector<std::thread> others;
+        for (int i = 1; i < m_sweep.options.jobs; ++i)
+            others.emplace_back([this] { work(); });
+        work();
+        for (std::thread& other : others)
+            other.join();
+        return m_failure;
+    }
+
+    const Rows& rows() const { return m_rows; }
+
+private:
+    void work()
+    {
+        for (std::size_t i = m_next++; i < m_rows.size() && !m_ends; i = m_next++) {
+            auto row = fly(m_sweep, m_sweep.orders[i]);
+            const std::lock_guard lock(m_mutex);
+            if (!row)
+                return;
+            m_rows[i] = std::move(row);
+            m_progress.show(double(++m_done) / double(m_rows.size()));
+            if (!m_sweep.options.output.empty())
+                m_failure =
+                    replaceFile(m_sweep.options.output, table(m_sweep, m_rows), Flush::Later);
+            m_ends = m_ends || m_failure;
+        }
+    }
+
+    const Sweep& m_sweep;
+    Rows m_rows;
+    ProgressLine m_progress;
+    std::size_t m_done = 0;
+    std::optional<Failure> m_failure;
+    std::mutex m_mutex;
+    std::atomic<std::size_t> m_next = 0;
+    std::atomic<bool> m_ends = false;
+};
+
+// Refuses what can be refused before the first run. Returns the exit code.
+int prepare(const Options& options, Sweep& sweep)
+{
+    for (const std::string& text : options.sweeps) {
+        auto axis = sweepAxis(text);
+        if (!axis)
+            return fail(WrongUsage, axis.message());
+        sweep.axes.push_back(std::move(*axis));
+    }
+    double runs = double(options.scenes.size());
+    for (const SweepAxis& axis : sweep.axes)
+        runs *= double(axis.values.size());
+    if (runs > mostRuns)
+        return fail(WrongUsage, "These are " + shortNumber(runs) + " runs; a sweep has up to "
+                                    + shortNumber(mostRuns) + ".");
+    for (std::size_t i = 0; i < options.scenes.size(); ++i) {
+        SceneOutcome loaded = loadScene({options.scenes[i], options.assignments});
+        if (!loaded.scene)
+            return loaded.exitCode;
+        for (const SweepAxis& axis : sweep.axes)
+            for (const std::string& value : axis.values)
+                if (auto edit = assignment(*loaded.scene, axis.path + "=" + value); !edit)
+                    return fail(WrongUsage, options.scenes[i] + ": --sweep " + axis.path + "="
+                                                + value + ": " + edit.message());
+        sweep.controls.emplace_back();
+        if (!options.controls.empty()) {
+            auto track = readControlTrack(options.controls, *loaded.scene);
+            if (!track)
+                return fail(BadInput, track.message());
+            sweep.controls.back() = std::move(*track);
+        }
+        sweep.scenes.push_back(std::move(*loaded.scene));
+        for (auto& values : combinations(sweep.axes))
+            sweep.orders.push_back({i, std::move(values)});
+    }
+    return Done;
+}
+
+std::string countOf(std::size_t some, std::size_t all)
+{
+    return std::to_string(some) + " of " + std::to_string(all) + " runs";
+}
+
+int sweep(const Options& options)
+{
+    Sweep sweep{options, {}, {}, {}, {}};
+    if (const int code = prepare(options, sweep); code != Done)
+        return code;
+    catchInterrupt();
+    std::size_t done = 0, stopped = 0;
+    {
+        Works works(sweep);
+        const auto failure = works.run();
+        if (failure)
+            return fail(BadInput, failure->message);
+        for (const auto& row : works.rows()) {
+            done += row.has_value();
+            stopped += row && !row->stopped.empty();
+        }
+        if (options.output.empty())
+            std::cout << table(sweep, works.rows());
+    }
+    if (done < sweep.orders.size())
+        return fail(Interrupted,
+                    "Interrupted; the table has " + countOf(done, sweep.orders.size()) + ".");
+    if (stopped > 0)
+        return fail(Diverged,
+                    countOf(stopped, done) + " ended early: the column \"stopped\" says why.");
+    return Done;
+}
+
+} // namespace
+
+void addSweep(CLI::App& app, Command& chosen)
+{
+    CLI::App* command = app.add_subcommand(
+        "sweep", "Fly many scenes, or one with many values of its properties, into one table.");
+    const auto options = std::make_shared<Options>();
+    command->add_option("SCENES", options->scenes, "Scene files, *.ripstop.json")->required();
+    command
+        ->add_option("--sweep", options->sweeps,
+                     "A property and its values: PATH=100,200,400, or PATH=FROM:STEP:TO with both "
+                     "ends, or \"wind.velocity=8,0,0; 6,0,0\"; of several all combinations are "
+                     "flown")
+        ->type_name("PATH=VALUES")
+        ->allow_extra_args(false);
+    command->add_option("--seconds", options->seconds, "Simulated time of each run, s")
+        ->required()
+        ->check(numberBetween(0.0, 1e9))
+        ->type_name("T");
+    command
+        ->add_option("-o,--output", options->output, "The table, CSV; on standard output without")
+        ->type_name("FILE");
+    addSetOption(*command, options->assignments);
+    command
+        ->add_option("--controls", options->controls,
+                     "What pilot and hands do in each run: a control track, as of run --controls")
+        ->type_name("FILE");
+    command->add_option("--jobs", options->jobs, "Runs at a time; the table is the same for all")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command
+        ->add_option("--threads", options->threads,
+                     "Threads of each run; the result is the same for all")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command->footer(
+        "Examples:\n"
+        "  ripstop-cli sweep scenes/delta_kite.ripstop.json --sweep wind.velocity=\"6,0,0; 8,0,0\" "
+        "\\\n"
+        "      --sweep settings.airDensity=1.0:0.1:1.3 --seconds 10 -o kite.csv --jobs 2\n"
+        "  ripstop-cli sweep scenes/*.ripstop.json --seconds 2\n"
+        "\n"
+        "A row for each run: what was set, time and steps that it came to, the hash of its last\n"
+        "state, links that tore, and the final, mean, least and largest value of each probe over\n"
+        "all steps. A run that stops early says so in its row, and the others go on; the exit "
+        "code\n"
+        "is 3 then. The file is whole at any time and grows with each run; Ctrl-C keeps the rows\n"
+        "of runs that are done.");
+    command->callback([options, &chosen] { chosen = [options] { return sweep(*options); }; });
+}
+
+} // namespace ripstop

@@ -1,0 +1,99 @@
+#include "cli/sweep_axes.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace ripstop {
+namespace {
+
+constexpr double mostValues = 1e5;
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string> split(std::string_view text, char separator)
+{
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        parts.emplace_back(trimmed(text.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+std::optional<double> numberOf(const std::string& text)
+{
+    double number = 0.0;
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    if (error != std::errc() || end != last || !std::isfinite(number))
+        return std::nullopt;
+    return number;
+}
+
+std::string textOf(double number)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.12g", number); // 0.3 for three steps of 0.1
+    return text;
+}
+
+Failure wrong(std::string_view text, const std::string& why)
+{
+    return Failure{"--sweep " + std::string(text) + ": " + why};
+}
+
+} // namespace
+
+Result<SweepAxis> sweepAxis(std::string_view text)
+{
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || trimmed(text.substr(0, equals)).empty())
+        return wrong(text, "write PATH=VALUES, like settings.timeStep=0.001,0.002.");
+    SweepAxis axis{std::string(trimmed(text.substr(0, equals))), {}};
+    const std::string_view values = trimmed(text.substr(equals + 1));
+
+    const std::vector<std::string> ends = split(values, ':');
+    if (ends.size() == 3 && values.find_first_of(",;") == std::string_view::npos) {
+        const auto from = numberOf(ends[0]), step = numberOf(ends[1]), to = numberOf(ends[2]);
+        if (!from || !step || !to)
+            return wrong(text, "a range is FROM:STEP:TO, three numbers.");
+        const double steps = std::floor((*to - *from) / *step + 1e-9);
+        if (!(steps >= 0.0 && steps < mostValues))
+            return wrong(text, "the range has no value, or too many; the step must lead from its "
+                               "start to its end.");
+        for (int i = 0; i <= int(steps); ++i)
+            axis.values.push_back(textOf(*from + i * *step));
+        return axis;
+    }
+    axis.values = split(values, values.find(';') == std::string_view::npos ? ',' : ';');
+    for (const std::string& value : axis.values)
+        if (value.empty())
+            return wrong(text, "a value is missing; write PATH=100,200,400 or PATH=FROM:STEP:TO.");
+    return axis;
+}
+
+std::vector<std::vector<std::string>> combinations(const std::vector<SweepAxis>& axes)
+{
+    std::vector<std::vector<std::string>> all{{}};
+    for (const SweepAxis& axis : axes) {
+        std::vector<std::vector<std::string>> longer;
+        for (const auto& begun : all)
+            for (const std::string& value : axis.values) {
+                longer.push_back(begun);
+                longer.back().push_back(value);
+            }
+        all = std::move(longer);
+    }
+    return all;
+}
+
+} // namespace ripstop

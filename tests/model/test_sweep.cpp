@@ -1,0 +1,194 @@
+// One table of many runs.
+#include "model/cli_call.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ripstop;
+
+namespace {
+
+QString scene(const char* name) { return QString(SCENES_DIR "/%1.ripstop.json").arg(name); }
+
+// A weight that falls from 5 m, and probes of its height and of what has no reading. One step is
+// 0.01 s.
+QByteArray fall()
+{
+    return "{\"format\": \"ripstop-scene\", \"version\": 1,\n"
+           "\"settings\": {\"timeStep\": 0.01, \"substeps\": 1, \"airDensity\": 0,\n"
+           "\"gravity\": [0, -10, 0]},\n"
+           "\"items\": [\n"
+           "{\"type\": \"part\", \"id\": 1, \"name\": \"weights\", \"particles\": [\n"
+           "{\"id\": 2, \"position\": [0, 5, 0], \"mass\": 2}]},\n"
+           "{\"type\": \"probe\", \"id\": 5, \"name\": \"height, own\", \"target\": 2}]}";
+}
+
+// Cells of a table without quoted line ends.
+QList<QStringList> cellsOf(const QByteArray& text)
+{
+    QList<QStringList> rows;
+    for (const QByteArray& line : text.trimmed().split('\n')) {
+        if (line.startsWith('#'))
+            continue;
+        QStringList cells{QString()};
+        bool quoted = false;
+        for (const QChar c : QString::fromUtf8(line))
+            if (c == '"')
+                quoted = !quoted;
+            else if (c == ',' && !quoted)
+                cells << QString();
+            else
+                cells.last() += c;
+        rows << cells;
+    }
+    return rows;
+}
+
+struct Folder : QTemporaryDir
+{
+    QString file = filePath("fall.ripstop.json");
+    QString output = filePath("table.csv");
+
+    Folder()
+    {
+        QFile scene(file);
+        if (scene.open(QIODevice::WriteOnly))
+            scene.write(fall());
+    }
+
+    QList<QStringList> table() const
+    {
+        QFile written(output);
+        return written.open(QIODevice::ReadOnly) ? cellsOf(written.readAll())
+                                                 : QList<QStringList>();
+    }
+};
+
+} // namespace
+
+class TestSweep : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // A fall from rest: y = y0 - g t^2 / 2, which the mean over the time is y0 - g t^2 / 6; to the
+    // first order in the step, which is what all integrators here keep.
+    void aRowForEachRun()
+    {
+        Folder folder;
+        const Outcome outcome = call(
+            {"sweep", folder.file, "--sweep", "settings.gravity=0,-10,0; 0,-5,0; 0,0,0", "--sweep",
+             "weights.particles.mass=1:0.5:2", "--seconds", "0.5", "-o", folder.output});
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
+        const auto table = folder.table();
+        QCOMPARE(table.size(), 1 + 9);
+        QCOMPARE(table[0], (QStringList{"scene", "settings.gravity", "weights.particles.mass",
+                                        "time (s)", "steps", "hash", "torn links", "stopped",
+                                        "height, own final (m)", "height, own mean (m)",
+                                        "height, own min (m)", "height, own max (m)"}));
+        for (int i = 0; i < 9; ++i) {
+            const QStringList& row = table[i + 1];
+            const double gravity = 10.0 - 5.0 * (i / 3);
+            QCOMPARE(row[2].toDouble(), 1.0 + 0.5 * (i % 3));
+            QCOMPARE(row[4], QString("50"));
+            QVERIFY(std::abs(row[8].toDouble() - (5.0 - gravity * 0.125)) < 0.03);
+            QVERIFY(std::abs(row[9].toDouble() - (5.0 - gravity * 0.25 / 6.0)) < 0.03);
+            QCOMPARE(row[10], row[8]); // it is lowest in the end and highest at the start
+            QCOMPARE(row[11].toDouble(), 5.0);
+        }
+    }
+
+    // The same bits as by run, and the same table for any number of jobs.
+    void agreesWithRun()
+    {
+        Folder folder;
+        const QStringList sweep{"sweep",   scene("delta_kite"),         scene("pendulum"),
+                                "--sweep", "settings.airDensity=1,1.2", "--seconds",
+                                "0.5"};
+        const Outcome one = call(sweep), three = call(sweep + QStringList{"--jobs", "3"});
+        QVERIFY2(one.exitCode == 0, qPrintable(one.error));
+        QCOMPARE(three.out, one.out);
+        const auto table = cellsOf(one.out);
+        QCOMPARE(table.size(), 1 + 4);
+        for (int i = 0; i < 4; ++i) {
+            const Outcome flown = call({"run", table[i + 1][0], "--seconds", "0.5", "--set",
+                                        "settings.airDensity=" + table[i + 1][1], "--json"});
+            QCOMPARE(table[i + 1][4], flown.json()["hash"].toString());
+            const QJsonObject probes = flown.json()["probes"].toObject();
+            for (int c = 0; c < table[0].size(); ++c)
+                if (table[0][c].contains(" final") && !table[i + 1][c].isEmpty()) {
+                    const QString name = table[0][c].section(" final", 0, 0);
+                    QCOMPARE(table[i + 1][c].toDouble(), probes[name].toDouble());
+                }
+        }
+    }
+
+    // Faster than 4 m/s is refused: with 10 m/s^2 that is after 0.4 s, with 5 never.
+    void aRunThatStopsSaysSo()
+    {
+        Folder folder;
+        const Outcome outcome =
+            call({"sweep", folder.file, "--sweep", "settings.gravity=0,-10,0; 0,-5,0", "--set",
+                  "settings.speedLimit=4", "--seconds", "0.5", "-o", folder.output});
+        QCOMPARE(outcome.exitCode, 3);
+        QVERIFY2(outcome.error.contains("1 of 2 runs"), qPrintable(outcome.error));
+        const auto table = folder.table();
+        QVERIFY(std::abs(table[1][2].toDouble() - 0.4) < 0.02);
+        QVERIFY(!table[1][6].isEmpty());
+        QVERIFY(std::abs(table[2][2].toDouble() - 0.5) < 0.01);
+        QVERIFY(table[2][6].isEmpty());
+    }
+
+    void refuses_data()
+    {
+        QTest::addColumn<QString>("sweep");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("no such property") << "settings.timeStap=1,2"
+                                          << "timeStep";
+        QTest::newRow("no such item") << "nobody.mass=1"
+                                      << "nobody";
+        QTest::newRow("no value") << "settings.airDensity="
+                                  << "missing";
+        QTest::newRow("an empty value") << "settings.airDensity=1,,2"
+                                        << "missing";
+        QTest::newRow("no path") << "=1"
+                                 << "PATH=VALUES";
+        QTest::newRow("nothing") << "airDensity"
+                                 << "PATH=VALUES";
+        QTest::newRow("not in the range") << "settings.airDensity=1,-1"
+                                          << "-1";
+        QTest::newRow("not a number") << "settings.airDensity=1:a:2"
+                                      << "three numbers";
+        QTest::newRow("no way there") << "settings.airDensity=1:-1:2"
+                                      << "no value";
+        QTest::newRow("no step") << "settings.airDensity=1:0:2"
+                                 << "no value";
+    }
+
+    void refuses()
+    {
+        QFETCH(QString, sweep);
+        QFETCH(QString, words);
+        Folder folder;
+        const Outcome outcome =
+            call({"sweep", folder.file, "--sweep", sweep, "--seconds", "1", "-o", folder.output});
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.error.contains(words), qPrintable(outcome.error));
+        QVERIFY(!QFile::exists(folder.output));
+    }
+
+    void saysWhenTheTableCannotBeWritten()
+    {
+        Folder folder;
+        const Outcome outcome =
+            call({"sweep", folder.file, "--seconds", "0.1", "-o", "/proc/table.csv"});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.error.contains("/proc/table.csv"), qPrintable(outcome.error));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSweep)
+#include "test_sweep.moc"
