@@ -8,6 +8,8 @@
 #include "compile/compile.h"
 #include "export/format.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -71,8 +73,18 @@ int exportRecording(const Options& options)
     return opened.damage.empty() ? Done : BadInput; // the damage has been told
 }
 
+bool isFilm(const std::filesystem::path& target)
+{
+    constexpr std::array<std::string_view, 4> films{".mp4", ".webm", ".gif", ".png"};
+    return std::ranges::find(films, target.extension().string()) != films.end();
+}
+
 int exportScene(const Options& options)
 {
+    if (isFilm(options.output))
+        return fail(BadInput, options.output
+                                  + " is a picture or a film: those are drawn by the window "
+                                    "(ripstop, File > Export), which needs a display.");
     if (options.scene.file.ends_with(recordingExtension))
         return exportRecording(options);
     const SceneOutcome loaded = loadScene(options.scene);

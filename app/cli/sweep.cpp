@@ -324,8 +324,10 @@ int sweep(const Options& options)
             stopped += row && !row->stopped.empty();
         }
         if (options.output.empty())
-            std::cout << table(sweep, works.rows());
+            std::cout << table(sweep, works.rows()) << std::flush;
     }
+    if (!std::cout)
+        return fail(BadInput, "The table could not be written to standard output.");
     if (done < sweep.orders.size())
         return fail(Interrupted,
                     "Interrupted; the table has " + countOf(done, sweep.orders.size()) + ".");
