@@ -22,7 +22,8 @@ struct Race
 constexpr Race races[]{{"projection", projectionRace},
                        {"quality", qualityRace},
                        {"growth", growthRace},
-                       {"edits", editRace}};
+                       {"edits", editRace},
+                       {"export", exportRace}};
 
 int bench(const BenchOptions& options, const std::string& only)
 {
@@ -64,8 +65,9 @@ void addBench(CLI::App& app, Command& chosen)
     const auto make = std::make_shared<bool>(false);
     options->threads = std::clamp(int(std::thread::hardware_concurrency()), 1, 2);
     options->references = REFERENCE_FOLDER;
-    command->add_option("--race", *only, "projection, quality, growth or edits; all without")
-        ->check(CLI::IsMember({"projection", "quality", "growth", "edits"}))
+    command
+        ->add_option("--race", *only, "projection, quality, growth, edits or export; all without")
+        ->check(CLI::IsMember({"projection", "quality", "growth", "edits", "export"}))
         ->type_name("NAME");
     command->add_option("--filter", options->filter, "Only networks with this in their name")
         ->type_name("TEXT");
@@ -91,7 +93,8 @@ void addBench(CLI::App& app, Command& chosen)
         "a step, all stages included, divided by substeps x sweeps x rods. The second is the time\n"
         "to quality: steps of 10 ms per second at which no rod is stretched by more than a limit\n"
         "and the mass centre goes where it should. The third is the growth of cost with size, the\n"
-        "fourth the time from an edit of a large cloth to its running simulation.\n"
+        "fourth the time from an edit of a large cloth to its running simulation, the fifth the\n"
+        "time to write 600 frames of a cloth in each format of exports.\n"
         "All things compared run in turn, in blocks of 3 ms. Quiet is the 10th percentile of\n"
         "the blocks, slow the 90th.");
     command->callback([options, only, make, &chosen] {

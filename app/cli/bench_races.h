@@ -34,4 +34,7 @@ std::optional<Json> growthRace(const BenchOptions& options);
 // From an edit of a large scene to the running simulation.
 std::optional<Json> editRace(const BenchOptions& options);
 
+// Writing a flight in each format of animations and tables.
+std::optional<Json> exportRace(const BenchOptions& options);
+
 } // namespace ripstop
