@@ -199,6 +199,36 @@ private slots:
         QVERIFY(view.selection.ids().empty());
     }
 
+    // What tools and a legend cover stays free of what is fitted, in both kinds of picture.
+    void fittingSparesWhatIsCovered()
+    {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 200; ++i)
+            points.emplace_back(3.0 * std::sin(1.7 * i), 1.0 * std::cos(2.9 * i),
+                                2.0 * std::sin(0.3 * i));
+        constexpr double aspect = 1.4;
+        const Covered covered{.left = 0.1, .right = 0.2, .top = 0.05, .bottom = 0.15};
+        for (const bool orthographic : {false, true}) {
+            Turntable camera;
+            camera.look(PresetView::Iso);
+            camera.orthographic = orthographic;
+            camera.fit(points, aspect, covered);
+            double left = 2.0, right = -2.0, top = -2.0, bottom = 2.0;
+            const Eigen::Matrix4d projection = camera.projection(aspect);
+            for (const Vec3& point : points) {
+                const Eigen::Vector4d p = projection * point.homogeneous();
+                left = std::min(left, p.x() / p.w());
+                right = std::max(right, p.x() / p.w());
+                bottom = std::min(bottom, p.y() / p.w());
+                top = std::max(top, p.y() / p.w());
+            }
+            QVERIFY(left >= -0.8 && right <= 0.6 && top <= 0.9 && bottom >= -0.7);
+            const bool isWide = right - left > 0.85 * 1.4 && right - left <= 1.4;
+            const bool isHigh = top - bottom > 0.85 * 1.6 && top - bottom <= 1.6;
+            QVERIFY(isWide || isHigh); // as large as it can be, but for the margin
+        }
+    }
+
     // What is dragged along axes in the picture stays under the cursor; along an axis that points
     // at the eye nothing moves.
     void theHandFollowsTheCursor()

@@ -17,6 +17,24 @@ constexpr double farthest = 1e6; // m
 
 double tangent() { return std::tan(0.5 * Turntable::viewAngle); }
 
+// One axis of the picture: points between two lines of sight that part from the eye.
+struct Wedge
+{
+    double low, high; // their slopes, m of width per m of depth, to either side
+    double lower = -1e300, upper = -1e300;
+
+    void add(double place, double depth) // m, depth towards the eye
+    {
+        lower = std::max(lower, low * depth - place);
+        upper = std::max(upper, high * depth + place);
+    }
+    double leastDepth() const { return (lower + upper) / (low + high); } // of the eye
+    double middle(double depth) const // where the eye sees as much free room on both sides
+    {
+        return 0.5 * (upper - high * depth + low * depth - lower);
+    }
+};
+
 // Centre and half width along one axis of the picture.
 struct Slab
 {
@@ -92,39 +110,30 @@ void Turntable::look(PresetView view)
 
 // Each side of the view pyramid must leave all points inside: with t the slope of the side,
 // |x - centre| <= t (eye - z). The outermost points for the two sides give centre and eye.
-void Turntable::fit(std::span<const Vec3> points, double aspect)
+void Turntable::fit(std::span<const Vec3> points, double aspect, const Covered& covered)
 {
     if (points.empty())
         return;
     const Vec3 axisX = right(), axisY = up(), axisZ = back();
-    const double slopeY = tangent() / margin;
-    const double slopeX = slopeY * aspect;
+    const double slopeY = tangent() / margin, slopeX = slopeY * aspect;
+    Wedge across{slopeX * (1.0 - 2.0 * covered.left), slopeX * (1.0 - 2.0 * covered.right)};
+    Wedge upright{slopeY * (1.0 - 2.0 * covered.bottom), slopeY * (1.0 - 2.0 * covered.top)};
 
-    Slab x, y, z, positiveX, negativeX, positiveY, negativeY;
+    Slab x, y, z;
     for (const Vec3& point : points) {
         const double px = point.dot(axisX), py = point.dot(axisY), pz = point.dot(axisZ);
         x.add(px);
         y.add(py);
         z.add(pz);
-        positiveX.add(px + slopeX * pz);
-        negativeX.add(-px + slopeX * pz);
-        positiveY.add(py + slopeY * pz);
-        negativeY.add(-py + slopeY * pz);
+        across.add(px, orthographic ? 0.0 : pz);
+        upright.add(py, orthographic ? 0.0 : pz);
     }
-
-    double centreX = x.middle(), centreY = y.middle();
-    if (orthographic) {
-        distance = std::max({x.half() / slopeX, y.half() / slopeY, nearest});
-    } else {
-        centreX = 0.5 * (positiveX.high - negativeX.high);
-        centreY = 0.5 * (positiveY.high - negativeY.high);
-        const double eye = std::max(0.5 * (positiveX.high + negativeX.high) / slopeX,
-                                    0.5 * (positiveY.high + negativeY.high) / slopeY);
-        distance = std::max(eye - z.middle(), nearest);
-    }
+    const double eye = std::max(across.leastDepth(), upright.leastDepth());
+    distance = std::max(orthographic ? eye : eye - z.middle(), nearest);
     if (x.half() + y.half() + z.half() == 0.0)
         distance = 1.0; // a single particle
-    focus = centreX * axisX + centreY * axisY + z.middle() * axisZ;
+    const double depth = orthographic ? distance : distance + z.middle();
+    focus = across.middle(depth) * axisX + upright.middle(depth) * axisY + z.middle() * axisZ;
 }
 
 Eigen::Matrix4d Turntable::projection(double aspect) const

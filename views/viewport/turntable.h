@@ -13,6 +13,12 @@
 
 namespace ripstop {
 
+// What of the picture is covered, by tools and legends: shares of its width and height.
+struct Covered
+{
+    double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+};
+
 enum class PresetView { Front, Back, Left, Right, Top, Bottom, Iso };
 
 class Turntable
@@ -45,8 +51,9 @@ public:
 
     void look(PresetView view);
 
-    // Moves so that all points just fit, with a margin. `aspect` is width over height.
-    void fit(std::span<const Vec3> points, double aspect);
+    // Moves so that all points just fit into what is not covered, with a margin. `aspect` is width
+    // over height.
+    void fit(std::span<const Vec3> points, double aspect, const Covered& covered = {});
 
     // From the world to the picture: after division by w, x and y lie in -1 .. 1 inside the
     // picture, and w is the depth in front of the eye, m (1 when orthographic).
