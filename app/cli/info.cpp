@@ -1,4 +1,5 @@
 // ripstop-cli info: what is in a scene, and what is wrong with it.
+#include "author/cloth_area.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
@@ -11,27 +12,11 @@
 #include <Eigen/Geometry>
 
 #include <iostream>
-#include <unordered_map>
 
 namespace ripstop {
 namespace {
 
 Json jsonOf(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
-double areaOf(const Part& part, const std::unordered_map<Id, const Particle*>& particles)
-{
-    double area = 0.0;
-    for (const Panel& panel : part.panels) {
-        const auto a = particles.find(panel.a);
-        const auto b = particles.find(panel.b);
-        const auto c = particles.find(panel.c);
-        if (a == particles.end() || b == particles.end() || c == particles.end())
-            continue;
-        const Vec3& corner = a->second->position;
-        area += 0.5 * (b->second->position - corner).cross(c->second->position - corner).norm();
-    }
-    return area;
-}
 
 struct Sums
 {
@@ -47,7 +32,7 @@ struct Sums
     Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
-Sums sumsOf(const Part& part, const std::unordered_map<Id, const Particle*>& particles)
+Sums sumsOf(const Part& part)
 {
     Sums sums;
     sums.particles = part.particles.size();
@@ -61,7 +46,7 @@ Sums sumsOf(const Part& part, const std::unordered_map<Id, const Particle*>& par
     }
     for (const Link& link : part.links)
         ++(link.kind == LinkKind::Rod ? sums.rods : sums.springs);
-    sums.area = areaOf(part, particles);
+    sums.area = ClothArea(part).whole();
     return sums;
 }
 
@@ -79,16 +64,10 @@ Json jsonOf(const Sums& sums)
 
 Json describe(const Scene& scene)
 {
-    std::unordered_map<Id, const Particle*> particles;
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& particle : part.particles)
-            particles.emplace(particle.id, &particle);
-    });
-
     Sums all;
     Json parts = Json::array();
     forEachPart(scene, [&](Id id, const Part& part) {
-        const Sums sums = sumsOf(part, particles);
+        const Sums sums = sumsOf(part);
         Json entry = {{"name", part.name}, {"id", std::uint32_t(id)}};
         entry.update(jsonOf(sums));
         parts.push_back(std::move(entry));

@@ -1,5 +1,6 @@
 #include "author/figures.h"
 
+#include "author/cloth_area.h"
 #include "author/insert.h"
 
 #include <algorithm>
@@ -64,12 +65,11 @@ Figures figuresOf(const Scene& scene, Family family)
             const Vec3& a = findRow(part.particles, panel.a)->position;
             const Vec3& b = findRow(part.particles, panel.b)->position;
             const Vec3& c = findRow(part.particles, panel.c)->position;
-            const Vec3 normal = (b - a).cross(c - a);
-            figures.area += 0.5 * normal.norm();
-            doubled += normal;
+            doubled += (b - a).cross(c - a);
             for (const Vec3& corner : {a, b, c})
                 cloth.extend(corner);
         }
+        figures.area += ClothArea(part).whole();
         figures.lineLength += lineLength(scene, part);
     });
     if (const Eigen::AlignedBox3d box = extentOf(scene); !box.isEmpty())

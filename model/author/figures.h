@@ -13,7 +13,7 @@ struct Figures
     std::size_t links = 0;
     std::size_t panels = 0;
     double mass = 0.0;            // kg
-    double area = 0.0;            // m^2, of all panels
+    double area = 0.0;            // m^2, of all panels laid out flat
     Vec3 size = Vec3::Zero();     // m, of the box around the particles
     double lineLength = 0.0;      // m, of links that only pull, are seen and edge no panel
     double span = 0.0;            // m, of the panels, along z

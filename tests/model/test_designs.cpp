@@ -92,6 +92,15 @@ private slots:
         QVERIFY(std::abs(heavy - light - 0.1 * area) < 1e-9);
     }
 
+    // Folds hide cloth and take none away.
+    void aFoldedCanopyHasTheClothOfAnOpenOne()
+    {
+        const Parameters open{{"diameter", 8}, {"hoop", 0}},
+            folded{{"diameter", 8}, {"hoop", 0}, {"mouth", 0.1}};
+        const double area = figures("parachute", open).area;
+        QVERIFY(std::abs(figures("parachute", folded).area / area - 1.0) < 1e-6);
+    }
+
     void figuresOfAWing()
     {
         const Figures kite =
