@@ -12,6 +12,7 @@
 #include "export/format.h"
 
 #include <chrono>
+#include <ctime>
 
 namespace ripstop {
 namespace {
@@ -22,8 +23,15 @@ using Clock = std::chrono::steady_clock;
 constexpr int frames = 600;
 constexpr double framesPerSecond = 60.0;
 
+// Disks and other programs have their share of the time; what the processor worked is ours.
+struct Cost
+{
+    double seconds;
+    double processorSeconds;
+};
+
 const std::vector<Column> columns{{"format", -14}, {"frames", 8},    {"MB", 10},
-                                  {"s", 9},        {"ms/frame", 10}, {"MB/s", 9}};
+                                  {"s", 9},        {"ms/frame", 10}, {"processor s", 13}};
 
 Result<std::vector<std::shared_ptr<Frame>>> moments(const Scene& scene, int count)
 {
@@ -49,11 +57,11 @@ double megabytesIn(const fs::path& folder)
     return 1e-6 * bytes;
 }
 
-// The time, s.
-Result<double> write(const ExportFormat& format, const Dress& dress, const fs::path& folder,
-                     const std::vector<std::shared_ptr<Frame>>& moments)
+Result<Cost> write(const ExportFormat& format, const Dress& dress, const fs::path& folder,
+                   const std::vector<std::shared_ptr<Frame>>& moments)
 {
     const auto start = Clock::now();
+    const std::clock_t worked = std::clock();
     auto sink = openSink(format, folder / ("cloth" + std::string(format.ending)), dress);
     if (!sink)
         return sink.failure();
@@ -69,7 +77,8 @@ Result<double> write(const ExportFormat& format, const Dress& dress, const fs::p
     }
     if (auto failure = (*sink)->finish([](double) { return !interrupted(); }))
         return *failure;
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return Cost{std::chrono::duration<double>(Clock::now() - start).count(),
+                double(std::clock() - worked) / CLOCKS_PER_SEC};
 }
 
 } // namespace
@@ -91,23 +100,24 @@ std::optional<Json> exportRace(const BenchOptions& options)
         if (format.of != ExportFormat::Of::Series)
             continue;
         const auto folder = TemporaryFolder::make(fs::temp_directory_path() / "ripstop-bench");
-        const auto seconds = folder ? write(format, dress, folder->path(), *flown)
-                                    : Result<double>(folder.failure());
+        const auto cost =
+            folder ? write(format, dress, folder->path(), *flown) : Result<Cost>(folder.failure());
         if (interrupted())
             return std::nullopt;
-        if (!seconds) {
-            (void)fail(BadInput, seconds.message());
+        if (!cost) {
+            (void)fail(BadInput, cost.message());
             continue;
         }
         const double megabytes = megabytesIn(folder->path());
         const std::string ending(format.ending);
-        table.row({ending, std::to_string(frames), fixed(megabytes, 1), fixed(*seconds, 2),
-                   fixed(1e3 * *seconds / frames, 2), fixed(megabytes / *seconds, 0)});
+        table.row({ending, std::to_string(frames), fixed(megabytes, 1), fixed(cost->seconds, 2),
+                   fixed(1e3 * cost->seconds / frames, 2), fixed(cost->processorSeconds, 2)});
         rows.push_back({{"network", "cloth_100"},
                         {"format", ending},
                         {"frames", frames},
                         {"megabytes", megabytes},
-                        {"seconds", *seconds}});
+                        {"seconds", cost->seconds},
+                        {"processor_seconds", cost->processorSeconds}});
     }
     return Json{{"export", rows}};
 }

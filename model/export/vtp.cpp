@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <map>
+#include <unordered_map>
 
 namespace ripstop {
 namespace {
@@ -17,15 +17,18 @@ void appendBase64(std::string& text, std::string_view bytes)
 {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const std::size_t begin = text.size();
+    text.resize(begin + (bytes.size() + 2) / 3 * 4);
+    char* out = text.data() + begin;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         const auto byte = [&](std::size_t k) {
             return i + k < bytes.size() ? unsigned(static_cast<unsigned char>(bytes[i + k])) : 0u;
         };
         const unsigned word = byte(0) << 16 | byte(1) << 8 | byte(2);
-        text += digits[word >> 18];
-        text += digits[word >> 12 & 63];
-        text += i + 1 < bytes.size() ? digits[word >> 6 & 63] : '=';
-        text += i + 2 < bytes.size() ? digits[word & 63] : '=';
+        *out++ = digits[word >> 18];
+        *out++ = digits[word >> 12 & 63];
+        *out++ = i + 1 < bytes.size() ? digits[word >> 6 & 63] : '=';
+        *out++ = i + 2 < bytes.size() ? digits[word & 63] : '=';
     }
 }
 
@@ -82,13 +85,19 @@ std::vector<double> tearsAt(const Frame& frame)
     return count;
 }
 
+std::uint64_t edgeOf(int a, int b)
+{
+    return std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
+}
+
 // The strain of a panel is the largest of the links along its edges.
 std::vector<double> panelStrains(const Frame& frame, const Standing& whole)
 {
-    std::map<std::pair<int, int>, double> along;
+    std::unordered_map<std::uint64_t, double> along; // by edge
+    along.reserve(whole.links.size());
     for (const std::size_t i : whole.links) {
         const Layout::Link& link = frame.layout->links[i];
-        const auto [entry, isNew] = along.emplace(std::minmax(link.a, link.b), frame.strain[i]);
+        const auto [entry, isNew] = along.emplace(edgeOf(link.a, link.b), frame.strain[i]);
         entry->second = isNew ? entry->second : std::max(entry->second, frame.strain[i]);
     }
     std::vector<double> strains;
@@ -96,7 +105,7 @@ std::vector<double> panelStrains(const Frame& frame, const Standing& whole)
         const auto& corner = frame.layout->panelCorners[i];
         std::optional<double> largest;
         for (const std::size_t k : {0u, 1u, 2u})
-            if (const auto edge = along.find(std::minmax(corner[k], corner[(k + 1) % 3]));
+            if (const auto edge = along.find(edgeOf(corner[k], corner[(k + 1) % 3]));
                 edge != along.end())
                 largest = std::max(largest.value_or(edge->second), edge->second);
         strains.push_back(largest.value_or(0.0));
