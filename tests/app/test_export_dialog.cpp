@@ -1,0 +1,137 @@
+// Bundles and recordings in the export dialog, flown again by the command line.
+#include "app/window_shop.h"
+#include "bundle/bundle.h"
+#include "editor/export_dialog.h"
+#include "model/cli_call.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+
+using namespace ripstop;
+
+namespace {
+
+// A kite that has flown for half a second, and the dialog over it.
+struct ExportShop : WindowShop
+{
+    QTemporaryDir folder;
+    std::shared_ptr<Recording> recording;
+    std::unique_ptr<ExportDialog> dialog;
+
+    ExportShop()
+    {
+        QObject::connect(&player, &Player::recordingBegan, &window,
+                         [this](const auto& begun) { recording = begun; });
+        window.files().open(SOURCE_DIR "/scenes/delta_kite.ripstop.json");
+        window.resize(900, 700);
+        window.show();
+        player.playUntil(0.5);
+        (void)QTest::qWaitFor(
+            [this] { return player.frame() && player.frame()->time > 0.49 && !player.isPlaying(); },
+            30000);
+    }
+
+    void open(bool looksBack)
+    {
+        const auto draw = [this](const std::shared_ptr<const Frame>& frame, const FilmLook& look) {
+            viewport.show(frame);
+            return viewport.image(
+                Viewport::Shot{look.size, Viewport::Overlays::With, look.transparent});
+        };
+        ExportDialog::Matter matter{document.scene(), player.frame()};
+        if (looksBack)
+            matter.recording = recording;
+        dialog = std::make_unique<ExportDialog>(matter, folder.filePath("kite"), draw,
+                                                QSize(320, 240), &window);
+        dialog->show();
+    }
+
+    void choose(const QString& format)
+    {
+        auto* box = dialog->findChild<QComboBox*>();
+        box->setCurrentIndex(box->findText(format));
+    }
+
+    QDoubleSpinBox& number(const char* name) { return *dialog->findChild<QDoubleSpinBox*>(name); }
+
+    bool exports()
+    {
+        dialog->findChild<QDialogButtonBox*>()->accepted();
+        return QTest::qWaitFor([this] { return dialog->result() == QDialog::Accepted; }, 60000);
+    }
+};
+
+} // namespace
+
+class TestExportDialog : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void bundles_data()
+    {
+        QTest::addColumn<bool>("looksBack");
+        QTest::newRow("flown anew") << false;
+        QTest::newRow("as it was recorded") << true;
+    }
+
+    void bundles()
+    {
+        QFETCH(bool, looksBack);
+        ExportShop shop;
+        QVERIFY(shop.recording);
+        shop.open(looksBack);
+        shop.choose("Bundle of the whole run, ZIP");
+        QCOMPARE(shop.number("to").isVisible(), !looksBack); // a recording is bundled whole
+        QVERIFY(!shop.number("from").isVisible());
+        QVERIFY(shop.exports());
+        const QString file = shop.folder.filePath("kite.zip");
+        QCOMPARE(QDir(shop.folder.path()).entryList(QDir::Files), QStringList{"kite.zip"});
+        const auto bundle = openBundle(file.toStdString());
+        QVERIFY2(bundle, bundle ? "" : bundle.message().c_str());
+        QVERIFY(std::abs(bundle->manifest.end - 0.5) < 0.003);
+        const QImage view(QString::fromStdString((bundle->folder / "view.png").string()));
+        QCOMPARE(view.size(), QSize(320, 240));
+        const Outcome flown = call({"run", file, "--json"});
+        QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
+        QCOMPARE(flown.json()["hash"].toString().toStdString(), bundle->manifest.hashAtEnd);
+    }
+
+    // The fields know where the recording begins and ends; every frame is one that was flown.
+    void exportsTheRunAsItWasRecorded()
+    {
+        ExportShop shop;
+        shop.open(true);
+        shop.choose("Table of the probes, CSV");
+        QVERIFY(shop.dialog->findChild<QComboBox*>("source")->isVisible());
+        QCOMPARE(shop.number("from").value(), 0.0);
+        QCOMPARE(shop.number("to").value(), 0.5);
+        QCOMPARE(shop.number("to").maximum(), 0.5);
+        shop.number("from").setValue(0.2);
+        shop.number("rate").setValue(20.0);
+        QVERIFY(shop.exports());
+        QFile table(shop.folder.filePath("kite.csv"));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = table.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), 2 + 7 + 1); // 0.2 s to 0.5 s, and three lines around them
+        QVERIFY(std::abs(lines[2].split(',')[0].toDouble() - 0.2) < 0.003);
+        QVERIFY(std::abs(lines[8].split(',')[0].toDouble() - 0.5) < 0.003);
+    }
+
+    void withoutARecordingThereIsNothingToChoose()
+    {
+        ExportShop shop;
+        shop.open(false);
+        shop.choose("Table of the probes, CSV");
+        QVERIFY(!shop.dialog->findChild<QComboBox*>("source")->isVisible());
+        QVERIFY(shop.number("to").maximum() > 1000.0);
+    }
+};
+
+int main(int argc, char** argv) { return ripstop::runWithView<TestExportDialog>(argc, argv); }
+#include "test_export_dialog.moc"
