@@ -5,6 +5,7 @@
 #include "cli/replay.h"
 #include "cli/scene_input.h"
 #include "cli/terminal.h"
+#include "measure/diagnostics.h"
 
 #include <iostream>
 
@@ -85,7 +86,11 @@ int flyBundle(const std::string& file, int threads, bool json)
     const auto outcome = flyAgain(*bundle, threads, progress);
     if (!outcome)
         return fail(BadInput, outcome.message());
-    return tellReplay(*outcome, json);
+    const int code = tellReplay(*outcome, json);
+    if (code == Done && hashText(outcome->hash) != bundle->manifest.hashAtEnd)
+        return fail(Differs, "The manifest of " + file + " names another state at the end, "
+                                 + bundle->manifest.hashAtEnd + ": it was changed.");
+    return code;
 }
 
 void addBundle(CLI::App& app, Command& chosen)

@@ -184,6 +184,20 @@ private slots:
         QVERIFY(difference["particle"].isDouble());
     }
 
+    void theManifestIsHeldToItsWord()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("kite");
+        QCOMPARE(wrapped(scene("delta_kite"), path, {"--seconds", "0.2"}).exitCode, 0);
+        const QString file = path + "/manifest.json";
+        const QByteArray hash =
+            QJsonDocument::fromJson(contentOf(file)).object()["hash_at_end"].toString().toUtf8();
+        write(file, contentOf(file).replace(hash, "0123456789abcdef"));
+        const Outcome flown = call({"run", path});
+        QCOMPARE(flown.exitCode, 4);
+        QVERIFY2(flown.error.contains("0123456789abcdef"), qPrintable(flown.error));
+    }
+
     void whatIsWrongIsSaid_data()
     {
         QTest::addColumn<QString>("harm");
