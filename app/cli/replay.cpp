@@ -1,8 +1,10 @@
 #include "cli/replay.h"
 
 #include "cli/terminal.h"
+#include "io/event_table.h"
 #include "measure/diagnostics.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <map>
@@ -48,6 +50,21 @@ std::string plural(std::size_t count, const std::string& noun)
 }
 
 std::string megabytes(std::size_t bytes) { return shortNumber(double(bytes) / 1e6) + " MB"; }
+
+// The first of them; --json and run --events have all.
+void printEvents(const Json& events)
+{
+    constexpr std::size_t most = 30;
+    for (std::size_t i = 0; i < std::min(most, events.size()); ++i) {
+        const Json& event = events[i];
+        const int count = event["count"].get<int>();
+        row("  " + shortNumber(event["time"]) + " s",
+            event["event"].get<std::string>() + "  " + event["subject"].get<std::string>()
+                + (count > 1 ? ", " + std::to_string(count) + " in all" : ""));
+    }
+    if (events.size() > most)
+        row("", "and " + std::to_string(events.size() - most) + " more");
+}
 
 } // namespace
 
@@ -111,10 +128,19 @@ int describeRecording(const std::string& file, bool json)
         return BadInput;
     const std::size_t frames = recording->frameCount();
     std::map<std::string, std::size_t> events;
-    for (const RunEvent& event : recording->events())
-        events[std::string(runEventNames[std::size_t(event.kind)])] += std::size_t(event.count);
+    Json list = Json::array();
+    const Scene scene = recording->scene();
+    for (const RunEvent& event : recording->events()) {
+        const std::string kind(runEventNames[std::size_t(event.kind)]);
+        events[kind] += std::size_t(event.count);
+        list.push_back({{"time", event.time},
+                        {"step", event.step},
+                        {"event", kind},
+                        {"subject", subjectOf(event, scene)},
+                        {"count", event.count}});
+    }
     Json info = {{"name", recording->name()},
-                 {"title", recording->scene().settings.title},
+                 {"title", scene.settings.title},
                  {"origin", recording->origin()},
                  {"from", recording->timeOf(0)},
                  {"to", recording->timeOf(frames - 1)},
@@ -126,6 +152,7 @@ int describeRecording(const std::string& file, bool json)
                  {"events", events},
                  {"hash", hashText(recording->hashOf(recording->lastStep()))},
                  {"bytes", recording->size().disk}};
+    info["event_list"] = std::move(list);
     info["bookmarks"] = Json::array();
     for (const Bookmark& bookmark : recording->bookmarks())
         info["bookmarks"].push_back({{"time", bookmark.time}, {"name", bookmark.name}});
@@ -145,6 +172,7 @@ int describeRecording(const std::string& file, bool json)
     row("inputs", plural(info["inputs"].get<std::size_t>(), "input"));
     for (const auto& [name, count] : events)
         row("events: " + name, std::to_string(count));
+    printEvents(info["event_list"]);
     for (const Bookmark& bookmark : recording->bookmarks())
         row("bookmark", shortNumber(bookmark.time) + " s " + bookmark.name);
     row("hash at the end", text("hash"));

@@ -7,6 +7,7 @@
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
+#include "io/event_table.h"
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"
@@ -37,6 +38,7 @@ struct Options
     int threads = 1;
     std::string csv;
     std::string tears;
+    std::string events;
     std::string finalScene;
     std::string controls;
     std::string record;
@@ -46,10 +48,35 @@ struct Options
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
+// What happened, for a run that is not recorded as well.
+class EventList
+{
+public:
+    explicit EventList(Simulation& simulation)
+    {
+        simulation.keepInputs(&m_inputs);
+        m_watch.begin(simulation);
+    }
+
+    void look(const Simulation& simulation)
+    {
+        const auto events = m_watch.look(simulation, m_inputs);
+        m_events.insert(m_events.end(), events.begin(), events.end());
+        m_inputs.clear();
+    }
+
+    const std::vector<RunEvent>& all() const { return m_events; }
+
+private:
+    EventWatch m_watch;
+    std::vector<RunInput> m_inputs;
+    std::vector<RunEvent> m_events;
+};
+
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
 // s.
 double fly(Simulation& simulation, const Options& options, ControlPlayer& controls,
-           CsvWriter* table, Settler* settler, Recorder& recorder)
+           CsvWriter* table, Settler* settler, Recorder& recorder, EventList* events)
 {
     const double end = options.seconds.value_or(SettleGoal().within);
     ProgressLine progress(options.scene.file);
@@ -64,6 +91,8 @@ double fly(Simulation& simulation, const Options& options, ControlPlayer& contro
         if (!simulation.step())
             break;
         recorder.afterStep(simulation);
+        if (events)
+            events->look(simulation);
         if (table)
             table->add(*simulation.frame());
         if (settler)
@@ -196,6 +225,11 @@ void printTable(const Json& result, const Layout& layout)
     }
 }
 
+std::vector<RunEvent> eventsOf(const Recorder& recorder)
+{
+    return recorder.recording() ? recorder.recording()->events() : std::vector<RunEvent>();
+}
+
 std::optional<Failure> save(Recorder& recorder, const std::string& file)
 {
     const std::shared_ptr<Recording> recording = recorder.recording();
@@ -234,9 +268,14 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     Recorder recorder;
     if (!options.record.empty()) // otherwise it has no design, and records nothing
         recorder.loaded(simulation, {std::make_shared<const Scene>(scene), {}});
-    const double wallSeconds = fly(simulation, options, controls, table ? &*table : nullptr,
-                                   settler ? &*settler : nullptr, recorder);
+    std::optional<EventList> events;
+    if (!options.events.empty() && options.record.empty())
+        events.emplace(simulation);
+    const double wallSeconds =
+        fly(simulation, options, controls, table ? &*table : nullptr, settler ? &*settler : nullptr,
+            recorder, events ? &*events : nullptr);
     simulation.keepTimes(nullptr);
+    simulation.keepInputs(nullptr);
 
     // What was flown is reported even when a file cannot be written.
     std::vector<std::optional<Failure>> written;
@@ -244,6 +283,9 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
         written.push_back(table->close(*simulation.frame()));
     if (!options.tears.empty())
         written.push_back(writeTears(scene, simulation.frame()->tears, options.tears));
+    if (!options.events.empty())
+        written.push_back(
+            writeEvents(scene, events ? events->all() : eventsOf(recorder), options.events));
     if (!options.finalScene.empty())
         written.push_back(
             saveScene(posed(std::move(scene), *simulation.frame()).scene, options.finalScene));
@@ -322,7 +364,8 @@ int run(const Options& options)
     const auto system = compile(*loaded.scene);
     if (!system)
         return fail(BadInput, options.scene.file + ": " + system.message());
-    if (options.finalScene.empty() && options.tears.empty() && options.record.empty())
+    if (options.finalScene.empty() && options.tears.empty() && options.record.empty()
+        && options.events.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
     return flyAndReport(std::move(*loaded.scene), simulation, options, *goal, std::move(track));
@@ -369,6 +412,10 @@ void addRun(CLI::App& app, Command& chosen)
     command
         ->add_option("--tears", options->tears,
                      "Write every break: time, element, part, strain, force, energy, place")
+        ->type_name("FILE");
+    command
+        ->add_option("--events", options->events,
+                     "Write what happened and when: tears, contact, lines that go slack or taut")
         ->type_name("FILE");
     command
         ->add_option("--final", options->finalScene,

@@ -114,7 +114,10 @@ void compileSound(const Scene& scene, const ElementIndex& index, System& system)
 {
     takeSettings(scene.settings, system);
     reserve(scene, system);
-    forEachPart(scene, [&](Id, const Part& part) { addParticles(part, system); });
+    forEachPart(scene, [&](Id id, const Part& part) {
+        system.parts.push_back({Key(id), int(system.key.size())});
+        addParticles(part, system);
+    });
     RodOrder order = addLinks(scene, index, system);
     addPanels(scene, index, system);
     takeWinds(windsOf(scene), system);

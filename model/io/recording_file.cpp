@@ -22,8 +22,8 @@ void visit(A& archive, Of<A, Bookmark>& bookmark)
 template <typename A>
 void visit(A& archive, Of<A, RunEvent>& event)
 {
-    auto& [kind, step, time, what, count] = event;
-    archive(kind, step, time, what, count);
+    auto& [kind, step, time, what, count, with] = event;
+    archive(kind, step, time, what, count, with);
 }
 
 template <typename A>
@@ -37,7 +37,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view firstLine = "RIPSTOP-RUN 1\n";
+constexpr std::string_view firstLine = "RIPSTOP-RUN 2\n";
+constexpr std::string_view firstLineBefore = "RIPSTOP-RUN 1\n"; // events named no collider
+static_assert(firstLine.size() == firstLineBefore.size());
+
+struct EventBefore
+{
+    RunEvent event;
+};
+
+template <typename A>
+void visit(A& archive, Of<A, EventBefore>& before)
+{
+    auto& [kind, step, time, what, count, with] = before.event;
+    archive(kind, step, time, what, count);
+}
+
+struct StretchBefore
+{
+    StoredChunk chunk;
+    std::vector<EventBefore> events;
+};
+
+template <typename A>
+void visit(A& archive, Of<A, StretchBefore>& before)
+{
+    auto& [firstStep, design, frameSteps, frameTimes, hashes, inputs, events] = before.chunk;
+    archive(firstStep, design, frameSteps, frameTimes, hashes, inputs, before.events);
+}
 
 enum class BlockKind : std::uint32_t { About = 1, Design, Stretch, End };
 
@@ -91,6 +118,16 @@ bool readWhole(std::string_view bytes, T& value)
     ByteReader reader(bytes);
     reader(value);
     return reader.ok() && reader.atEnd();
+}
+
+bool readBefore(std::string_view bytes, StoredChunk& chunk)
+{
+    StretchBefore before;
+    const bool whole = readWhole(bytes, before);
+    chunk = std::move(before.chunk);
+    for (const EventBefore& event : before.events)
+        chunk.events.push_back(event.event);
+    return whole;
 }
 
 // --- writing -------------------------------------------------------------------------------------
@@ -190,8 +227,10 @@ private:
 class Reader
 {
 public:
-    Reader(std::shared_ptr<RunFile> file, std::uint64_t size, const fs::path& path)
+    enum class Version { Before, Now };
+    Reader(std::shared_ptr<RunFile> file, Version version, std::uint64_t size, const fs::path& path)
         : m_file(std::move(file))
+        , m_version(version)
         , m_size(size)
         , m_name(path.string())
         , m_folder(path.parent_path().string())
@@ -278,8 +317,13 @@ private:
         const Result<std::string> head =
             unpacked(std::string_view(content).substr(prefix, std::size_t(length)));
         StoredChunk chunk;
-        if (!head || !readWhole(*head, chunk) || !isSound(chunk))
+        if (!head
+            || !(m_version == Version::Now ? readWhole(*head, chunk) : readBefore(*head, chunk))
+            || !isSound(chunk))
             return "is damaged";
+        std::erase_if(chunk.events, [](const RunEvent& event) { // of a later version
+            return std::size_t(event.kind) >= runEventNames.size();
+        });
         const std::uint64_t place = begin + prefix + length;
         const std::size_t size = content.size() - prefix - std::size_t(length);
         const auto fetch = [file = m_file, place, size, name = m_name]() -> Result<std::string> {
@@ -293,6 +337,7 @@ private:
     }
 
     std::shared_ptr<RunFile> m_file;
+    Version m_version;
     std::uint64_t m_size;
     std::string m_name;
     std::string m_folder; // what scenes name is seen from there
@@ -332,14 +377,15 @@ Result<OpenedRecording> openRecording(const fs::path& file, const Progress& prog
     if (error || !open->isOpen())
         return Failure{file.string() + " cannot be opened; check that you may read it."};
     const std::string start = open->read(0, firstLine.size());
-    if (start != firstLine) {
+    if (start != firstLine && start != firstLineBefore) {
         const bool newer = start.starts_with(firstLine.substr(0, firstLine.find(' ') + 1));
         return Failure{file.string()
                        + (newer ? " was written by a later version of Ripstop; open it with that."
                                 : " is not a recording of Ripstop (*.ripstop-run).")};
     }
 
-    Reader reader(open, size, file);
+    const auto version = start == firstLine ? Reader::Version::Now : Reader::Version::Before;
+    Reader reader(open, version, size, file);
     OpenedRecording opened;
     std::optional<std::string> wrong;
     while (!reader.atEnd() && !wrong) {

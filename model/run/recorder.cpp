@@ -60,9 +60,8 @@ void Recorder::loaded(Simulation& simulation, const Design& design)
 
 void Recorder::begin(Simulation& simulation)
 {
-    m_time = simulation.state().time;
     m_inputs.clear(); // they are in the state that it begins with
-    m_lastInput = {};
+    m_watch.begin(simulation);
     m_recording = std::make_shared<Recording>(m_memory, simulation.system().run);
     m_number = m_recording->addDesign(m_design);
     startChunk(simulation);
@@ -94,7 +93,6 @@ void Recorder::startChunk(const Simulation& simulation)
     m_splits = state.splits.size();
     m_pins = state.hands.pins;
     m_particles = state.position.size();
-    m_tears = state.tears.size();
     m_startBytes = bytesIn(state);
     m_firstStep = m_lastFrame = state.step;
     const std::size_t frameBytes =
@@ -110,7 +108,7 @@ void Recorder::afterStep(const Simulation& simulation)
     if (!m_recording)
         return;
     const State& state = simulation.state();
-    noteEvents(state);
+    noteEvents(simulation);
     if (needsStart(simulation))
         return startChunk(simulation);
     m_recording->addStep(state.step, stateHash(state));
@@ -120,21 +118,12 @@ void Recorder::afterStep(const Simulation& simulation)
     m_bytes += m_recording->addFrame(state);
 }
 
-void Recorder::noteEvents(const State& state)
+void Recorder::noteEvents(const Simulation& simulation)
 {
-    if (!m_inputs.empty()) {
-        for (const RunInput& input : m_inputs) {
-            if (isEvent(input, m_lastInput))
-                m_recording->addEvent(eventOf(input, m_time));
-            m_lastInput = kindOf(input);
-        }
+    for (const RunEvent& event : m_watch.look(simulation, m_inputs))
+        m_recording->addEvent(event);
+    if (!m_inputs.empty())
         m_recording->addInputs(std::exchange(m_inputs, {}));
-    }
-    if (state.tears.size() > m_tears)
-        m_recording->addEvent({RunEvent::Kind::Tear, state.step, state.tears[m_tears].time,
-                               state.tears[m_tears].link, int(state.tears.size() - m_tears)});
-    m_tears = state.tears.size();
-    m_time = state.time;
 }
 
 } // namespace ripstop

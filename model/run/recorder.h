@@ -3,6 +3,7 @@
 // A recording begins with the first step of a run; what was told before is in its first state.
 #pragma once
 
+#include "run/event_watch.h"
 #include "run/recording.h"
 #include "run/simulation.h"
 
@@ -31,22 +32,20 @@ private:
     void begin(Simulation& simulation);
     bool needsStart(const Simulation& simulation) const;
     void startChunk(const Simulation& simulation);
-    void noteEvents(const State& state);
+    void noteEvents(const Simulation& simulation);
 
     std::size_t m_memory;
     std::shared_ptr<Recording> m_recording;
     std::vector<RunInput> m_inputs; // that the simulation has told of
-    InputKind m_lastInput;
+    EventWatch m_watch;
     Design m_design;
-    int m_number = -1;   // of the design
-    double m_time = 0.0; // s, of the step before
+    int m_number = -1; // of the design
 
     // of the stretch under way
     int m_startDesign = -1; // its number
     std::vector<std::uint32_t> m_pins;
     std::size_t m_splits = 0;
     std::size_t m_particles = 0;
-    std::size_t m_tears = 0;
     std::size_t m_bytes = 0;      // of its frames
     std::size_t m_startBytes = 0; // of its first state
     std::int64_t m_firstStep = 0;

@@ -11,18 +11,20 @@ namespace ripstop {
 
 struct RunEvent
 {
-    enum class Kind { Tear, Control, Hand, Edit, Stopped };
+    enum class Kind { Tear, Control, Hand, Edit, Stopped, Contact, LiftOff, Slack, Taut };
     Kind kind = Kind::Tear;
     std::int64_t step = 0;
     double time = 0.0;      // s
-    std::uint32_t what = 0; // id of the link that tore, the control that was moved; 0 for none
-    int count = 1;          // links that tore in the step
+    std::uint32_t what = 0; // id of the link that tore, the control that was moved, the part that
+                            // touches, the first link of the line; 0 for none
+    int count = 1;          // links that tore in the step, lines that changed
+    std::uint32_t with = 0; // id of the collider that is touched
 
     friend bool operator==(const RunEvent&, const RunEvent&) = default;
 };
 
-inline constexpr std::array<std::string_view, 5> runEventNames{"tear", "control", "hand", "edit",
-                                                               "stopped"};
+inline constexpr std::array<std::string_view, 9> runEventNames{
+    "tear", "control", "hand", "edit", "stopped", "contact", "lift_off", "slack", "taut"};
 
 // What an input is about: which control, which thing that hands do.
 struct InputKind

@@ -69,6 +69,7 @@ public:
     const System& system() const { return m_split ? *m_split : *m_system; }
     const std::shared_ptr<const System>& compiled() const { return m_system; }
     const State& state() const { return m_state; }
+    std::span<const std::uint32_t> touches() const { return m_stepper.touches(); }
     const std::optional<Trouble>& trouble() const { return m_trouble; }
 
     std::shared_ptr<Frame> frame() const; // a new one, the caller's own

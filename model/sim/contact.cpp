@@ -120,13 +120,14 @@ struct ContactWork
     double h;         // s
     double restSpeed; // m/s
     bool planesOnly;
+    std::span<std::uint32_t> touches; // [particles]
 };
 
 // In the order of the obstacles: one may push a particle into the next. A particle is looked at
 // only if it may have touched one of them.
 void resolveContact(const ContactWork& work, std::size_t i)
 {
-    const auto& [system, state, before, placed, h, restSpeed, planesOnly] = work;
+    const auto& [system, state, before, placed, h, restSpeed, planesOnly, touches] = work;
     if (system.inverseMass[i] == 0.0)
         return;
     const bool verlet = system.integrator == Integrator::Verlet;
@@ -141,6 +142,7 @@ void resolveContact(const ContactWork& work, std::size_t i)
             found = touchOnGuide(*guided, *found, state.position[i]);
         if (!found)
             continue;
+        touches[i] |= touchOf(o);
         const Vec3& n = found->normal;
         const Vec3 pace = placed[o].way / h; // m/s, of the surface
         const Rebound now = rebound(obstacle, state.velocity[i] - pace, n, restSpeed);
@@ -165,15 +167,16 @@ void resolveContact(const ContactWork& work, std::size_t i)
 namespace ripstop {
 
 void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
-                     std::span<const PlacedObstacle> placed, double h, Crew& crew)
+                     std::span<const PlacedObstacle> placed, double h, Crew& crew,
+                     std::span<std::uint32_t> touches)
 {
     if (system.obstacles.empty())
         return;
     const bool planesOnly =
         std::all_of(system.obstacles.begin(), system.obstacles.end(),
                     [](const Obstacle& o) { return o.shape == ColliderShape::Plane; });
-    const ContactWork work = {system,    state, before, placed, h, 2.0 * system.gravity.norm() * h,
-                              planesOnly};
+    const ContactWork work = {
+        system, state, before, placed, h, 2.0 * system.gravity.norm() * h, planesOnly, touches};
     crew.each(state.position.size(), [&](std::size_t first, std::size_t last) {
         (wideMachine ? wide::findContacts : anywhere::findContacts)(work, first, last);
     });

@@ -14,6 +14,7 @@
 #include "sim/obstacle_motion.h"
 #include "sim/system.h"
 
+#include <cstdint>
 #include <span>
 
 namespace ripstop {
@@ -22,7 +23,15 @@ namespace ripstop {
 // rest and does not bounce.
 //   before  [particles]  m, position at the start of the substep
 //   placed  [obstacles]
+//   touches [particles]  adds touchOf() of each obstacle that was met
 void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
-                     std::span<const PlacedObstacle> placed, double h, Crew& crew);
+                     std::span<const PlacedObstacle> placed, double h, Crew& crew,
+                     std::span<std::uint32_t> touches);
+
+// A bit for each of the first 32 obstacles, 0 for those after them.
+constexpr std::uint32_t touchOf(std::size_t obstacle)
+{
+    return obstacle < 32 ? std::uint32_t(1) << obstacle : 0;
+}
 
 } // namespace ripstop

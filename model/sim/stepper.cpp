@@ -60,6 +60,7 @@ int Stepper::step(const System& system, State& state)
 void Stepper::prepare(const System& system, State& state)
 {
     m_placed.resize(system.obstacles.size());
+    m_touches.assign(system.obstacles.empty() ? 0 : state.position.size(), 0);
     m_springForce.resize(system.springs.size());
     m_panelLoad.resize(system.panels.size());
     m_lineDrag.resize(system.dragLines.size());
@@ -167,7 +168,7 @@ void Stepper::substep(RodTask& task, State& state)
     m_clock.lap(StepStage::Motion);
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
-    resolveContacts(system, state, m_before, m_placed, h, m_crew);
+    resolveContacts(system, state, m_before, m_placed, h, m_crew, m_touches);
     keepOnGuides(system, m_before, state);
     m_clock.lap(StepStage::Contact);
     if (m_judgesLinks)

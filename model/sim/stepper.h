@@ -30,6 +30,9 @@ public:
     // Adds what each stage of the steps from now on takes; null stops that.
     void keepTimes(StepTimes* times) { m_clock.giveTo(times); }
 
+    // Which obstacles each particle met in the last step, as touchOf() has it; empty without any.
+    std::span<const std::uint32_t> touches() const { return m_touches; }
+
     // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
     // for.
     int substepsOf(const System& system, const State& state) const;
@@ -71,6 +74,7 @@ private:
     std::vector<PaddedVec3> m_before;        // [particles] m, at the start of the substep
     std::vector<PaddedVec3> m_predicted;     // [particles] m, before projection
     std::vector<PlacedObstacle> m_placed;    // [obstacles] in this substep
+    std::vector<std::uint32_t> m_touches;    // [particles] in this step, or empty
     std::vector<double> m_restLength;        // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;         // [rods] m, before projection
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear

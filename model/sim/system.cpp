@@ -148,14 +148,14 @@ auto fieldsOf(S& system)
 {
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
            solver, strainGoal, tearsPerStep, tearMesh, gravity, airDensity, wind, airflows, gusts,
-           viscosity, speedLimit, key, mass, inverseMass, guided, springs, rods, colorStart,
+           viscosity, speedLimit, key, parts, mass, inverseMass, guided, springs, rods, colorStart,
            chunkStart, chunkClass, chunkReach, direct, materialAir, bending, dragLines, bends,
            panels, panelKey, wings, links, linkStuff, springLink, rodLink, tearableSprings,
            tearableRods, springsAt, rodsAt, panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles,
            fabricLayer, canopies, inputs, shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     tearsPerStep, tearMesh, gravity, airDensity, wind, airflows, gusts, viscosity,
-                    speedLimit, key, mass, inverseMass, guided, springs, rods, colorStart,
+                    speedLimit, key, parts, mass, inverseMass, guided, springs, rods, colorStart,
                     chunkStart, chunkClass, chunkReach, direct, materialAir, bending, dragLines,
                     bends, panels, panelKey, wings, links, linkStuff, springLink, rodLink,
                     tearableSprings, tearableRods, springsAt, rodsAt, panelsAt, dragLinesAt,

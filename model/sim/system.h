@@ -45,6 +45,15 @@ struct ProbeSpec
     friend bool operator==(const ProbeSpec&, const ProbeSpec&) = default;
 };
 
+// Particles stand part by part; those that tears have added come last and are of no part here.
+struct PartPlace
+{
+    Key key;
+    int first; // particle index
+
+    friend bool operator==(const PartPlace&, const PartPlace&) = default;
+};
+
 // Lists of lists in two arrays: row i is items[start[i]] .. items[start[i + 1]].
 struct Rows
 {
@@ -90,6 +99,7 @@ struct System
     double speedLimit = 1000.0; // m/s
 
     std::vector<Key> key;               // [particles]
+    std::vector<PartPlace> parts;       // in ascending order of their first particles
     std::vector<double> mass;           // [particles] kg, the true mass even when pinned
     std::vector<double> inverseMass;    // [particles] 1/kg, 0 when pinned
     std::vector<GuidedParticle> guided; // in ascending order of particle

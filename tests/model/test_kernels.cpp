@@ -366,9 +366,12 @@ private slots:
                 std::vector<PlacedObstacle> placed(1);
                 beginMoves(system, state, 0.0, placed);
                 endMoves(system, state, 0.0, placed);
-                resolveContacts(system, state, system.start.position, placed, 0.01, crew);
-                for (int i = 0; i < count; ++i)
+                std::vector<std::uint32_t> touches(std::size_t(count), 0);
+                resolveContacts(system, state, system.start.position, placed, 0.01, crew, touches);
+                for (int i = 0; i < count; ++i) {
                     QCOMPARE(state.position[std::size_t(i)].y(), i == inside ? 0.0 : 1.0);
+                    QCOMPARE(touches[std::size_t(i)], i == inside ? touchOf(0) : 0u);
+                }
             }
     }
 

@@ -303,7 +303,7 @@ private slots:
         QTest::newRow("empty") << QByteArray() << "is not a recording";
         QTest::newRow("text") << QByteArray("{\"format\": 1}") << "is not a recording";
         QTest::newRow("later") << QByteArray("RIPSTOP-RUN 9\nabc") << "later version";
-        QTest::newRow("head only") << QByteArray("RIPSTOP-RUN 1\n") << "before its first frame";
+        QTest::newRow("head only") << QByteArray("RIPSTOP-RUN 2\n") << "before its first frame";
         QTest::newRow("huge length")
             << QByteArray("RIPSTOP-RUN 1\n") + QByteArray(64, char(0xff)) << "before its first";
     }

@@ -1,5 +1,6 @@
 #include "timeline/timeline_strip.h"
 
+#include "document/event_words.h"
 #include "document/recordings.h"
 
 #include <QEvent>
@@ -44,28 +45,6 @@ QString timeText(double time, double tick)
 }
 
 } // namespace
-
-QString describe(const RunEvent& event)
-{
-    const QString at = QLocale().toString(event.time, 'f', 3);
-    switch (event.kind) {
-    case RunEvent::Kind::Tear:
-        return event.count == 1 ? TimelineStrip::tr("%1 s: link %2 tore").arg(at).arg(event.what)
-                                : TimelineStrip::tr("%1 s: %2 links tore, link %3 first")
-                                      .arg(at)
-                                      .arg(event.count)
-                                      .arg(event.what);
-    case RunEvent::Kind::Control:
-        return TimelineStrip::tr("%1 s: a control was moved").arg(at);
-    case RunEvent::Kind::Hand:
-        return TimelineStrip::tr("%1 s: something was done by hand").arg(at);
-    case RunEvent::Kind::Edit:
-        return TimelineStrip::tr("%1 s: the design was edited").arg(at);
-    case RunEvent::Kind::Stopped:
-        return TimelineStrip::tr("%1 s: the simulation could not go on").arg(at);
-    }
-    return {};
-}
 
 TimelineStrip::TimelineStrip(Recordings& recordings, QWidget* parent)
     : QWidget(parent)
@@ -135,10 +114,13 @@ QString TimelineStrip::tipAt(int x) const
                               QString::fromStdString(bookmark.name));
     constexpr int most = 6;
     qsizetype left = 0;
+    const int designs = int(recording->designCount());
+    const auto scene = designs > 0 ? recording->design(designs - 1).base : nullptr;
+    const Scene nobody;
     for (const RunEvent& event : m_events)
         if (std::abs(placeOf(event.time) - x) <= near) {
             if (lines.size() < most)
-                lines << ripstop::describe(event);
+                lines << describe(event, scene ? *scene : nobody);
             else
                 ++left;
         }
@@ -148,14 +130,6 @@ QString TimelineStrip::tipAt(int x) const
 }
 
 // --- painting ----------------------------------------------------------------------------------
-
-QColor TimelineStrip::colorOf(RunEvent::Kind kind) const
-{
-    static constexpr std::array light{0xc62828, 0x1565c0, 0x6a1b9a, 0x2e7d32, 0x8d4b00};
-    static constexpr std::array dark{0xff6b60, 0x64b5f6, 0xce93d8, 0x81c784, 0xffb74d};
-    const auto index = std::size_t(kind);
-    return QRgb(0xff000000u | unsigned(isDark(palette()) ? dark[index] : light[index]));
-}
 
 void TimelineStrip::paintEvent(QPaintEvent*)
 {
@@ -221,16 +195,19 @@ void TimelineStrip::paintAxis(QPainter& painter) const
 
 void TimelineStrip::paintEvents(QPainter& painter) const
 {
-    // the lower a kind stands in this, the rarer it is: none hides another
+    // kinds that may come together stand below each other, so that none hides another
+    static constexpr std::array lanes{0, 1, 1, 2, 0, 3, 3, 4, 4};
+    static_assert(lanes.size() == runEventNames.size());
+    constexpr int laneCount = 5;
     const int top = axisHeight + 8;
-    const int room = std::max(10, height() - top - 6);
+    const int room = std::max(3 * laneCount, height() - top - 4);
     for (const RunEvent& event : m_events) {
         const int x = placeOf(event.time);
         if (x < 0 || x > width())
             continue;
-        const int lane = int(event.kind) % 3;
-        const int laneTop = top + lane * room / 3;
-        painter.fillRect(QRect(x - 1, laneTop, 3, std::max(3, room / 3 - 2)), colorOf(event.kind));
+        const int laneTop = top + lanes[std::size_t(event.kind)] * room / laneCount;
+        painter.fillRect(QRect(x - 1, laneTop, 3, std::max(3, room / laneCount - 1)),
+                         eventColor(event.kind, palette()));
     }
 }
 

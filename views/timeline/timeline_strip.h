@@ -51,15 +51,11 @@ private:
     void paintEvents(QPainter& painter) const;
     void paintBookmarks(QPainter& painter) const;
     void paintHere(QPainter& painter) const;
-    QColor colorOf(RunEvent::Kind kind) const;
 
     Recordings& m_recordings;
     std::vector<RunEvent> m_events;
     Span m_zoom;
     bool m_zoomed = false;
 };
-
-// "Tear: link 17 and 3 more"
-QString describe(const RunEvent& event);
 
 } // namespace ripstop

@@ -1,0 +1,18 @@
+// Events of a run, as views show them.
+#pragma once
+
+#include "run/run_event.h"
+#include "scene/scene.h"
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+namespace ripstop {
+
+// "3.204 s: canopy touches ground"; the scene is the one that names are looked up in.
+QString describe(const RunEvent& event, const Scene& scene);
+
+QColor eventColor(RunEvent::Kind kind, const QPalette& palette);
+
+} // namespace ripstop
