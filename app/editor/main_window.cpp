@@ -243,6 +243,7 @@ void MainWindow::connectParts()
     connect(m_recordings, &Recordings::failed, this,
             [this](const QString& why) { statusBar()->showMessage(why, 15000); });
     connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
+    m_plots->markEventsOf(*m_recordings);
     connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear);
     connect(m_files, &Files::recentChanged, this,
             [this] { m_start->setRecent(m_files->recent()); });

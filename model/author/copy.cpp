@@ -144,6 +144,9 @@ public:
         else if (Probe* probe = std::get_if<Probe>(&copy)) {
             probe->target = (*this)(probe->target);
             probe->from = (*this)(probe->from);
+        } else if (Plot* plot = std::get_if<Plot>(&copy)) {
+            renew(plot->probes);
+            plot->against = (*this)(plot->against);
         } else if (Collider* collider = std::get_if<Collider>(&copy))
             *collider = placed(*collider, motion);
         else if (Wind* wind = std::get_if<Wind>(&copy))
@@ -361,6 +364,10 @@ Scene excerpt(const Scene& scene, const std::vector<Id>& selected)
         if (Probe* probe = std::get_if<Probe>(&item)) {
             probe->target = isKept(probe->target) ? probe->target : noId;
             probe->from = isKept(probe->from) ? probe->from : noId;
+        }
+        if (Plot* plot = std::get_if<Plot>(&item)) {
+            std::erase_if(plot->probes, [&](Id id) { return !isKept(id); });
+            plot->against = isKept(plot->against) ? plot->against : noId;
         }
         some.items.push_back({entry.id, std::move(item)});
     }

@@ -24,7 +24,8 @@ bool isBody(const Item& item)
 
 bool isInstrument(const Item& item)
 {
-    return std::holds_alternative<Control>(item) || std::holds_alternative<Probe>(item);
+    return std::holds_alternative<Control>(item) || std::holds_alternative<Probe>(item)
+           || std::holds_alternative<Plot>(item);
 }
 
 Vec3 shiftOf(const InsertWish& wish, const Eigen::AlignedBox3d& there,

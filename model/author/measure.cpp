@@ -98,8 +98,8 @@ std::optional<ProbeEdit> withProbe(const Scene& scene, Quantity quantity,
         probe.target = Id{next++};
     }
     result.probe = Id{next};
-    result.edit.changes.push_back(
-        AddItem{scene.items.size() + result.edit.changes.size(), {result.probe, probe}});
+    const std::size_t place = scene.items.size() + result.edit.changes.size();
+    result.edit.changes.emplace_back(AddItem{place, {result.probe, std::move(probe)}});
     return result;
 }
 

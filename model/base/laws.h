@@ -85,8 +85,11 @@ enum class Quantity {
     Heading,
     Momentum,
     EnergyChange,
-    Formula
+    Formula,
+    StepsPerSecond // of the clock, while it runs in the window
 };
+
+enum class PlotAxis { Time, Probe, Frequency }; // what a plot shows its curves against
 
 template <typename E>
 inline constexpr std::array<std::string_view, 0> choiceNames{};
@@ -126,7 +129,7 @@ template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<ControlKind>{"move", "weight_shift"};
 // clang-format off
 template <>
-inline constexpr std::array<std::string_view, 45> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 46> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
@@ -135,7 +138,10 @@ inline constexpr std::array<std::string_view, 45> choiceNames<Quantity>{
     "airspeed",         "mean_strain",    "high_strain",      "length",      "area",
     "reaction",         "lift",           "drag",             "lift_to_drag", "drag_area",
     "pressure_x",       "pressure_y",     "pressure_z",       "angle_of_attack", "pitch",
-    "roll",             "heading",        "momentum",         "energy_change", "formula"};
+    "roll",             "heading",        "momentum",         "energy_change", "formula",       "steps_per_second"};
 // clang-format on
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<PlotAxis>{"time", "probe",
+                                                                       "frequency"};
 
 } // namespace ripstop

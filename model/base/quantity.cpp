@@ -54,6 +54,7 @@ constexpr std::array table{
     QuantityRow{Quantity::Momentum,        "kg m/s", Of::Particles, 1, "Of all that can move, its length."},
     QuantityRow{Quantity::EnergyChange,    "J", Of::Whole, 1, "Total energy less that of the start: what air, hands and the solver have brought or taken."},
     QuantityRow{Quantity::Formula,         "", Of::Probes, 1, "A number made of what other probes read."},
+    QuantityRow{Quantity::StepsPerSecond,  "1/s", Of::Whole, 1, "Time steps for each second of the clock, lately: only while it runs in the window, and nothing in files."},
 };
 // clang-format on
 

@@ -26,6 +26,15 @@ bool hasCanopies(const Scene& scene)
     return some;
 }
 
+// A plot comes or goes, which no system knows of.
+bool isPlot(const Scene& scene, const Change& change)
+{
+    if (const auto* added = std::get_if<AddItem>(&change))
+        return std::holds_alternative<Plot>(added->entry.item);
+    const auto* removed = std::get_if<RemoveItem>(&change);
+    return removed && findItem<Plot>(scene, removed->id);
+}
+
 void add(std::vector<Id>& list, const std::vector<Id>& ids)
 {
     list.insert(list.end(), ids.begin(), ids.end());
@@ -60,6 +69,8 @@ void LiveSystem::apply(const Edit& edit)
     for (const Change& change : edit.changes)
         if (const auto* values = std::get_if<SetValues>(&change))
             note(*values);
+        else if (isPlot(m_scene, change))
+            m_noted.probes = true; // which it names
         else
             m_noted.structure = true;
     (void)ripstop::apply(m_scene, edit);
@@ -68,8 +79,10 @@ void LiveSystem::apply(const Edit& edit)
 void LiveSystem::note(const SetValues& change)
 {
     const Property& property = *change.property;
-    // names and the like; those of probes stand in the system
-    if (property.effect == Effect::DisplayOnly && property.kind != Kind::Probe)
+    // names and the like; those of probes stand in the system, and plots name probes
+    const bool isAboutProbes =
+        property.kind == Kind::Probe || (property.kind == Kind::Plot && !property.pointsAt.empty());
+    if (property.effect == Effect::DisplayOnly && !isAboutProbes)
         return;
     const bool shapes = property.kind == Kind::Particle || property.kind == Kind::Link
                         || property.kind == Kind::Part;
@@ -104,6 +117,7 @@ void LiveSystem::note(const SetValues& change)
         break;
     case Kind::Group:
     case Kind::Probe:
+    case Kind::Plot:
         m_noted.probes = true;
         break;
     case Kind::Part:

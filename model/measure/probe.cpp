@@ -221,7 +221,8 @@ double Readings::value(const ProbeSpec& probe)
     case Quantity::AngleOfAttack:
         return angleOfAttack(probe, *this);
     case Quantity::Formula:
-        break; // known when the others are
+    case Quantity::StepsPerSecond:
+        break; // known when the others are; of the clock, that the runner alone looks at
     }
     return nothing;
 }

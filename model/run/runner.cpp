@@ -65,6 +65,14 @@ private:
     bool m_playing = false;
 };
 
+// What depends on the clock is nowhere but in the frames of a run that somebody watches.
+void readClock(Frame& frame, const System& system)
+{
+    for (std::size_t i = 0; i < system.probes.size(); ++i)
+        if (system.probes[i].quantity == Quantity::StepsPerSecond)
+            frame.probe[i] = frame.realTimeRatio / system.timeStep;
+}
+
 } // namespace
 
 Runner::Runner()
@@ -169,6 +177,7 @@ void Runner::run(const std::stop_token& stop)
         if (settler)
             frame->settling = settler->progress();
         frame->realTimeRatio = pace.update(frame->time);
+        readClock(*frame, simulation->system());
         m_frames.put(std::move(frame));
         framed = Clock::now();
         fresh = false;

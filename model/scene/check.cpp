@@ -238,6 +238,8 @@ private:
             }
             if (const Probe* probe = std::get_if<Probe>(&entry.item))
                 checkProbe(*probe, entry.id);
+            if (const Plot* plot = std::get_if<Plot>(&entry.item))
+                checkPlot(*plot, entry.id);
         }
         for (const ProbeFormula& probe : formulasOf(m_scene))
             if (!probe.formula)
@@ -256,6 +258,17 @@ private:
         else if (points >= 3 && probe.side == noId)
             add("probe", Severity::Warning,
                 "Probe " + probe.name + " needs a third particle, on the right.", id);
+    }
+
+    void checkPlot(const Plot& plot, Id id)
+    {
+        if (plot.axis == PlotAxis::Probe && plot.against == noId)
+            add("plot", Severity::Warning,
+                "Plot " + plot.name + " needs the probe that its curves are against.", id);
+        if (plot.low && plot.high && *plot.low >= *plot.high)
+            add("plot", Severity::Warning,
+                "Plot " + plot.name + " shows no values: its lowest has to be below its highest.",
+                id);
     }
 
     void gaps()

@@ -210,6 +210,21 @@ struct Probe
     friend bool operator==(const Probe&, const Probe&) = default;
 };
 
+// What a panel of the plots dock shows.
+struct Plot
+{
+    std::string name = "plot";
+    PlotAxis axis = PlotAxis::Time;
+    Id against{};              // the probe across, where the axis is one
+    std::vector<Id> probes;    // its curves; empty has all that are plotted
+    double seconds = 30.0;     // s, the latest in sight; 0 shows the whole run
+    bool logarithmic = false;  // the axes of values
+    std::optional<double> low; // of the values in sight, in the unit of each curve
+    std::optional<double> high;
+
+    friend bool operator==(const Plot&, const Plot&) = default;
+};
+
 // How the scene is run.
 struct Settings
 {
@@ -231,6 +246,6 @@ struct Settings
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-using Item = std::variant<Part, Material, Group, Collider, Wind, Control, Probe>;
+using Item = std::variant<Part, Material, Group, Collider, Wind, Control, Probe, Plot>;
 
 } // namespace ripstop

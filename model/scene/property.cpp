@@ -92,6 +92,7 @@ constexpr Kinds particles{Kind::Particle};
 constexpr Kinds movable{Kind::Particle, Kind::Collider};
 constexpr Kinds materials{Kind::Material};
 constexpr Kinds elements{Kind::Particle, Kind::Link, Kind::Panel};
+constexpr Kinds probes{Kind::Probe};
 constexpr Kinds measurable{Kind::Particle, Kind::Link, Kind::Part, Kind::Group};
 
 } // namespace
@@ -234,7 +235,16 @@ std::span<const Property> allProperties()
         property<&Probe::from>           ("from",        "From",         "",        Recompile,   "Particle that a distance or an elevation is measured from; the tail, where the target is the nose.", {}, particles),
         property<&Probe::side>           ("side",        "Right side",   "",        Recompile,   "A particle on the right of nose and tail, for roll and angle of attack.", {}, particles),
         property<&Probe::formula>        ("formula",     "Formula",      "",        Recompile,   "A number made of what other probes read, by their names with _ for blanks: line_tension / weight."),
-        property<&Probe::plotted>        ("plotted",     "Plotted",      "",        DisplayOnly, "Shown in the live plot."),
+        property<&Probe::plotted>        ("plotted",     "Plotted",      "",        DisplayOnly, "Shown in plots that name no probes of their own."),
+
+        property<&Plot::name>            ("name",        "Name",         "",        DisplayOnly, "Shown over the plot."),
+        property<&Plot::axis>            ("axis",        "Against",      "",        DisplayOnly, "What the curves are drawn against: time, what another probe reads, or frequency, as spectra."),
+        property<&Plot::against>         ("against",     "Other probe",  "",        DisplayOnly, "Probe whose readings go across when the curves are against a probe.", {}, probes),
+        property<&Plot::probes>          ("probes",      "Probes",       "",        DisplayOnly, "Probes whose curves it has; empty has all that are plotted.", {}, probes),
+        property<&Plot::seconds>         ("seconds",     "In sight",     "s",       DisplayOnly, "How much of the run is in sight, up to now; 0 shows all of it.", notNegative),
+        property<&Plot::logarithmic>     ("logarithmic", "Logarithmic",  "",        DisplayOnly, "Values stand on a logarithmic axis; those at or below 0 are left out."),
+        property<&Plot::low>             ("low",         "Lowest value", "",        DisplayOnly, "Lower end of the axis of values, in the unit of the curves; empty fits what is in sight."),
+        property<&Plot::high>            ("high",        "Highest value", "",       DisplayOnly, "Upper end of the axis of values, in the unit of the curves; empty fits what is in sight."),
     };
     // clang-format on
     return table;

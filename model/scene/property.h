@@ -29,9 +29,10 @@ enum class Kind {
     Collider,
     Wind,
     Control,
-    Probe
+    Probe,
+    Plot
 };
-inline constexpr int kindCount = 11;
+inline constexpr int kindCount = 12;
 
 // "settings", "particle", ...: the name in files and paths. The label is the same word on screen.
 std::string_view kindName(Kind kind);
@@ -41,10 +42,10 @@ bool isElement(Kind kind); // particle, link or panel
 
 // One thing that has properties. The order is that of Kind.
 using Ref = std::variant<Settings*, Particle*, Link*, Panel*, Part*, Material*, Group*, Collider*,
-                         Wind*, Control*, Probe*>;
+                         Wind*, Control*, Probe*, Plot*>;
 using ConstRef = std::variant<const Settings*, const Particle*, const Link*, const Panel*,
                               const Part*, const Material*, const Group*, const Collider*,
-                              const Wind*, const Control*, const Probe*>;
+                              const Wind*, const Control*, const Probe*, const Plot*>;
 
 inline Kind kindOf(const ConstRef& ref) { return Kind(ref.index()); }
 ConstRef asConst(const Ref& ref);

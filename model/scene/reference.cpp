@@ -22,7 +22,8 @@ constexpr std::array<KindNames, kindCount> names{{{"settings", "settings"},
                                                   {"collider", "colliders"},
                                                   {"wind", "winds"},
                                                   {"control", "controls"},
-                                                  {"probe", "probes"}}};
+                                                  {"probe", "probes"},
+                                                  {"plot", "plots"}}};
 
 } // namespace
 

@@ -220,6 +220,15 @@ Reason idle(const Probe& probe, std::string_view key, const Around&)
     return used;
 }
 
+Reason idle(const Plot& plot, std::string_view key, const Around&)
+{
+    if (key == "against")
+        return unless(plot.axis == PlotAxis::Probe, "the curves are not against a probe");
+    if (key == "seconds")
+        return unless(plot.axis == PlotAxis::Time, "the curves are not against time");
+    return used;
+}
+
 Reason idle(const Particle& particle, std::string_view key, const Around&)
 {
     if (key == "mass" || key == "velocity")

@@ -210,6 +210,11 @@
     </message>
     <message>
         <location filename="actions.cpp"/>
+        <source>Colour by fabric stress</source>
+        <translation>Colorer par contrainte du tissu</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
         <source>Colour by panel loa&amp;d</source>
         <translation>Colorer par c&amp;harge des panneaux</translation>
     </message>
@@ -252,6 +257,11 @@
         <location filename="actions.cpp"/>
         <source>Draw the fabric.</source>
         <translation>Dessiner le tissu.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Draw the ways that the selected particles have come in the last five seconds; of those that probes look at when none is selected.</source>
+        <translation>Tracer le chemin des particules sélectionnées pendant les cinq dernières secondes ; sans sélection, de celles que regardent les sondes.</translation>
     </message>
     <message>
         <location filename="actions.cpp"/>
@@ -430,6 +440,11 @@
     </message>
     <message>
         <location filename="actions.cpp"/>
+        <source>Range of colours…</source>
+        <translation>Intervalle des couleurs…</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
         <source>Remove what is selected, and all that hangs on it.</source>
         <translation>Supprimer la sélection et tout ce qui y est attaché.</translation>
     </message>
@@ -515,8 +530,18 @@
     </message>
     <message>
         <location filename="actions.cpp"/>
+        <source>Show the design as a ghost</source>
+        <translation>Montrer le dessin d'origine en fantôme</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
         <source>Show the whole scene.</source>
         <translation>Montrer toute la scène.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Show trails</source>
+        <translation>Montrer les traînées</translation>
     </message>
     <message>
         <location filename="actions.cpp"/>
@@ -540,6 +565,11 @@
     </message>
     <message>
         <location filename="actions.cpp"/>
+        <source>Tension of threads over the width of fabric that they stand for.</source>
+        <translation>Tension des fils divisée par la largeur de tissu qu'ils représentent.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
         <source>The 3D view as a PNG or JPEG file.</source>
         <translation>La vue 3D dans un fichier PNG ou JPEG.</translation>
     </message>
@@ -552,6 +582,16 @@
         <location filename="actions.cpp"/>
         <source>The colours of the materials.</source>
         <translation>Les couleurs des matériaux.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>The shape as it was designed, beside what has become of it; where nothing is pinned it goes along.</source>
+        <translation>La forme telle qu'elle a été dessinée, à côté de ce qu'elle est devenue ; là où rien n'est épinglé, elle suit le mouvement.</translation>
+    </message>
+    <message>
+        <location filename="actions.cpp"/>
+        <source>Type the values at the ends of the colours, or let them follow. A click on the colours does the same.</source>
+        <translation>Saisir les valeurs aux deux bouts des couleurs, ou les laisser suivre. Un clic sur les couleurs fait de même.</translation>
     </message>
     <message>
         <location filename="actions.cpp"/>
@@ -667,6 +707,11 @@
         <location filename="chart.cpp"/>
         <source>time (s)</source>
         <translation>temps (s)</translation>
+    </message>
+    <message>
+        <location filename="chart_style.cpp"/>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
     </message>
     <message>
         <location filename="compass.cpp"/>
@@ -1387,6 +1432,66 @@ Draw, Links draws one particle after the other (D).</source>
 Insertion amène un cerf-volant, un deltaplane, un parachute ou une toile.
 Fichier, Importer fait du tissu d’un maillage (Ctrl+Maj+I).
 Dessin, Liaisons dessine une particule après l’autre (D).</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>%1 leaves %2</source>
+        <translation>%1 quitte %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>%1 lines go slack, that of link %2 first</source>
+        <translation>%1 lignes se détendent, d'abord celle de la liaison %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>%1 lines go taut, that of link %2 first</source>
+        <translation>%1 lignes se tendent, d'abord celle de la liaison %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>%1 links tore, link %2 first</source>
+        <translation>%1 liaisons ont cédé, d'abord la liaison %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>%1 touches %2</source>
+        <translation>%1 touche %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>a control was moved</source>
+        <translation>une commande a été déplacée</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>link %1 tore</source>
+        <translation>la liaison %1 a cédé</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>something was done by hand</source>
+        <translation>quelque chose a été fait à la main</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>the design was edited</source>
+        <translation>le modèle a été modifié</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>the line of link %1 goes slack</source>
+        <translation>la ligne de la liaison %1 se détend</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>the line of link %1 goes taut</source>
+        <translation>la ligne de la liaison %1 se tend</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>the simulation could not go on</source>
+        <translation>la simulation n'a pas pu continuer</translation>
     </message>
     <message>
         <location filename="export_choice.cpp"/>
@@ -2836,33 +2941,33 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>Of tear limit, %</source>
-        <translation>Part de la limite, %</translation>
+        <source>Click the colours to type their range. The largest value of the moment stands below; click that to select what has it.</source>
+        <translation>Cliquez sur les couleurs pour saisir leur intervalle. La plus grande valeur du moment figure dessous ; cliquez dessus pour sélectionner ce qui la porte.</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>Panel load, N/m²</source>
-        <translation>Charge des panneaux, N/m²</translation>
+        <source>Fabric stress</source>
+        <translation>Contrainte du tissu</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>Speed, m/s</source>
-        <translation>Vitesse, m/s</translation>
+        <source>Of tear limit</source>
+        <translation>De la limite de déchirure</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>Strain, %</source>
-        <translation>Déformation, %</translation>
+        <source>Panel load</source>
+        <translation>Charge des panneaux</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>Tension, N</source>
-        <translation>Tension, N</translation>
+        <source>Strain</source>
+        <translation>Déformation</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>The largest value of the moment stands below; click to select what has it.</source>
-        <translation>La plus grande valeur du moment est dessous ; cliquer pour sélectionner ce qui l’a.</translation>
+        <source>Tension</source>
+        <translation>Tension</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -2933,11 +3038,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="main_window.cpp"/>
         <source>Outline</source>
         <translation>Arborescence</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Plots</source>
-        <translation>Courbes</translation>
     </message>
     <message>
         <location filename="main_window.cpp"/>
@@ -3409,54 +3509,159 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Là où le générateur le met</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>%1 cannot be written.</source>
         <translation>%1 ne peut pas être écrit.</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>%1 cannot be written: %2.</source>
         <translation>%1 ne peut pas être écrit : %2.</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
+        <source>Add a plot</source>
+        <translation>Ajouter un graphique</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Another panel, with curves of its own. The scene keeps it.</source>
+        <translation>Un panneau de plus, avec ses propres courbes. La scène le garde.</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
         <source>CSV (*.csv)</source>
         <translation>CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>Clear</source>
         <translation>Effacer</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>Clear earlier runs</source>
         <translation>Effacer les simulations précédentes</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>Copy the picture</source>
         <translation>Copier l’image</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>Copy the table</source>
         <translation>Copier le tableau</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>Curves against</source>
         <translation>Courbes en fonction de</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
         <source>Follow the run</source>
         <translation>Suivre la simulation</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
+        <location filename="plot_menu.cpp"/>
+        <source>It is saved with the scene and comes back with it.</source>
+        <translation>Il est enregistré avec la scène et revient avec elle.</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Keep this plot in the scene</source>
+        <translation>Garder ce graphique dans la scène</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Keep this range of values</source>
+        <translation>Garder cet intervalle de valeurs</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
         <source>Logarithmic values</source>
         <translation>Valeurs logarithmiques</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Name:</source>
+        <translation>Nom :</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Off, the axis fits the curves. Needs curves of one unit.</source>
+        <translation>Sinon, l'axe s'ajuste aux courbes. Il faut des courbes d'une même unité.</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Off, the latest half minute is shown.</source>
+        <translation>Décoché, la dernière demi-minute est montrée.</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Off, the plot has all probes that are ticked for plots without their own.</source>
+        <translation>Sinon, le graphique a toutes les sondes cochées pour les graphiques sans sondes propres.</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</source>
+        <translation>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Probes of its own</source>
+        <translation>Sondes propres</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Remove this plot</source>
+        <translation>Retirer ce graphique</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Rename the plot</source>
+        <translation>Renommer le graphique</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Rename the plot…</source>
+        <translation>Renommer le graphique…</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Save as CSV…</source>
+        <translation>Enregistrer en CSV…</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Save picture…</source>
+        <translation>Enregistrer l’image…</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Save the curves</source>
+        <translation>Enregistrer les courbes</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Save the picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Show the whole run</source>
+        <translation>Montrer toute la simulation</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>Spectra</source>
+        <translation>Spectres</translation>
+    </message>
+    <message>
+        <location filename="plot_menu.cpp"/>
+        <source>time</source>
+        <translation>temps</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
@@ -3465,68 +3670,13 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
-        <source>Off, the latest half minute is shown.</source>
-        <translation>Décoché, la dernière demi-minute est montrée.</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</source>
-        <translation>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Save as CSV…</source>
-        <translation>Enregistrer en CSV…</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Save picture…</source>
-        <translation>Enregistrer l’image…</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Save the curves</source>
-        <translation>Enregistrer les courbes</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Save the picture</source>
-        <translation>Enregistrer l’image</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Show the whole run</source>
-        <translation>Montrer toute la simulation</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Spectra</source>
-        <translation>Spectres</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
         <source>Tick a probe to plot it.</source>
         <translation>Cocher une sonde pour tracer sa courbe.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
-        <source>amplitude (%1)</source>
-        <translation>amplitude (%1)</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
         <source>at %1 s</source>
         <translation>à %1 s</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>each in its unit</source>
-        <translation>chacune dans son unité</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>frequency (Hz)</source>
-        <translation>fréquence (Hz)</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
@@ -3539,9 +3689,24 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>simulation %1</translation>
     </message>
     <message>
-        <location filename="plot_panel.cpp"/>
-        <source>time</source>
-        <translation>temps</translation>
+        <location filename="plot_view.cpp"/>
+        <source>Choose the probe that the curves are against: right click.</source>
+        <translation>Choisissez la sonde en abscisse des courbes : clic droit.</translation>
+    </message>
+    <message>
+        <location filename="plot_view.cpp"/>
+        <source>Remove this plot from the scene. Undo brings it back.</source>
+        <translation>Retirer ce graphique de la scène. Annuler le ramène.</translation>
+    </message>
+    <message>
+        <location filename="plot_view.cpp"/>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <location filename="plot_view.cpp"/>
+        <source>frequency (Hz)</source>
+        <translation>fréquence (Hz)</translation>
     </message>
     <message>
         <location filename="polar_chart.cpp"/>
@@ -3802,6 +3967,51 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="pull.cpp"/>
         <source>typed: %1</source>
         <translation>tapé : %1</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>&amp;Follow the values</source>
+        <translation>&amp;Suivre les valeurs</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>&amp;Highest</source>
+        <translation>&amp;Plus haute</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>&amp;Keep this range</source>
+        <translation>&amp;Garder cet intervalle</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>&amp;Lowest</source>
+        <translation>P&amp;lus basse</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>Range of colours</source>
+        <translation>Intervalle des couleurs</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>The colours reach as far as the values of the moment.</source>
+        <translation>Les couleurs s'étendent aussi loin que les valeurs du moment.</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>The highest has to be above the lowest.</source>
+        <translation>La plus haute doit être au-dessus de la plus basse.</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>This %1.</source>
+        <translation>Ceci %1.</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
+        <source>Type a number.</source>
+        <translation>Saisissez un nombre.</translation>
     </message>
     <message>
         <location filename="recordings.cpp"/>
@@ -5183,6 +5393,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Against</source>
+        <translation>Selon</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Air</source>
         <translation>Air</translation>
     </message>
@@ -6248,6 +6463,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Frequency</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Friction</source>
         <translation>Frottement</translation>
     </message>
@@ -6553,6 +6773,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Highest value</source>
+        <translation>Valeur la plus haute</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Hill length</source>
         <translation>Longueur des collines</translation>
     </message>
@@ -6708,6 +6933,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>How much of the run is in sight, up to now; 0 shows all of it.</source>
+        <translation>Durée visible de la simulation, jusqu'à maintenant ; 0 la montre en entier.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too, lift and drag are read from a table, and the vortex law finds the circulation around a whole wing.</source>
         <translation>Comment le vent pousse un panneau : la loi de l’article croît avec le carré du vent de face, la loi linéaire convient aux plaques aux petits angles aussi, portance et traînée sont lues dans un tableau, et la loi tourbillonnaire trouve la circulation autour de toute une aile.</translation>
     </message>
@@ -6730,6 +6960,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>In place</source>
         <translation>En place</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>In sight</source>
+        <translation>Durée visible</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7115,6 +7350,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Log law</source>
         <translation>Loi logarithmique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Logarithmic</source>
+        <translation>Logarithmique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lower end of the axis of values, in the unit of the curves; empty fits what is in sight.</source>
+        <translation>Bas de l'axe des valeurs, dans l'unité des courbes ; vide, il s'ajuste à ce qui est visible.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Lowest value</source>
+        <translation>Valeur la plus basse</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7638,6 +7888,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Other probe</source>
+        <translation>Autre sonde</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Overhang of a strip over its bending length; with 2 strips come to 41.5 degrees.</source>
         <translation>Porte-à-faux d’une bande, rapporté à sa longueur de flexion ; avec 2 les bandes arrivent à 41,5 degrés.</translation>
     </message>
@@ -7905,6 +8160,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Pressure z</source>
         <translation>Centre de poussée z</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Probe whose readings go across when the curves are against a probe.</source>
+        <translation>Sonde dont les valeurs vont en abscisse quand les courbes sont tracées selon une sonde.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Probes whose curves it has; empty has all that are plotted.</source>
+        <translation>Sondes dont il porte les courbes ; vide, toutes celles qui sont tracées.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8308,13 +8573,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Shown in the live plot.</source>
-        <translation>Montré dans les courbes en direct.</translation>
+        <source>Shown in plots that name no probes of their own.</source>
+        <translation>Montré dans les graphiques qui ne nomment pas leurs propres sondes.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Shown in the outline and used in paths.</source>
         <translation>Montré dans l’arborescence et utilisé dans les chemins.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Shown over the plot.</source>
+        <translation>Montré au-dessus du graphique.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8493,6 +8763,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Steps per second</source>
+        <translation>Pas par seconde</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Stiffened</source>
         <translation>Raidie</translation>
     </message>
@@ -8525,11 +8800,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Stop</source>
         <translation>Arrêter</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Strain</source>
-        <translation>Déformation</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8678,11 +8948,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Tension</source>
-        <translation>Tension</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Test</source>
         <translation>Essai</translation>
     </message>
@@ -8828,8 +9093,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Time step</source>
         <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Time steps for each second of the clock, lately: only while it runs in the window, and nothing in files.</source>
+        <translation>Pas de temps par seconde d'horloge, dernièrement : seulement pendant la simulation dans la fenêtre, et rien dans les fichiers.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8895,6 +9170,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Up dives, Down slows, Left and Right roll: the keys shift the pilot's weight inside the control rods. The pilot hangs where the wing trims at the wanted speed, and the flight starts in that trim.</source>
         <translation>Haut pique, Bas ralentit, Gauche et Droite inclinent : les touches déportent le poids du pilote à l’intérieur des tiges de commande. Le pilote pend là où l’aile s’équilibre à la vitesse voulue, et le vol commence dans cet équilibre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Upper end of the axis of values, in the unit of the curves; empty fits what is in sight.</source>
+        <translation>Haut de l'axe des valeurs, dans l'unité des courbes ; vide, il s'ajuste à ce qui est visible.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Values stand on a logarithmic axis; those at or below 0 are left out.</source>
+        <translation>Les valeurs sont sur un axe logarithmique ; celles à 0 ou en dessous sont omises.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9035,6 +9320,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What the axis runs through.</source>
         <translation>Ce par quoi passe l’axe.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the curves are drawn against: time, what another probe reads, or frequency, as spectra.</source>
+        <translation>Ce selon quoi les courbes sont tracées : le temps, ce que lit une autre sonde, ou la fréquence, en spectres.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9713,38 +10003,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_strip.cpp"/>
-        <source>%1 s: %2 links tore, link %3 first</source>
-        <translation>%1 s : %2 liaisons ont rompu, la liaison %3 d’abord</translation>
-    </message>
-    <message>
-        <location filename="timeline_strip.cpp"/>
-        <source>%1 s: a control was moved</source>
-        <translation>%1 s : une commande a été déplacée</translation>
-    </message>
-    <message>
-        <location filename="timeline_strip.cpp"/>
         <source>%1 s: bookmark “%2”</source>
         <translation>%1 s : repère « %2 »</translation>
-    </message>
-    <message>
-        <location filename="timeline_strip.cpp"/>
-        <source>%1 s: link %2 tore</source>
-        <translation>%1 s : la liaison %2 a rompu</translation>
-    </message>
-    <message>
-        <location filename="timeline_strip.cpp"/>
-        <source>%1 s: something was done by hand</source>
-        <translation>%1 s : quelque chose a été fait à la main</translation>
-    </message>
-    <message>
-        <location filename="timeline_strip.cpp"/>
-        <source>%1 s: the design was edited</source>
-        <translation>%1 s : le modèle a été modifié</translation>
-    </message>
-    <message>
-        <location filename="timeline_strip.cpp"/>
-        <source>%1 s: the simulation could not go on</source>
-        <translation>%1 s : la simulation n’a pas pu continuer</translation>
     </message>
     <message>
         <location filename="timeline_strip.cpp"/>
@@ -9755,11 +10015,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="timeline_strip.cpp"/>
         <source>Nothing is recorded yet. Play (Space), and every moment is kept here to look back at.</source>
         <translation>Rien n’est encore enregistré. Lancer (Espace), et chaque moment est gardé ici pour être revu.</translation>
-    </message>
-    <message>
-        <location filename="timeline_strip.cpp"/>
-        <source>and %1 more</source>
-        <translation>et %1 de plus</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>
@@ -10431,6 +10686,14 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message numerus="yes">
         <location filename="words.cpp"/>
+        <source>%Ln plot(s)</source>
+        <translation>
+            <numerusform>%Ln graphique</numerusform>
+            <numerusform>%Ln graphiques</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <location filename="words.cpp"/>
         <source>%Ln probe(s)</source>
         <translation>
             <numerusform>%Ln sonde</numerusform>
@@ -10522,6 +10785,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="words.cpp"/>
         <source>Parts</source>
         <translation>Pièces</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Plot</source>
+        <translation>Graphique</translation>
+    </message>
+    <message>
+        <location filename="words.cpp"/>
+        <source>Plots</source>
+        <translation>Courbes</translation>
     </message>
     <message>
         <location filename="words.cpp"/>

@@ -425,6 +425,30 @@
         <translation>La formule de la sonde %1 ne peut pas être calculée : %2.</translation>
     </message>
     <message>
+        <source>Plot %1 needs the probe that its curves are against.</source>
+        <translation>Le graphique %1 demande la sonde en abscisse de ses courbes.</translation>
+    </message>
+    <message>
+        <source>Plot %1 shows no values: its lowest has to be below its highest.</source>
+        <translation>Le graphique %1 ne montre aucune valeur : sa plus basse doit être sous sa plus haute.</translation>
+    </message>
+    <message>
+        <source>the curves are not against a probe</source>
+        <translation>les courbes ne sont pas tracées selon une sonde</translation>
+    </message>
+    <message>
+        <source>the curves are not against time</source>
+        <translation>les courbes ne sont pas tracées selon le temps</translation>
+    </message>
+    <message>
+        <source>Keep %1</source>
+        <translation>Garder %1</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
         <source>the quantity is not measured from somewhere</source>
         <translation>la grandeur ne se mesure pas depuis quelque part</translation>
     </message>

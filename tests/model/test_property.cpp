@@ -215,7 +215,7 @@ private slots:
     void itemsHaveNames()
     {
         for (const Kind kind : {Kind::Part, Kind::Material, Kind::Group, Kind::Collider, Kind::Wind,
-                                Kind::Control, Kind::Probe})
+                                Kind::Control, Kind::Probe, Kind::Plot})
             QVERIFY2(findProperty(kind, "name"), kindName(kind).data());
     }
 

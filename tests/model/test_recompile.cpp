@@ -84,6 +84,7 @@ Scene rich()
     addProbe(scene, "group", Quantity::MaxTension, group);
     addProbe(scene, "elevation", Quantity::Elevation, nodes[5], nodes[0]);
     addProbe(scene, "one link", Quantity::Tension, rows.links[4].id);
+    addItem(scene, Plot{"plot"});
     return scene;
 }
 

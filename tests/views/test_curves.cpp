@@ -110,7 +110,7 @@ private slots:
             old.add(sample(1, 0.1 * i, {1.0, 2.0}));
             now.add(sample(2, 0.1 * i, {3.0, 4.0}));
         }
-        const auto curves = phaseCurves(now, {{"run 1", old}}, both, 41);
+        const auto curves = phaseCurves(now, {{"run 1", std::make_shared<const History>(old)}}, both, 41);
         QCOMPARE(curves.size(), std::size_t(4));
         QVERIFY(curves[0].past && curves[1].past && !curves[2].past);
         QCOMPARE(curves[0].name, QString("x, run 1"));
@@ -132,7 +132,7 @@ private slots:
         player.play();
         QTRY_COMPARE(panel.earlier().size(), std::size_t(1));
         QCOMPARE(panel.earlier()[0].name, QString("run 1"));
-        QVERIFY(panel.earlier()[0].history.time().size() > 5);
+        QVERIFY(panel.earlier()[0].history->time().size() > 5);
         panel.forgetEarlier();
         QVERIFY(panel.earlier().empty());
     }
@@ -195,7 +195,7 @@ private slots:
         XyChart chart;
         chart.setLogarithmic(true);
         chart.show("x", "y", {{"one", Qt::red, {0, 1, 2, 3}, {-5, 0, 1, 100}}});
-        QVERIFY(chart.yTop() >= 100.0 && chart.yTop() < 1000.0);
+        QVERIFY(chart.valueRange().second >= 100.0 && chart.valueRange().second < 1000.0);
     }
 };
 

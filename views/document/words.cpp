@@ -30,6 +30,7 @@ constexpr std::array<KindWords, kindCount> kindWords{{
     {QT_TRANSLATE_NOOP("Kind", "Wind"),      QT_TRANSLATE_NOOP("Kind", "Winds"),     QT_TRANSLATE_N_NOOP("Kind", "%Ln wind(s)")},
     {QT_TRANSLATE_NOOP("Kind", "Control"),   QT_TRANSLATE_NOOP("Kind", "Controls"),  QT_TRANSLATE_N_NOOP("Kind", "%Ln control(s)")},
     {QT_TRANSLATE_NOOP("Kind", "Probe"),     QT_TRANSLATE_NOOP("Kind", "Probes"),    QT_TRANSLATE_N_NOOP("Kind", "%Ln probe(s)")},
+    {QT_TRANSLATE_NOOP("Kind", "Plot"),      QT_TRANSLATE_NOOP("Kind", "Plots"),     QT_TRANSLATE_N_NOOP("Kind", "%Ln plot(s)")},
 }};
 // clang-format on
 

@@ -61,6 +61,10 @@ struct Writer
                    ? quantity
                    : quantity + QStringLiteral(" \u00b7 ") + nameOf(scene, probe.target);
     }
+    QString operator()(const Plot& plot) const
+    {
+        return choiceLabel(choiceNames<PlotAxis>[std::size_t(plot.axis)]).toLower();
+    }
 };
 
 } // namespace

@@ -58,6 +58,11 @@ Item itemOf(Kind kind, const Census& all)
     }
     case Kind::Probe:
         return newProbe(all);
+    case Kind::Plot: {
+        Plot plot;
+        plot.probes = idsOf(all, {Kind::Probe});
+        return plot;
+    }
     default:
         return Material{};
     }

@@ -1,9 +1,11 @@
 #include "plots/chart.h"
 
+#include "document/event_words.h"
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
 
 #include <QEvent>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
@@ -14,9 +16,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double scrolling = 30.0; // s, in sight while the run is followed
 constexpr double atFirst = 5.0;    // s, in sight when it begins
-constexpr int stripHeight = 84;    // px, at least
+constexpr int stripHeight = 100;   // px, at least, with its legend
+constexpr std::size_t many = 12;   // curves, above which fine lines are drawn faster
+constexpr int nearMark = 4;        // px, of the mouse
 constexpr int lastStripExtra = 28; // px, for the numbers of the time axis
 constexpr double headroom = 0.08;  // of the values, above and below
 constexpr double roomy = 0.55;     // values that fill less of their axis are fitted anew
@@ -77,8 +80,6 @@ void Chart::layOut()
     m_plot->plotLayout()->clear();
     m_strips.clear();
     m_graphs.assign(m_curves.size(), nullptr);
-    m_past.clear();
-    m_revision = -1; // draw everything
 
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         const QString& unit = m_curves[i].unit;
@@ -94,13 +95,15 @@ void Chart::layOut()
         const bool last = &strip == &m_strips.back();
         strip.time->setTickLabels(last);
         strip.time->setLabel(last ? tr("time (s)") : QString());
-        label(strip);
+        strip.values->setLabel(strip.unit); // a name would be longer than a strip is high
         scale(strip);
     }
     addPast();
+    style();
+    fitLegends();
+    fillMarks();
     const QScopedValueRollback setting(m_setting, true);
     takeTime(inSight);
-    style();
     updateGeometry();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -109,21 +112,32 @@ void Chart::addStrip(const QString& unit)
 {
     Strip strip;
     strip.unit = unit;
+    strip.legend = new QCPLegend; // over the strip, where it hides nothing
     strip.rect = new QCPAxisRect(m_plot);
-    m_plot->plotLayout()->addElement(int(m_strips.size()), 0, strip.rect);
+    QCPLayoutGrid& grid = *m_plot->plotLayout();
+    const int row = 2 * int(m_strips.size());
+    grid.addElement(row, 0, strip.legend);
+    grid.addElement(row + 1, 0, strip.rect);
+    grid.setRowStretchFactor(row, 0.001);
+    grid.setRowSpacing(0);
+    strip.legend->setLayer(QStringLiteral("legend"));
+    strip.legend->setFillOrder(QCPLegend::foColumnsFirst);
     strip.time = strip.rect->axis(QCPAxis::atBottom);
     strip.values = strip.rect->axis(QCPAxis::atLeft);
     strip.rect->axis(QCPAxis::atTop)->setVisible(true);
     strip.rect->axis(QCPAxis::atRight)->setVisible(true);
     strip.values->ticker()->setTickCount(4);
+    tighten(*strip.rect);
     strip.rect->setMinimumSize(60, stripHeight / 2);
 
-    // tears stand from 0 to 1 on an axis of their own, which nobody sees or moves
+    // marks stand from 0 to 1 on an axis of their own, which nobody sees or moves
     QCPAxis* whole = strip.rect->addAxis(QCPAxis::atRight);
     whole->setVisible(false);
     whole->setRange(0.0, 1.0);
-    strip.tears = m_plot->addGraph(strip.time, whole);
-    strip.tears->setLineStyle(QCPGraph::lsImpulse);
+    for (QCPGraph*& mark : strip.marks) {
+        mark = m_plot->addGraph(strip.time, whole);
+        mark->setLineStyle(QCPGraph::lsImpulse);
+    }
     strip.cursor = m_plot->addGraph(strip.time, whole);
     strip.cursor->setLineStyle(QCPGraph::lsImpulse);
     drawCursor(strip);
@@ -148,7 +162,7 @@ void Chart::addCurve(Strip& strip, int curve)
 {
     QCPGraph* graph = m_plot->addGraph(strip.time, strip.values);
     graph->setName(m_curves[std::size_t(curve)].name);
-    graph->setAdaptiveSampling(true);
+    graph->setAdaptiveSampling(false); // drawnCurve() has done that
     m_graphs[std::size_t(curve)] = graph;
     strip.curves.push_back(curve);
 }
@@ -156,38 +170,36 @@ void Chart::addCurve(Strip& strip, int curve)
 void Chart::setEarlier(const std::vector<EarlierRun>& earlier)
 {
     m_earlier = earlier;
-    for (QCPGraph* graph : m_past)
-        m_plot->removeGraph(graph);
-    m_past.clear();
     addPast();
+    const QScopedValueRollback setting(m_setting, true);
+    fill();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void Chart::addPast()
 {
-    for (const EarlierRun& run : m_earlier)
-        for (const Strip& strip : m_strips)
+    for (Strip& strip : m_strips) {
+        for (QCPGraph* graph : strip.past)
+            m_plot->removeGraph(graph);
+        strip.past.clear();
+        for (std::size_t run = 0; run < m_earlier.size(); ++run)
             for (const int curve : strip.curves) {
-                const Curve& of = m_curves[std::size_t(curve)];
-                const auto time = run.history.time();
-                const auto values = run.history.valuesOf(of.probe);
-                if (values.size() != time.size())
-                    continue;
                 QCPGraph* graph = m_plot->addGraph(strip.time, strip.values);
-                QColor color = of.color;
+                QColor color = m_curves[std::size_t(curve)].color;
                 color.setAlphaF(0.45F);
                 graph->setPen(QPen(color, 1.0));
-                graph->setAdaptiveSampling(true);
+                graph->setAdaptiveSampling(false);
                 graph->setLayer(QStringLiteral("grid")); // behind the curves of now
-                graph->setData(QVector<double>(time.begin(), time.end()),
-                               QVector<double>(values.begin(), values.end()), true);
-                m_past.push_back(graph);
+                strip.past.push_back(graph);
             }
+    }
 }
 
-void Chart::setLogarithmic(bool logarithmic)
+void Chart::setPlot(const Plot& plot)
 {
-    m_logarithmic = logarithmic;
+    if (plot == m_settings)
+        return;
+    m_settings = plot;
     for (Strip& strip : m_strips)
         scale(strip);
     follow();
@@ -195,62 +207,83 @@ void Chart::setLogarithmic(bool logarithmic)
 
 void Chart::scale(Strip& strip) const
 {
-    strip.values->setScaleType(m_logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    const QSharedPointer<QCPAxisTicker> ticker(m_logarithmic ? new QCPAxisTickerLog
-                                                             : new QCPAxisTicker);
+    const bool logarithmic = m_settings.logarithmic;
+    strip.values->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    const QSharedPointer<QCPAxisTicker> ticker(logarithmic ? new QCPAxisTickerLog
+                                                           : new QCPAxisTicker);
     ticker->setTickCount(4);
     strip.values->setTicker(ticker);
-}
-
-// The axis has the unit: a name along it would be longer than a strip is high.
-void Chart::label(Strip& strip) const
-{
-    strip.values->setLabel(strip.unit);
-    auto* legend = new QCPLegend;
-    strip.rect->insetLayout()->addElement(legend, Qt::AlignTop | Qt::AlignLeft);
-    legend->setLayer(QStringLiteral("legend"));
-    legend->setFillOrder(QCPLegend::foColumnsFirst);
-    legend->setWrap(0);
-    for (const int curve : strip.curves)
-        m_graphs[std::size_t(curve)]->addToLegend(legend);
 }
 
 // --- drawing ---------------------------------------------------------------------------------
 
 void Chart::draw(const History& history)
 {
-    fill(history);
-    const QScopedValueRollback setting(m_setting, true);
-    if (m_following)
-        showTime(history);
-    for (Strip& strip : m_strips)
-        if (!strip.held)
-            fitValues(strip);
+    m_history = &history;
+    fillMarks();
+    if (!m_strips.empty()) {
+        const QScopedValueRollback setting(m_setting, true);
+        takeTime(m_following ? timeToShow() : m_strips.front().time->range());
+    }
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void Chart::fill(const History& history)
+void Chart::fill()
 {
-    const bool anew = history.revision() != m_revision || m_drawn > history.time().size();
-    const std::size_t first = anew ? 0 : m_drawn;
-    const auto time = history.time().subspan(first);
-    const QVector<double> keys(time.begin(), time.end());
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        if (anew)
-            m_graphs[i]->data()->clear();
-        const auto values = history.valuesOf(m_curves[i].probe);
-        if (values.size() != history.time().size())
-            continue; // no frame has had this probe yet
-        const auto fresh = values.subspan(first);
-        m_graphs[i]->addData(keys, QVector<double>(fresh.begin(), fresh.end()), true);
+    for (Strip& strip : m_strips)
+        fill(strip);
+}
+
+void Chart::fill(Strip& strip)
+{
+    strip.inSight = {};
+    if (!m_history)
+        return;
+    const QCPRange range = strip.time->range();
+    const int columnWidth = m_curves.size() > many ? 2 : 1; // px
+    const TimeWindow window{range.lower, range.upper,
+                            std::max(100, strip.rect->width() / columnWidth),
+                            m_settings.logarithmic};
+    const auto show = [&](QCPGraph& graph, const History& history, int curve) {
+        DrawnCurve drawn = drawnCurve(history.time(),
+                                      history.valuesOf(m_curves[std::size_t(curve)].probe), window);
+        graph.setData(drawn.time, drawn.value, true);
+        return drawn;
+    };
+    for (const int curve : strip.curves) {
+        const DrawnCurve drawn = show(*m_graphs[std::size_t(curve)], *m_history, curve);
+        if (!drawn.any)
+            continue;
+        DrawnCurve& all = strip.inSight;
+        all.low = all.any ? std::min(all.low, drawn.low) : drawn.low;
+        all.high = all.any ? std::max(all.high, drawn.high) : drawn.high;
+        all.any = true;
     }
-    const auto tears = history.tears();
+    auto graph = strip.past.begin();
+    for (const EarlierRun& run : m_earlier)
+        for (const int curve : strip.curves)
+            show(**graph++, *run.history, curve);
+}
+
+void Chart::setMarks(std::vector<Mark> marks)
+{
+    m_marks = std::move(marks);
+    fillMarks();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Chart::fillMarks()
+{
+    std::array<QVector<double>, runEventNames.size()> times;
+    if (m_history)
+        for (const double tear : m_history->tears())
+            times[std::size_t(RunEvent::Kind::Tear)].push_back(tear);
+    for (const Mark& mark : m_marks)
+        if (mark.kind != RunEvent::Kind::Tear)
+            times[std::size_t(mark.kind)].push_back(mark.time);
     for (const Strip& strip : m_strips)
-        if (anew || strip.tears->dataCount() != int(tears.size()))
-            strip.tears->setData(QVector<double>(tears.begin(), tears.end()),
-                                 QVector<double>(qsizetype(tears.size()), 1.0), true);
-    m_drawn = history.time().size();
-    m_revision = history.revision();
+        for (std::size_t kind = 0; kind < times.size(); ++kind)
+            strip.marks[kind]->setData(times[kind], QVector<double>(times[kind].size(), 1.0), true);
 }
 
 void Chart::setCursor(std::optional<double> time)
@@ -270,40 +303,38 @@ void Chart::drawCursor(const Strip& strip) const
         strip.cursor->setData({}, {}, true);
 }
 
-void Chart::showTime(const History& history)
+QCPRange Chart::timeToShow() const
 {
-    const auto time = history.time();
+    const auto time = m_history->time();
     const double first = time.empty() ? 0.0 : time.front();
     const double now = time.empty() ? 0.0 : time.back();
-    const double from = m_wholeRun ? first : std::max(first, now - scrolling);
-    takeTime({from, std::max(now, from + atFirst)});
+    const double seconds = m_settings.seconds;
+    const double from = seconds > 0.0 ? std::max(first, now - seconds) : first;
+    const double least = seconds > 0.0 ? std::min(atFirst, seconds) : atFirst;
+    return {from, std::max(now, from + least)};
 }
 
 void Chart::fitValues(Strip& strip)
 {
-    QCPRange values;
-    bool any = false;
-    for (const int curve : strip.curves) {
-        bool found = false;
-        const QCPRange one = m_graphs[std::size_t(curve)]->getValueRange(
-            found, m_logarithmic ? QCP::sdPositive : QCP::sdBoth, strip.time->range());
-        if (found)
-            values = any ? values.expanded(one) : one;
-        any = any || found;
-    }
-    if (!any)
-        return;
-    if (m_logarithmic) {
+    QCPRange wanted = strip.inSight.any ? fitted(strip) : strip.values->range();
+    wanted.lower = m_settings.low.value_or(wanted.lower);
+    wanted.upper = m_settings.high.value_or(wanted.upper);
+    if (wanted.lower < wanted.upper)
+        strip.values->setRange(wanted);
+}
+
+QCPRange Chart::fitted(const Strip& strip) const
+{
+    const QCPRange values(strip.inSight.low, strip.inSight.high);
+    if (m_settings.logarithmic) {
         constexpr double room = 1.3; // times
-        strip.values->setRange(values.lower / room, values.upper * room);
-        return;
+        return {values.lower / room, values.upper * room};
     }
     const QCPRange wanted = around(values);
     const QCPRange shown = strip.values->range();
     const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
                       && wanted.size() > roomy * shown.size();
-    if (!fits) // an axis that moved with every sample could not be read
-        strip.values->setRange(wanted);
+    return fits ? shown : wanted; // an axis that moved with every sample could not be read
 }
 
 // --- hands on it -----------------------------------------------------------------------------
@@ -311,16 +342,9 @@ void Chart::fitValues(Strip& strip)
 void Chart::follow()
 {
     m_following = true;
-    m_revision = -1; // the next draw() shows it; nothing may come while the run is paused
     for (Strip& strip : m_strips)
         strip.held = false;
     emit followed();
-}
-
-void Chart::setWholeRun(bool whole)
-{
-    m_wholeRun = whole;
-    follow();
 }
 
 void Chart::takeTime(const QCPRange& range)
@@ -330,6 +354,7 @@ void Chart::takeTime(const QCPRange& range)
     const QScopedValueRollback setting(m_setting, true);
     for (const Strip& strip : m_strips)
         strip.time->setRange(range);
+    fill();
     for (Strip& strip : m_strips)
         if (!strip.held)
             fitValues(strip);
@@ -353,6 +378,22 @@ void Chart::hover(const QPointF& place)
     const bool inside = place.x() >= rect.left() && place.x() <= rect.right();
     emit hovered(inside ? std::optional(m_strips.front().time->pixelToCoord(place.x()))
                         : std::nullopt);
+    const Mark* mark = inside ? markAt(place.x()) : nullptr;
+    QToolTip::showText(m_plot->mapToGlobal(place.toPoint()), mark ? mark->text : QString(), this);
+}
+
+const Mark* Chart::markAt(double x) const
+{
+    const Mark* nearest = nullptr;
+    double best = nearMark;
+    for (const Mark& mark : m_marks) {
+        const double distance = std::abs(m_strips.front().time->coordToPixel(mark.time) - x);
+        if (distance <= best) {
+            best = distance;
+            nearest = &mark;
+        }
+    }
+    return nearest;
 }
 
 bool Chart::eventFilter(QObject* watched, QEvent* event)
@@ -369,6 +410,7 @@ void Chart::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         style();
+        fitLegends();
         m_plot->replot(QCustomPlot::rpQueuedReplot);
     }
 }
@@ -388,19 +430,35 @@ void Chart::style(Strip& strip)
         strip.rect->axis(side)->setTicks(false);
         strip.rect->axis(side)->setTickLabels(false);
     }
-    const bool dark = isDark(palette());
-    strip.tears->setPen(
-        QPen(dark ? QColor(0xff, 0x6b, 0x60) : QColor(0xc6, 0x28, 0x28), 1, Qt::DashLine));
+    for (std::size_t kind = 0; kind < strip.marks.size(); ++kind)
+        strip.marks[kind]->setPen(
+            QPen(eventColor(RunEvent::Kind(kind), palette()), 1, Qt::DashLine));
     strip.cursor->setPen(QPen(palette().color(QPalette::Highlight), 1.5));
-    for (const int curve : strip.curves)
-        m_graphs[std::size_t(curve)]->setPen(QPen(m_curves[std::size_t(curve)].color, 1.6));
-    if (strip.rect->insetLayout()->elementCount() > 0) {
-        auto* legend = qobject_cast<QCPLegend*>(strip.rect->insetLayout()->elementAt(0));
-        styleLegend(*legend, *this);
-        legend->setMargins({4, 1, 4, 1});
-        legend->setRowSpacing(0);
-        legend->setIconSize(16, 10);
+    const bool fine = m_curves.size() > many;
+    for (const int curve : strip.curves) {
+        QCPGraph& graph = *m_graphs[std::size_t(curve)];
+        graph.setPen(QPen(m_curves[std::size_t(curve)].color, fine ? 1.0 : 1.6));
+        graph.setAntialiased(!fine);
     }
+    styleLegend(*strip.legend, *this);
+}
+
+void Chart::fitLegends()
+{
+    for (const Strip& strip : m_strips) {
+        std::vector<QCPAbstractPlottable*> curves;
+        for (const int curve : strip.curves)
+            curves.push_back(m_graphs[std::size_t(curve)]);
+        fitLegend(*strip.legend, curves, width(), 1);
+    }
+}
+
+void Chart::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitLegends();
+    const QScopedValueRollback setting(m_setting, true);
+    fill(); // for as many columns
 }
 
 QSize Chart::minimumSizeHint() const
@@ -411,5 +469,26 @@ QSize Chart::minimumSizeHint() const
 
 double Chart::timeFrom() const { return m_strips.front().time->range().lower; }
 double Chart::timeTo() const { return m_strips.front().time->range().upper; }
+
+int Chart::pointCount() const
+{
+    int count = 0;
+    for (const QCPGraph* graph : m_graphs)
+        count += graph->dataCount();
+    return count;
+}
+
+int Chart::markCount(RunEvent::Kind kind) const
+{
+    return m_strips.empty() ? 0 : m_strips.front().marks[std::size_t(kind)]->dataCount();
+}
+
+std::optional<std::pair<double, double>> Chart::valueRange() const
+{
+    if (m_strips.size() != 1)
+        return std::nullopt;
+    const QCPRange range = m_strips.front().values->range();
+    return std::pair(range.lower, range.upper);
+}
 
 } // namespace ripstop

@@ -1,17 +1,23 @@
 #pragma once
 
+#include "plots/drawn_curve.h"
 #include "plots/history.h"
+#include "run/run_event.h"
+#include "scene/items.h"
 
 #include <QColor>
 #include <QString>
 #include <QWidget>
 
+#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QCPAxis;
 class QCPAxisRect;
 class QCPGraph;
+class QCPLegend;
 class QCPRange;
 class QCustomPlot;
 
@@ -27,7 +33,17 @@ struct Curve
     friend bool operator==(const Curve&, const Curve&) = default;
 };
 
-// Curves over time, in one strip for each unit; tears as thin lines through all strips.
+// An event, as a thin line through all strips.
+struct Mark
+{
+    RunEvent::Kind kind;
+    double time;  // s
+    QString text; // what happened
+};
+
+// Curves over time, in one strip for each unit, and marks of what happened.
+//
+// Only as many points as the screen can show are drawn, so that long runs cost little.
 //
 // The time axis follows the run until the user drags or zooms it; the value axes fit what is in
 // sight until the user drags or zooms them. A double click lets go of both.
@@ -40,24 +56,27 @@ public:
 
     void setCurves(std::vector<Curve> curves);
     const std::vector<Curve>& curves() const { return m_curves; }
-    void draw(const History& history);
+    void draw(const History& history); // stays where it is until the next one is drawn
     void setEarlier(const std::vector<EarlierRun>& earlier); // thin, behind the curves
-    void setLogarithmic(bool logarithmic);                   // the axes of values
-    bool isLogarithmic() const { return m_logarithmic; }
+    void setMarks(std::vector<Mark> marks);                  // those of tears come with the history
+    void setPlot(const Plot& plot); // how much of the run, logarithmic, the range of values
 
     void setCursor(std::optional<double> time); // s; a line there, or none
 
     void follow(); // as after a double click
     bool follows() const { return m_following; }
-    void setWholeRun(bool whole); // follow from the start, not only the latest half minute
-    bool showsWholeRun() const { return m_wholeRun; }
 
     QCustomPlot& plot() { return *m_plot; }
 
-    // For tests: what is in sight, s.
+    // The values that the only strip shows; nothing when there are several.
+    std::optional<std::pair<double, double>> valueRange() const;
+
+    // For tests: what is in sight, s, and how many points are drawn.
     double timeFrom() const;
     double timeTo() const;
     int stripCount() const { return int(m_strips.size()); }
+    int pointCount() const;
+    int markCount(RunEvent::Kind kind) const;
 
     QSize minimumSizeHint() const override;
 
@@ -67,6 +86,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -76,10 +96,13 @@ private:
         QCPAxisRect* rect;
         QCPAxis* time;
         QCPAxis* values;
-        QCPGraph* tears;
+        QCPLegend* legend;
+        std::array<QCPGraph*, runEventNames.size()> marks;
         QCPGraph* cursor;
-        std::vector<int> curves; // indices into m_curves
-        bool held = false;       // the user has chosen the range of values
+        std::vector<int> curves;     // indices into m_curves
+        std::vector<QCPGraph*> past; // of earlier runs, curve by curve for each
+        DrawnCurve inSight;          // without points: what its curves span
+        bool held = false;           // the user has chosen the range of values
     };
 
     void layOut();
@@ -87,13 +110,17 @@ private:
     void addCurve(Strip& strip, int curve);
     void addPast();
     void scale(Strip& strip) const;
-    void label(Strip& strip) const;
     void style();
     void style(Strip& strip);
-    void fill(const History& history);
+    void fitLegends();
+    void fill();
+    void fill(Strip& strip);
+    void fillMarks();
     void drawCursor(const Strip& strip) const;
-    void showTime(const History& history);
+    QCPRange timeToShow() const; // the time to show
     void fitValues(Strip& strip);
+    QCPRange fitted(const Strip& strip) const;
+    const Mark* markAt(double x) const;   // px
     void takeTime(const QCPRange& range); // from one strip to all
     void aim(const QPointF& place);       // which axis the mouse is about to move
     void hover(const QPointF& place);
@@ -101,15 +128,13 @@ private:
     QCustomPlot* m_plot;
     std::vector<Curve> m_curves;
     std::vector<QCPGraph*> m_graphs; // [curves]
-    std::vector<QCPGraph*> m_past;   // of earlier runs
     std::vector<EarlierRun> m_earlier;
     std::vector<Strip> m_strips;
-    std::size_t m_drawn = 0;        // samples
-    int m_revision = -1;            // of the history that was drawn
-    std::optional<double> m_cursor; // s
+    std::vector<Mark> m_marks;
+    Plot m_settings;
+    const History* m_history = nullptr; // that was drawn last
+    std::optional<double> m_cursor;     // s
     bool m_following = true;
-    bool m_wholeRun = false;
-    bool m_logarithmic = false;
     bool m_setting = false; // ranges change by program, not by hand
 };
 

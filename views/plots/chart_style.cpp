@@ -2,11 +2,17 @@
 
 #include "plots/curve_color.h"
 
+#include <QCoreApplication>
 #include <QWidget>
 #include <qcustomplot.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace ripstop {
 namespace {
+
+constexpr int swatchWidth = 16; // px, of a curve beside its name
 
 QColor inkOf(const QWidget& chart) { return chart.palette().color(QPalette::Text); }
 
@@ -22,6 +28,31 @@ QFont small(const QWidget& chart)
     font.setPointSizeF(0.88 * font.pointSizeF());
     return font;
 }
+
+// In place of names that have no room.
+class MoreNames final : public QCPAbstractLegendItem
+{
+public:
+    MoreNames(QCPLegend& legend, QString text)
+        : QCPAbstractLegendItem(&legend)
+        , m_text(std::move(text))
+    {}
+
+protected:
+    void draw(QCPPainter* painter) override
+    {
+        painter->setFont(parentLegend()->font());
+        painter->setPen(parentLegend()->textColor());
+        painter->drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, m_text);
+    }
+    QSize minimumOuterSizeHint() const override
+    {
+        return QFontMetrics(parentLegend()->font()).size(Qt::TextSingleLine, m_text);
+    }
+
+private:
+    QString m_text;
+};
 
 } // namespace
 
@@ -44,11 +75,38 @@ void styleAxis(QCPAxis& axis, const QWidget& chart)
 
 void styleLegend(QCPLegend& legend, const QWidget& chart)
 {
-    legend.setBrush(withOpacity(chart.palette().color(QPalette::Base), 0.75F));
+    legend.setBrush(Qt::NoBrush);
     legend.setBorderPen(Qt::NoPen);
+    legend.setMargins({4, 1, 4, 1});
+    legend.setRowSpacing(0);
+    legend.setColumnSpacing(12);
+    legend.setIconSize(swatchWidth, 10);
     legend.setFont(small(chart));
     legend.setTextColor(inkOf(chart));
 }
+
+void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curves, int width,
+               int rows)
+{
+    const QFontMetrics metrics(legend.font());
+    int widest = 1;
+    for (const QCPAbstractPlottable* curve : curves)
+        widest = std::max(widest, metrics.horizontalAdvance(curve->name()));
+    const int each = swatchWidth + legend.iconTextPadding() + widest + legend.columnSpacing();
+    const int columns = std::max(1, width / each);
+    legend.clearItems();
+    legend.setWrap(columns);
+    const auto room = std::size_t(rows * columns);
+    const std::size_t shown = curves.size() > room ? room - 1 : curves.size();
+    for (std::size_t i = 0; i < shown; ++i)
+        curves[i]->addToLegend(&legend);
+    if (shown == curves.size())
+        return;
+    legend.addItem(new MoreNames(
+        legend, QCoreApplication::translate("Chart", "and %1 more").arg(curves.size() - shown)));
+}
+
+void tighten(QCPAxisRect& rect) { rect.setMinimumMargins({2, 3, 8, 2}); }
 
 void stylePlot(QCustomPlot& plot, const QWidget& chart)
 {

@@ -1,7 +1,11 @@
 // How charts look in the colours and the font of the window.
 #pragma once
 
+#include <vector>
+
+class QCPAbstractPlottable;
 class QCPAxis;
+class QCPAxisRect;
 class QCPLegend;
 class QCustomPlot;
 class QWidget;
@@ -10,6 +14,14 @@ namespace ripstop {
 
 void styleAxis(QCPAxis& axis, const QWidget& chart);
 void styleLegend(QCPLegend& legend, const QWidget& chart);
+// Names of the curves above the axes, in as many columns as the width, px, has room for; of more
+// than these rows the last name says how many are left out.
+void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curves, int width,
+               int rows);
+
+// Little room around the axes: the numbers take what they need.
+void tighten(QCPAxisRect& rect);
+
 void stylePlot(QCustomPlot& plot, const QWidget& chart); // of one pair of axes; draws it again
 
 } // namespace ripstop

@@ -37,7 +37,7 @@ std::vector<XyCurve> ofAllRuns(const History& history, const std::vector<Earlier
     std::vector<XyCurve> all;
     for (const EarlierRun& run : earlier)
         for (const Curve& curve : curves) {
-            all.push_back(make(run.history, curve));
+            all.push_back(make(*run.history, curve));
             all.back().name = QStringLiteral("%1, %2").arg(curve.name, run.name);
             all.back().past = true;
         }

@@ -1,7 +1,8 @@
 // What the probes have read since the run began.
 //
-// Memory is bounded: when `most` samples are held, every second one is dropped and from then on
-// only every second frame is taken, and so on. A long run is kept whole, in coarser steps.
+// Memory is bounded: when `most` samples are held, a quarter of an hour and more of what is drawn
+// while it flies, every second one is dropped and from then on only every second frame is taken,
+// and so on. A long run is kept whole, in coarser steps; its recording has all of it.
 #pragma once
 
 #include "run/frame.h"
@@ -18,7 +19,7 @@ namespace ripstop {
 class History
 {
 public:
-    explicit History(std::size_t most = 20'000)
+    explicit History(std::size_t most = 100'000)
         : m_most(most)
     {}
 
@@ -67,7 +68,7 @@ private:
 struct EarlierRun
 {
     QString name;
-    History history;
+    std::shared_ptr<const History> history;
 };
 
 } // namespace ripstop

@@ -2,41 +2,35 @@
 
 #include "base/laws.h"
 #include "document/document.h"
+#include "document/event_words.h"
 #include "document/player.h"
+#include "document/recordings.h"
 #include "document/words.h"
-#include "icons/icon.h"
 #include "icons/swatch.h"
-#include "io/csv.h"
-#include "plots/chart_picture.h"
 #include "plots/curve_color.h"
-#include "plots/curve_views.h"
+#include "plots/plot_output.h"
 
-#include <QBuffer>
-#include <QClipboard>
-#include <QDir>
 #include <QEvent>
-#include <QFileDialog>
-#include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMenu>
-#include <QMessageBox>
-#include <QSaveFile>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QTextStream>
 #include <QTreeWidget>
+#include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
 namespace {
 
-constexpr int redrawInterval = 33; // ms, about 30 pictures a second
-constexpr int listWidth = 210;     // px
+constexpr double quickest = 33.0; // ms, between pictures
+constexpr double slowest = 1000.0;
+constexpr double shareOfTime = 3.0; // drawing takes at most a third of the window's time
+constexpr int listWidth = 210;      // px
+constexpr int panelWidth = 240;     // px, at least, beside others
 
 QLabel* hint(const QString& text)
 {
@@ -55,6 +49,16 @@ QString shown(double value, const QString& unit)
     return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
 }
 
+template <typename T>
+std::vector<Entry> allOf(const Scene& scene)
+{
+    std::vector<Entry> found;
+    for (const Entry& entry : scene.items)
+        if (std::holds_alternative<T>(entry.item))
+            found.push_back(entry);
+    return found;
+}
+
 } // namespace
 
 PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
@@ -63,34 +67,23 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
     , m_player(player)
     , m_pages(new QStackedWidget)
     , m_list(new QTreeWidget)
-    , m_chartPages(new QStackedWidget)
-    , m_chart(new Chart)
-    , m_xy(new XyChart)
+    , m_panels(new QSplitter)
 {
     layOut();
     m_redraw.setSingleShot(true);
-    m_redraw.setInterval(redrawInterval);
     connect(&m_redraw, &QTimer::timeout, this, &PlotPanel::draw);
     connect(&document, &Document::changed, this, &PlotPanel::refresh);
     connect(&document, &Document::replaced, this, [this] {
         m_history.clear();
+        m_own = {};
+        m_current = 0;
+        m_events.clear();
         forgetEarlier();
-        setWay({});
         refresh();
     });
     connect(&player, &Player::frameReady, this, &PlotPanel::take);
     connect(m_list, &QTreeWidget::itemChanged, this, &PlotPanel::tick);
-    connect(m_chart, &Chart::followed, this, &PlotPanel::drawSoon);
-    connect(m_chart, &Chart::hovered, this, [this](std::optional<double> time) {
-        m_hovered = time;
-        showValues();
-    });
-    m_chart->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(m_chart, &QWidget::customContextMenuRequested, this,
-            [this](const QPoint& place) { showMenu(m_chart->mapToGlobal(place)); });
-    m_xy->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(m_xy, &QWidget::customContextMenuRequested, this,
-            [this](const QPoint& place) { showMenu(m_xy->mapToGlobal(place)); });
+    rebuildViews();
     refresh();
     if (player.frame())
         take(player.frame());
@@ -108,19 +101,15 @@ void PlotPanel::layOut()
     m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     m_list->setToolTip(tr("Tick a probe to plot it."));
 
-    auto* scroll = new QScrollArea;
+    m_panels->setChildrenCollapsible(false);
+    auto* scroll = new QScrollArea; // for more panels than have room
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(m_chart);
-    m_chartPages->addWidget(scroll);
-    m_chartPages->addWidget(hint(tr("Tick a probe to plot it.")));
-    m_chartPages->addWidget(m_xy);
-
+    scroll->setWidget(m_panels);
     auto* splitter = new QSplitter;
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(m_list);
-    splitter->addWidget(m_chartPages);
+    splitter->addWidget(scroll);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({listWidth, 3 * listWidth});
     m_pages->addWidget(splitter);
@@ -130,16 +119,17 @@ void PlotPanel::layOut()
     layout->addWidget(m_pages);
 }
 
+// --- what there is ---------------------------------------------------------------------------
+
 void PlotPanel::refresh()
 {
-    std::vector<Entry> probes;
-    for (const Entry& entry : m_document.scene().items)
-        if (std::holds_alternative<Probe>(entry.item))
-            probes.push_back(entry);
-    if (probes != m_probes) {
+    std::vector<Entry> probes = allOf<Probe>(m_document.scene());
+    std::vector<Entry> plots = allOf<Plot>(m_document.scene());
+    if (probes != m_probes || plots != m_plots) {
         m_probes = std::move(probes);
+        m_plots = std::move(plots);
+        rebuildViews();
         rebuildList();
-        rebuildCurves();
     }
     m_pages->setCurrentIndex(m_probes.empty() ? 1 : 0);
 }
@@ -151,7 +141,7 @@ void PlotPanel::rebuildList()
     for (std::size_t i = 0; i < m_probes.size(); ++i) {
         const auto& probe = std::get<Probe>(m_probes[i].item);
         auto* item = new QTreeWidgetItem(m_list, {QString::fromStdString(probe.name)});
-        item->setCheckState(0, probe.plotted ? Qt::Checked : Qt::Unchecked);
+        item->setCheckState(0, isDrawn(m_probes[i]) ? Qt::Checked : Qt::Unchecked);
         item->setIcon(0, swatch(curveColor(int(i), palette())));
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setToolTip(0, choiceLabel(choiceNames<Quantity>[std::size_t(probe.quantity)]));
@@ -159,18 +149,88 @@ void PlotPanel::rebuildList()
     showValues();
 }
 
-void PlotPanel::rebuildCurves()
+const Plot& PlotPanel::plotOf(std::size_t view) const
+{
+    return m_plots.empty() ? m_own : std::get<Plot>(m_plots[view].item);
+}
+
+void PlotPanel::rebuildViews()
+{
+    const std::size_t count = std::max<std::size_t>(1, m_plots.size());
+    while (m_views.size() > count) {
+        m_views.back()->deleteLater(); // it may be speaking
+        m_views.back()->hide();
+        m_views.pop_back();
+    }
+    while (m_views.size() < count)
+        m_views.push_back(newView());
+    m_current = std::min(m_current, count - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Plot& plot = plotOf(i);
+        m_views[i]->setPlot(plot, curvesOf(plot), acrossOf(plot));
+        m_views[i]->setMinimumWidth(count > 1 ? panelWidth : 0);
+        m_views[i]->setTitle(m_plots.empty()               ? PlotView::Title::Hidden
+                             : count > 1 && i == m_current ? PlotView::Title::Current
+                                                           : PlotView::Title::Shown);
+    }
+    giveEarlier();
+    giveMarks();
+    drawSoon();
+}
+
+PlotView* PlotPanel::newView()
+{
+    auto* view = new PlotView;
+    m_panels->addWidget(view);
+    const auto number = [this, view] {
+        return int(std::ranges::find(m_views, view) - m_views.begin());
+    };
+    connect(view, &PlotView::chosen, this, [this, number] { choose(number()); });
+    connect(view, &PlotView::menuWanted, this, [this, number](const QPoint& place) {
+        choose(number());
+        showMenu(place);
+    });
+    connect(view, &PlotView::removeWanted, this, [this, number] { removePlot(number()); });
+    connect(view, &PlotView::drawWanted, this, &PlotPanel::drawSoon);
+    connect(&view->chart(), &Chart::hovered, this, [this](std::optional<double> time) {
+        m_hovered = time;
+        showValues();
+    });
+    view->show();
+    return view;
+}
+
+std::vector<Curve> PlotPanel::curvesOf(const Plot& plot) const
 {
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < m_probes.size(); ++i) {
-        const auto& probe = std::get<Probe>(m_probes[i].item);
-        if (probe.plotted)
-            curves.push_back({std::uint32_t(m_probes[i].id), QString::fromStdString(probe.name),
-                              unitOf(m_probes[i].id), curveColor(int(i), palette())});
+        const auto& [id, item] = m_probes[i];
+        const auto& probe = std::get<Probe>(item);
+        const bool wanted = plot.probes.empty()
+                                ? probe.plotted
+                                : std::ranges::find(plot.probes, id) != plot.probes.end();
+        if (wanted)
+            curves.push_back({std::uint32_t(id), QString::fromStdString(probe.name), unitOf(id),
+                              curveColor(int(i), palette())});
     }
-    m_chart->setCurves(std::move(curves));
-    showPage();
-    drawSoon();
+    return curves;
+}
+
+bool PlotPanel::isDrawn(const Entry& probe) const
+{
+    return std::ranges::any_of(m_views[m_current]->curves(), [&](const Curve& curve) {
+        return curve.probe == std::uint32_t(probe.id);
+    });
+}
+
+QString PlotPanel::acrossOf(const Plot& plot) const
+{
+    const Probe* across = findItem<Probe>(m_document.scene(), plot.against);
+    if (!across)
+        return {};
+    const QString unit = unitOf(plot.against);
+    const QString name = QString::fromStdString(across->name);
+    return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
 }
 
 QString PlotPanel::unitOf(Id id) const
@@ -182,17 +242,31 @@ QString PlotPanel::unitOf(Id id) const
     return {};
 }
 
+// --- panels ----------------------------------------------------------------------------------
+
+void PlotPanel::choose(int number)
+{
+    if (std::size_t(number) >= m_views.size() || m_current == std::size_t(number))
+        return;
+    m_current = std::size_t(number);
+    rebuildViews();
+    rebuildList();
+}
+
+// --- frames and drawing ----------------------------------------------------------------------
+
 void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
 {
     if (m_player.isLookingBack())
         return showPast(*frame);
-    m_chart->setCursor({});
+    for (PlotView* view : m_views)
+        view->chart().setCursor({});
     if (frame->run != m_history.run())
         keepRun();
     m_history.add(*frame);
     if (frame->layout != m_layout) {
         m_layout = frame->layout;
-        rebuildCurves(); // units
+        rebuildViews(); // units
     }
     drawSoon();
 }
@@ -200,56 +274,26 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
 // The curves stay; a line stands where one looks.
 void PlotPanel::showPast(const Frame& frame)
 {
-    m_chart->setCursor(frame.time);
+    for (PlotView* view : m_views)
+        view->chart().setCursor(frame.time);
     drawSoon();
 }
 
 void PlotPanel::drawSoon()
 {
-    if (isVisible() && !m_redraw.isActive())
-        m_redraw.start();
+    if (!isVisible() || m_redraw.isActive())
+        return;
+    double drawing = 0.0;
+    for (const PlotView* view : m_views)
+        drawing += view->drawingTime();
+    m_redraw.start(int(std::clamp(shareOfTime * drawing, quickest, slowest)));
 }
 
 void PlotPanel::draw()
 {
-    if (m_way.of == Way::Of::OverTime)
-        m_chart->draw(m_history);
-    else
-        drawXy();
+    for (PlotView* view : m_views)
+        view->draw(m_history, m_earlier);
     showValues();
-}
-
-void PlotPanel::drawXy()
-{
-    const std::vector<Curve>& curves = m_chart->curves();
-    QString unit = curves.empty() ? QString() : curves.front().unit;
-    for (const Curve& curve : curves)
-        if (curve.unit != unit)
-            unit = tr("each in its unit");
-    if (m_way.of == Way::Of::Spectra)
-        return m_xy->show(tr("frequency (Hz)"), tr("amplitude (%1)").arg(unit),
-                          spectra(m_history, m_earlier, curves));
-    const Probe* across = findItem<Probe>(m_document.scene(), m_way.across);
-    if (!across) // it is gone
-        return setWay({});
-    const QString name = QString::fromStdString(across->name);
-    const QString acrossUnit = unitOf(m_way.across);
-    m_xy->show(acrossUnit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, acrossUnit), unit,
-               phaseCurves(m_history, m_earlier, curves, std::uint32_t(m_way.across)));
-}
-
-void PlotPanel::setWay(const Way& way)
-{
-    m_way = way;
-    showPage();
-    drawSoon();
-}
-
-void PlotPanel::showPage()
-{
-    m_chartPages->setCurrentIndex(m_chart->curves().empty()       ? 1
-                                  : m_way.of == Way::Of::OverTime ? 0
-                                                                  : 2);
 }
 
 // A reset, or another start, begins a new run.
@@ -258,18 +302,53 @@ void PlotPanel::keepRun()
     constexpr std::size_t most = 8; // runs, of which a person can tell the curves apart
     if (m_history.time().size() < 2)
         return;
-    m_earlier.push_back({tr("run %1").arg(++m_runs), m_history});
+    m_earlier.push_back({tr("run %1").arg(++m_runs), std::make_shared<const History>(m_history)});
     if (m_earlier.size() > most)
         m_earlier.erase(m_earlier.begin());
-    m_chart->setEarlier(m_earlier);
+    giveEarlier();
 }
 
 void PlotPanel::forgetEarlier()
 {
     m_earlier.clear();
     m_runs = 0;
-    m_chart->setEarlier(m_earlier);
+    giveEarlier();
     drawSoon();
+}
+
+void PlotPanel::giveEarlier()
+{
+    for (PlotView* view : m_views)
+        view->chart().setEarlier(m_earlier);
+}
+
+void PlotPanel::markEventsOf(const Recordings& recordings)
+{
+    const auto take = [this, &recordings] { takeEvents(recordings); };
+    connect(&recordings, &Recordings::grew, this, take);
+    connect(&recordings, &Recordings::listChanged, this, take);
+}
+
+void PlotPanel::takeEvents(const Recordings& recordings)
+{
+    const auto& recording = recordings.current();
+    const std::uint64_t run = recording ? recording->run() : 0;
+    std::vector<RunEvent> events = recording ? recording->events() : std::vector<RunEvent>();
+    if (run == m_eventRun && events == m_events)
+        return;
+    m_eventRun = run;
+    m_events = std::move(events);
+    giveMarks();
+}
+
+void PlotPanel::giveMarks()
+{
+    std::vector<Mark> marks;
+    if (m_eventRun == m_history.run())
+        for (const RunEvent& event : m_events)
+            marks.push_back({event.kind, event.time, describe(event, m_document.scene())});
+    for (PlotView* view : m_views)
+        view->chart().setMarks(marks);
 }
 
 // What the probes read at the time under the mouse, or now.
@@ -278,8 +357,9 @@ void PlotPanel::showValues()
     const bool past = m_hovered && !m_history.time().empty();
     const std::size_t sample = past ? m_history.nearest(*m_hovered) : 0;
     m_list->setHeaderLabels(
-        {tr("Probe"), past ? tr("at %1 s").arg(QLocale().toString(m_history.time()[sample], 'f', 2))
-                           : tr("now")});
+        {m_views.size() > 1 ? QString::fromStdString(plotOf(m_current).name) : tr("Probe"),
+         past ? tr("at %1 s").arg(QLocale().toString(m_history.time()[sample], 'f', 2))
+              : tr("now")});
     const auto& frame = m_player.frame();
     for (std::size_t i = 0; i < m_probes.size(); ++i) {
         const auto id = std::uint32_t(m_probes[i].id);
@@ -300,21 +380,27 @@ void PlotPanel::showValues()
     m_list->viewport()->update(); // its signals were blocked
 }
 
+// A plot with probes of its own has them ticked; others share what is ticked.
 void PlotPanel::tick(QTreeWidgetItem* item)
 {
-    const int row = m_list->indexOfTopLevelItem(item);
-    const Entry& entry = m_probes[std::size_t(row)];
-    const auto& probe = std::get<Probe>(entry.item);
-    const bool plotted = item->checkState(0) == Qt::Checked;
-    if (plotted == probe.plotted)
+    const Entry& entry = m_probes[std::size_t(m_list->indexOfTopLevelItem(item))];
+    const bool wanted = item->checkState(0) == Qt::Checked;
+    if (wanted == isDrawn(entry))
         return;
     // Not at once: the edit makes the list anew, and with it the item that is still speaking.
-    const auto push = [this, id = entry.id, plotted] {
+    const auto push = [this, id = entry.id, wanted] {
+        Plot plot = plotOf(m_current);
+        if (!plot.probes.empty()) {
+            std::erase(plot.probes, id);
+            if (wanted)
+                plot.probes.insert(std::ranges::lower_bound(plot.probes, id), id);
+            return plot.probes.empty() ? rebuildList() : change(plot); // none would mean all
+        }
         const auto* ticked = findItem<Probe>(m_document.scene(), id);
         const Property* property = findProperty(Kind::Probe, "plotted");
-        if (ticked && ticked->plotted != plotted)
-            m_document.push({(plotted ? "Plot " : "Do not plot ") + ticked->name,
-                             {SetValues{property, {id}, {plotted}}}});
+        if (ticked && ticked->plotted != wanted)
+            m_document.push({(wanted ? "Plot " : "Do not plot ") + ticked->name,
+                             {SetValues{property, {id}, {wanted}}}});
     };
     QMetaObject::invokeMethod(this, push, Qt::QueuedConnection);
 }
@@ -323,8 +409,8 @@ void PlotPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) {
+        rebuildViews();
         rebuildList();
-        rebuildCurves();
     }
 }
 
@@ -334,129 +420,22 @@ void PlotPanel::showEvent(QShowEvent* event)
     drawSoon();
 }
 
+// Panels stand beside each other in a wide dock, one below the other in a high one.
+void PlotPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_panels->setOrientation(width() > height() ? Qt::Horizontal : Qt::Vertical);
+}
+
 void PlotPanel::clear()
 {
     m_history.clear();
     drawSoon();
 }
 
-// --- the context menu ------------------------------------------------------------------------
-
-void PlotPanel::showMenu(const QPoint& place)
-{
-    QMenu menu(this);
-    QAction* whole = menu.addAction(tr("Show the whole run"));
-    whole->setCheckable(true);
-    whole->setChecked(m_chart->showsWholeRun());
-    whole->setToolTip(tr("Off, the latest half minute is shown."));
-    connect(whole, &QAction::toggled, m_chart, &Chart::setWholeRun);
-    QAction* follow = menu.addAction(tr("Follow the run"), m_chart, &Chart::follow);
-    follow->setEnabled(!m_chart->follows());
-    addWays(menu);
-    menu.addSeparator();
-    menu.addAction(icon(QStringLiteral("table")), tr("Save as CSV\u2026"), this,
-                   &PlotPanel::saveCsv);
-    menu.addAction(icon(QStringLiteral("picture")), tr("Save picture\u2026"), this,
-                   &PlotPanel::savePicture);
-    menu.addAction(tr("Copy the table"), this, &PlotPanel::copyTable);
-    menu.addAction(tr("Copy the picture"), this,
-                   [this] { QGuiApplication::clipboard()->setPixmap(pictureOf(plotInSight())); });
-    menu.addSeparator();
-    menu.addAction(icon(QStringLiteral("delete")), tr("Clear"), this, &PlotPanel::clear);
-    QAction* forget = menu.addAction(tr("Clear earlier runs"), this, &PlotPanel::forgetEarlier);
-    forget->setEnabled(!m_earlier.empty());
-    menu.exec(place);
-}
-
-void PlotPanel::addWays(QMenu& menu)
-{
-    QAction* logarithmic = menu.addAction(tr("Logarithmic values"));
-    logarithmic->setCheckable(true);
-    logarithmic->setChecked(m_chart->isLogarithmic());
-    connect(logarithmic, &QAction::toggled, this, [this](bool on) {
-        m_chart->setLogarithmic(on);
-        m_xy->setLogarithmic(on);
-    });
-    QMenu* against = menu.addMenu(tr("Curves against"));
-    const auto add = [&](QMenu& to, const QString& text, const Way& way) {
-        QAction* action = to.addAction(text, this, [this, way] { setWay(way); });
-        action->setCheckable(true);
-        action->setChecked(way == m_way);
-    };
-    add(*against, tr("time"), {});
-    for (const Entry& entry : m_probes)
-        add(*against, QString::fromStdString(std::get<Probe>(entry.item).name),
-            {Way::Of::Against, entry.id});
-    add(menu, tr("Spectra"), {Way::Of::Spectra, {}});
-}
-
-QCustomPlot& PlotPanel::plotInSight()
-{
-    return m_way.of == Way::Of::OverTime ? m_chart->plot() : m_xy->plot();
-}
-
-void PlotPanel::copyTable() const
-{
-    QBuffer text;
-    text.open(QIODevice::WriteOnly);
-    writeCsv(text, '\t'); // as spreadsheets paste it
-    QGuiApplication::clipboard()->setText(QString::fromUtf8(text.data()));
-}
-
-QString PlotPanel::suggestedFile(const char* suffix) const
-{
-    const QString name = m_document.displayName().remove(QStringLiteral(".ripstop.json"));
-    const QString folder = m_document.file().isEmpty()
-                               ? QDir::homePath()
-                               : QFileInfo(m_document.file()).absolutePath();
-    return QDir(folder).filePath(name + QLatin1String(suffix));
-}
-
-void PlotPanel::saveCsv()
-{
-    const QString name = QFileDialog::getSaveFileName(this, tr("Save the curves"),
-                                                      suggestedFile(".csv"), tr("CSV (*.csv)"));
-    if (name.isEmpty())
-        return;
-    QSaveFile file(name);
-    const bool opened = file.open(QIODevice::WriteOnly);
-    if (opened)
-        writeCsv(file);
-    if (!opened || !file.commit())
-        QMessageBox::warning(this, tr("Save the curves"),
-                             tr("%1 cannot be written: %2.").arg(name, file.errorString()));
-}
-
-void PlotPanel::savePicture()
-{
-    const QString name =
-        QFileDialog::getSaveFileName(this, tr("Save the picture"), suggestedFile(".png"),
-                                     tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"));
-    if (!name.isEmpty() && !ripstop::savePicture(plotInSight(), name))
-        QMessageBox::warning(this, tr("Save the picture"), tr("%1 cannot be written.").arg(name));
-}
-
 void PlotPanel::writeCsv(QIODevice& device, char separator) const
 {
-    QTextStream out(&device);
-    out << "time (s)";
-    for (const Curve& curve : m_chart->curves()) {
-        const QString name =
-            curve.unit.isEmpty() ? curve.name : curve.name + " (" + curve.unit + ')';
-        out << separator << QString::fromStdString(csvCell(name.toStdString(), separator));
-    }
-    out << '\n';
-    const auto time = m_history.time();
-    for (std::size_t i = 0; i < time.size(); ++i) {
-        out << QString::number(time[i], 'g', QLocale::FloatingPointShortest);
-        for (const Curve& curve : m_chart->curves()) {
-            const auto values = m_history.valuesOf(curve.probe);
-            out << separator;
-            if (i < values.size() && !std::isnan(values[i]))
-                out << QString::number(values[i], 'g', QLocale::FloatingPointShortest);
-        }
-        out << '\n';
-    }
+    writeCurves(device, m_history, m_views[m_current]->curves(), separator);
 }
 
 } // namespace ripstop

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "plots/chart.h"
-#include "plots/xy_chart.h"
+#include "plots/plot_view.h"
 #include "scene/scene.h"
 
 #include <QTimer>
 
 class QIODevice;
-class QLabel;
 class QMenu;
+class QScrollArea;
+class QSplitter;
 class QStackedWidget;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -17,11 +17,12 @@ namespace ripstop {
 
 class Document;
 class Player;
+class Recordings;
 
-// Live curves of the probes of the scene, one strip for each unit over a common time axis. A list
-// at the side says which probes are drawn and what they read: now, or at the time under the mouse.
-// The same curves against another probe, or their spectra, take the place of the strips on request.
-// Runs that are over stay as thin curves until they are cleared.
+// Live curves of the probes of the scene, in one panel for each Plot that the scene has, or in a
+// single one that is nobody's. A list at the side says which probes the chosen panel draws and what
+// they read: now, or at the time under the mouse. Runs that are over stay as thin curves until they
+// are cleared.
 class PlotPanel final : public QWidget
 {
     Q_OBJECT
@@ -29,70 +30,86 @@ class PlotPanel final : public QWidget
 public:
     PlotPanel(Document& document, Player& player, QWidget* parent = nullptr);
 
-    Chart& chart() { return *m_chart; }
     const History& history() const { return m_history; }
-
     void clear(); // forgets the samples until now; the run goes on
     const std::vector<EarlierRun>& earlier() const { return m_earlier; }
     void forgetEarlier();
 
-    struct Way // to look at the curves
-    {
-        enum class Of { OverTime, Against, Spectra } of = Of::OverTime;
-        Id across{}; // the other probe
+    // Marks what happens in the run that is drawn, as its recording has it.
+    void markEventsOf(const Recordings& recordings);
 
-        friend bool operator==(const Way&, const Way&) = default;
-    };
-    void setWay(const Way& way);
-    const Way& way() const { return m_way; }
-    XyChart& xyChart() { return *m_xy; }
+    // --- panels ---
+    int viewCount() const { return int(m_views.size()); }
+    PlotView& view(int number) { return *m_views[std::size_t(number)]; }
+    PlotView& view() { return *m_views[m_current]; } // the chosen one
+    Chart& chart() { return view().chart(); }
+    void choose(int number);
+    void addPlot();  // beside what is there, which the scene keeps then
+    void keepPlot(); // the one that is nobody's
+    void removePlot(int number);
+    void change(const Plot& wanted); // of the chosen one: an edit when the scene has it
 
-    // The curves that are drawn: a header with units, a row for each sample.
+    // The curves that the chosen panel draws: a header with units, a row for each sample.
     void writeCsv(QIODevice& device, char separator = ',') const;
 
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void layOut();
-    void refresh(); // which probes there are
+    void refresh(); // which probes and plots there are
     void rebuildList();
-    void rebuildCurves();
+    void rebuildViews();
+    PlotView* newView();
+    std::vector<Curve> curvesOf(const Plot& plot) const;
+    bool isDrawn(const Entry& probe) const; // in the chosen panel
+    const Plot& plotOf(std::size_t view) const;
+    QString acrossOf(const Plot& plot) const;
     void take(const std::shared_ptr<const Frame>& frame);
     void showPast(const Frame& frame);
     void draw();
-    void drawXy();
     void drawSoon();
-    void showPage();
     void keepRun();
-    void addWays(QMenu& menu);
-    void copyTable() const;
-    QCustomPlot& plotInSight();
+    void giveEarlier();
+    void takeEvents(const Recordings& recordings);
+    void giveMarks();
     void showValues();
     void tick(QTreeWidgetItem* item); // draws a probe, or not
+    QString unitOf(Id probe) const;   // as the newest frame has it
+
+    // the context menu (plot_menu.cpp)
     void showMenu(const QPoint& place);
+    void addWays(QMenu& menu);
+    void addRanges(QMenu& menu);
+    void addPanels(QMenu& menu);
+    void addOutput(QMenu& menu);
+    void rename();
+    void copyTable() const;
     void saveCsv();
     void savePicture();
     QString suggestedFile(const char* suffix) const;
-    QString unitOf(Id probe) const; // as the newest frame has it
 
     Document& m_document;
     Player& m_player;
     std::vector<Entry> m_probes;            // as the list shows them
+    std::vector<Entry> m_plots;             // of the scene
+    Plot m_own;                             // what is shown when there are none
+    std::vector<PlotView*> m_views;         // [m_plots], or one
+    std::size_t m_current = 0;              // of m_views
     std::shared_ptr<const Layout> m_layout; // of the newest frame
     History m_history;
     std::vector<EarlierRun> m_earlier;
     int m_runs = 0; // that have been kept, for their names
-    Way m_way;
+    std::uint64_t m_eventRun = 0;
+    std::vector<RunEvent> m_events;  // of that run
     std::optional<double> m_hovered; // s
     QTimer m_redraw;
 
     QStackedWidget* m_pages;
     QTreeWidget* m_list;
-    QStackedWidget* m_chartPages;
-    Chart* m_chart;
-    XyChart* m_xy;
+    QSplitter* m_panels;
 };
 
 } // namespace ripstop

@@ -7,6 +7,9 @@
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace ripstop {
 
 XyChart::XyChart(QWidget* parent)
@@ -21,8 +24,16 @@ XyChart::XyChart(QWidget* parent)
     connect(m_plot, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
         emit customContextMenuRequested(m_plot->mapTo(this, place));
     });
+    tighten(*m_plot->axisRect());
+    m_plot->yAxis->ticker()->setTickCount(4);
+    m_plot->setAutoAddPlottableToLegend(false); // fitLegend() does, as many as have room
+    m_plot->axisRect()->insetLayout()->take(m_plot->legend);
+    m_plot->plotLayout()->insertRow(0);
+    m_plot->plotLayout()->addElement(0, 0, m_plot->legend); // where it hides no curve
+    m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
+    m_plot->plotLayout()->setRowSpacing(0);
+    m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
     m_plot->legend->setVisible(true);
-    m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
     for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
         connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
                 [this] { m_held |= !m_setting; });
@@ -35,6 +46,7 @@ XyChart::XyChart(QWidget* parent)
 
 void XyChart::show(const QString& xLabel, const QString& yLabel, const std::vector<XyCurve>& curves)
 {
+    m_plot->legend->clearItems(); // they point at what goes
     m_plot->clearPlottables();
     m_plot->xAxis->setLabel(xLabel);
     m_plot->yAxis->setLabel(yLabel);
@@ -47,12 +59,36 @@ void XyChart::show(const QString& xLabel, const QString& yLabel, const std::vect
         curve->setData(QVector<double>(one.x.begin(), one.x.end()),
                        QVector<double>(one.y.begin(), one.y.end()));
     }
+    m_pastCount = std::ranges::count_if(curves, &XyCurve::past);
+    fitNames();
+    fit();
+}
+
+// Earlier runs are drawn first and named last.
+void XyChart::fitNames()
+{
+    std::vector<QCPAbstractPlottable*> curves;
+    for (int i = 0; i < m_plot->plottableCount(); ++i)
+        curves.push_back(m_plot->plottable(i));
+    std::rotate(curves.begin(), curves.begin() + m_pastCount, curves.end());
+    constexpr int lowChart = 240; // px
+    fitLegend(*m_plot->legend, curves, width(), height() < lowChart ? 1 : 2);
+}
+
+void XyChart::setRange(std::optional<double> low, std::optional<double> high)
+{
+    if (low == m_low && high == m_high)
+        return;
+    m_low = low;
+    m_high = high;
+    m_held = false;
     fit();
 }
 
 void XyChart::setLogarithmic(bool logarithmic)
 {
-    m_logarithmic = logarithmic;
+    if (std::exchange(m_logarithmic, logarithmic) == logarithmic)
+        return;
     QCPAxis& axis = *m_plot->yAxis;
     axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     axis.setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
@@ -90,17 +126,32 @@ void XyChart::fit()
             if (!m_logarithmic)
                 m_plot->yAxis->scaleRange(headroom);
         }
+        const QCPRange range = m_plot->yAxis->range();
+        const QCPRange asked(m_low.value_or(range.lower), m_high.value_or(range.upper));
+        if (m_low.value_or(range.lower) < m_high.value_or(range.upper))
+            m_plot->yAxis->setRange(asked);
     }
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 int XyChart::curveCount() const { return m_plot->plottableCount(); }
-double XyChart::yTop() const { return m_plot->yAxis->range().upper; }
+std::pair<double, double> XyChart::valueRange() const
+{
+    const QCPRange range = m_plot->yAxis->range();
+    return {range.lower, range.upper};
+}
+
+void XyChart::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitNames();
+}
 
 void XyChart::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         stylePlot(*m_plot, *this);
+    fitNames();
     QWidget::changeEvent(event);
 }
 

@@ -4,6 +4,8 @@
 #include <QString>
 #include <QWidget>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QCustomPlot;
@@ -31,21 +33,27 @@ public:
 
     void show(const QString& xLabel, const QString& yLabel, const std::vector<XyCurve>& curves);
     using QWidget::show;
-    void setLogarithmic(bool logarithmic); // the y axis
+    void setLogarithmic(bool logarithmic);                                // the y axis
+    void setRange(std::optional<double> low, std::optional<double> high); // of it; else it fits
+    std::pair<double, double> valueRange() const;                         // as it is shown
 
     QCustomPlot& plot() { return *m_plot; }
 
     // For tests.
     int curveCount() const;
-    double yTop() const;
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void fit();
+    void fitNames();
 
     QCustomPlot* m_plot;
+    std::optional<double> m_low;
+    std::optional<double> m_high;
+    std::ptrdiff_t m_pastCount = 0; // curves of earlier runs, which come first
     bool m_logarithmic = false;
     bool m_held = false;    // the user has chosen what is in sight
     bool m_setting = false; // ranges change by program, not by hand

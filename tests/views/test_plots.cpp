@@ -1,0 +1,304 @@
+// The panels of the plots dock that a scene keeps, the marks of what happened, and curves that are
+// longer than the screen is wide.
+#include "document/document.h"
+#include "document/player.h"
+#include "document/recordings.h"
+#include "plots/plot_panel.h"
+#include "thread_time.h"
+#include "views/small_scenes.h"
+
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <QtTest>
+#include <qcustomplot.h>
+
+#include <cmath>
+
+using namespace ripstop;
+
+namespace {
+
+// The falling pair over a ground 1 m below it, with its height (8), its speed (9), ground is 10.
+Scene measured()
+{
+    Scene scene = fallingPair();
+    Probe height;
+    height.name = "height";
+    height.target = Id{2};
+    Probe speed;
+    speed.name = "speed";
+    speed.quantity = Quantity::Speed;
+    speed.target = Id{2};
+    Collider ground;
+    ground.name = "ground";
+    ground.position = Vec3(0.0, 9.0, 0.0);
+    scene.items.push_back({Id{8}, height});
+    scene.items.push_back({Id{9}, speed});
+    scene.items.push_back({Id{10}, ground});
+    scene.nextId = Id{11};
+    return scene;
+}
+
+struct Desk
+{
+    Document document;
+    Player player{document};
+    Recordings recordings{player};
+    PlotPanel plots{document, player};
+
+    Desk()
+    {
+        document.replace(measured());
+        plots.markEventsOf(recordings);
+        plots.resize(900, 300);
+        plots.show();
+    }
+    std::vector<const Plot*> kept() const
+    {
+        std::vector<const Plot*> found;
+        for (const Entry& entry : document.scene().items)
+            if (const auto* plot = std::get_if<Plot>(&entry.item))
+                found.push_back(plot);
+        return found;
+    }
+    QTreeWidget& list() { return *plots.findChild<QTreeWidget*>(); }
+    void fly(double time)
+    {
+        player.playUntil(time);
+        QTRY_VERIFY(player.frame() && std::abs(player.frame()->time - time) < 1e-6
+                    && !player.isPlaying());
+    }
+};
+
+std::vector<std::uint32_t> probesIn(PlotView& view)
+{
+    std::vector<std::uint32_t> ids;
+    for (const Curve& curve : view.curves())
+        ids.push_back(curve.probe);
+    return ids;
+}
+
+using Ids = std::vector<std::uint32_t>;
+
+} // namespace
+
+class TestPlots : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // Nothing is stored until one wants more than the panel that is there anyway.
+    void plotsAreEdits()
+    {
+        Desk desk;
+        QCOMPARE(desk.plots.viewCount(), 1);
+        QVERIFY(desk.kept().empty());
+        desk.plots.addPlot();
+        QCOMPARE(desk.kept().size(), std::size_t(2));
+        QCOMPARE(desk.plots.viewCount(), 2);
+        QVERIFY(desk.kept()[0]->name != desk.kept()[1]->name);
+        desk.document.history().undo();
+        QVERIFY(desk.kept().empty());
+        QCOMPARE(desk.plots.viewCount(), 1);
+        desk.document.history().redo();
+        desk.plots.removePlot(0);
+        QCOMPARE(desk.plots.viewCount(), 1);
+        desk.document.history().undo();
+        QCOMPARE(desk.plots.viewCount(), 2);
+    }
+
+    // A way to look stays with the desk while no plot is kept, and is an edit of the one that is.
+    void waysOfAPlot()
+    {
+        Desk desk;
+        Plot plot = desk.plots.view().plot();
+        plot.axis = PlotAxis::Frequency;
+        desk.plots.change(plot);
+        QCOMPARE(desk.plots.view().plot().axis, PlotAxis::Frequency);
+        QCOMPARE(desk.document.history().count(), 0);
+        desk.plots.keepPlot();
+        QCOMPARE(desk.kept().at(0)->axis, PlotAxis::Frequency);
+        plot = desk.plots.view().plot();
+        plot.axis = PlotAxis::Probe;
+        plot.against = Id{9};
+        plot.logarithmic = true;
+        desk.plots.change(plot);
+        QCOMPARE(desk.kept().at(0)->against, Id{9});
+        desk.document.history().undo(); // both in one step
+        QCOMPARE(desk.kept().at(0)->axis, PlotAxis::Frequency);
+        QVERIFY(!desk.kept().at(0)->logarithmic);
+    }
+
+    // Ticks of a plot with curves of its own are its own.
+    void ticksOfOnePlot()
+    {
+        Desk desk;
+        desk.plots.addPlot(); // the second is chosen, with both curves
+        desk.list().topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+        QTRY_COMPARE(probesIn(desk.plots.view(1)), Ids{9});
+        QCOMPARE(probesIn(desk.plots.view(0)), (Ids{8, 9}));
+        QVERIFY(findItem<Probe>(desk.document.scene(), Id{8})->plotted);
+        desk.list().topLevelItem(1)->setCheckState(0, Qt::Unchecked); // the last one stays
+        QTRY_COMPARE(desk.list().topLevelItem(1)->checkState(0), Qt::Checked);
+        QCOMPARE(probesIn(desk.plots.view(1)), Ids{9});
+        desk.plots.choose(0);
+        QCOMPARE(desk.list().topLevelItem(0)->checkState(0), Qt::Checked);
+    }
+
+    // A probe that goes takes its curve along, and undo brings both back.
+    void removedProbes()
+    {
+        Desk desk;
+        desk.plots.addPlot();
+        desk.document.push(removal(desk.document.scene(), {Id{8}}));
+        QCOMPARE(desk.kept().at(1)->probes, std::vector{Id{9}});
+        QCOMPARE(probesIn(desk.plots.view(1)), Ids{9});
+        desk.document.history().undo();
+        QCOMPARE(probesIn(desk.plots.view(1)), (Ids{8, 9}));
+    }
+
+    void comesBackWithTheFile()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("a.ripstop.json");
+        Desk desk;
+        desk.plots.addPlot();
+        Plot plot = desk.plots.view().plot();
+        plot.name = "fall";
+        plot.axis = PlotAxis::Probe;
+        plot.against = Id{8};
+        plot.probes = {Id{9}};
+        plot.low = 0.0;
+        plot.high = 5.0;
+        desk.plots.change(plot);
+        QVERIFY(!desk.document.save(file));
+        Desk other;
+        QVERIFY(!other.document.open(file));
+        QCOMPARE(other.plots.viewCount(), 2);
+        QVERIFY(other.plots.view(1).plot() == plot);
+    }
+
+    // Plots are no matter of the simulation: the run goes on with the same system.
+    void plotsDoNotDisturbTheRun()
+    {
+        Desk desk;
+        desk.fly(0.1);
+        const auto before = desk.player.frame();
+        const double began = desk.plots.history().time().front();
+        desk.plots.addPlot();
+        desk.fly(0.2);
+        QCOMPARE(desk.plots.history().time().front(), began); // the curves go on
+        QCOMPARE(desk.player.frame()->run, before->run);
+        QVERIFY(*desk.player.frame()->layout == *before->layout);
+    }
+
+    // It falls by 1 m in sqrt(2 / g) = 0.45 s, and the touch is marked, with its names.
+    void marksWhatHappens()
+    {
+        Desk desk;
+        desk.fly(0.4);
+        QCOMPARE(desk.plots.chart().markCount(RunEvent::Kind::Contact), 0);
+        desk.fly(0.6);
+        QTRY_COMPARE(desk.plots.chart().markCount(RunEvent::Kind::Contact), 1);
+        QVERIFY(desk.recordings.toEvent(Recordings::Way::Back));
+        QTRY_VERIFY(desk.player.isLookingBack());
+        QVERIFY(std::abs(desk.player.frame()->time - std::sqrt(2.0 / 9.80665)) < 0.02);
+    }
+
+    void rangeOfValues()
+    {
+        Desk desk;
+        Plot plot = desk.plots.view().plot();
+        plot.probes = {Id{8}};
+        plot.low = -2.0;
+        plot.high = 20.0;
+        desk.plots.change(plot);
+        desk.fly(0.3);
+        QTRY_VERIFY(desk.plots.chart().pointCount() > 0);
+        QCOMPARE(*desk.plots.view().valueRange(), std::pair(-2.0, 20.0));
+    }
+
+    // A spike of one sample among a million is drawn, with few points; gaps stay gaps.
+    void peaksAreDrawn()
+    {
+        std::vector<double> time;
+        std::vector<double> value;
+        for (int i = 0; i < 1'000'000; ++i) {
+            time.push_back(0.001 * i);
+            value.push_back(std::sin(0.01 * i));
+        }
+        value[777'777] = 50.0;
+        value[123'456] = -40.0;
+        const DrawnCurve drawn = drawnCurve(time, value, {0.0, 1000.0, 800, false});
+        QVERIFY(drawn.time.size() <= 2 * 801);
+        QVERIFY(drawn.value.contains(50.0) && drawn.value.contains(-40.0));
+        QCOMPARE(drawn.high, 50.0);
+        QCOMPARE(drawn.low, -40.0);
+        QVERIFY(std::is_sorted(drawn.time.begin(), drawn.time.end()));
+
+        // as far as one looks, and one sample beyond either end
+        const DrawnCurve part = drawnCurve(time, value, {10.0, 10.1, 800, false});
+        QCOMPARE(part.time.size(), 102);
+        QVERIFY(part.high <= 1.0);
+
+        for (std::size_t i = 400'000; i < 500'000; ++i)
+            value[i] = std::nan("");
+        const DrawnCurve torn = drawnCurve(time, value, {0.0, 1000.0, 800, false});
+        QVERIFY(std::ranges::any_of(torn.value, [](double v) { return std::isnan(v); }));
+        const DrawnCurve logarithmic = drawnCurve(time, value, {0.0, 1000.0, 800, true});
+        QVERIFY(logarithmic.low > 0.0);
+        QVERIFY(!drawnCurve({}, {}, {0.0, 1.0, 800, false}).any);
+    }
+
+    // 60 curves over ten minutes, 60 samples a second: all samples are kept, and a picture is made
+    // of no more points than it has columns. The figures go into the log.
+    void sixtyCurvesOfTenMinutes()
+    {
+        constexpr int curves = 60;
+        constexpr int samples = 36'000;
+        auto layout = std::make_shared<Layout>();
+        std::vector<Curve> drawn;
+        for (int c = 0; c < curves; ++c) {
+            layout->probes.push_back({std::uint32_t(c + 1), "p", "m", true});
+            drawn.push_back({std::uint32_t(c + 1), QString("probe %1").arg(c), c % 2 ? "m" : "N",
+                             QColor::fromHsv(6 * c, 200, 200)});
+        }
+        History history;
+        Frame frame;
+        frame.run = 1;
+        frame.layout = layout;
+        frame.probe.resize(curves);
+        for (int i = 0; i < samples; ++i) {
+            frame.time = i / 60.0;
+            for (int c = 0; c < curves; ++c)
+                frame.probe[std::size_t(c)] = std::sin(0.03 * i + c) + 0.1 * std::sin(1.7 * i * c);
+            history.add(frame);
+        }
+        QCOMPARE(history.time().size(), std::size_t(samples));
+        qInfo("%.1f MB of samples", (curves + 1.0) * samples * sizeof(double) / 1e6);
+
+        Chart chart;
+        chart.resize(1000, 400);
+        chart.show();
+        chart.setCurves(drawn);
+        for (const double seconds : {30.0, 0.0}) {
+            Plot plot;
+            plot.seconds = seconds;
+            chart.setPlot(plot);
+            chart.draw(history);
+            QCoreApplication::processEvents();
+            constexpr int pictures = 10;
+            const double start = threadTime();
+            for (int i = 0; i < pictures; ++i) {
+                chart.draw(history);
+                QCoreApplication::processEvents();
+            }
+            qInfo("%s: %.1f ms a picture, %d points", seconds > 0.0 ? "half a minute" : "all of it",
+                  (threadTime() - start) / pictures, chart.pointCount());
+            QVERIFY(chart.pointCount() <= curves * 2 * (chart.width() + 2));
+        }
+    }
+};
+
+QTEST_MAIN(TestPlots)
+#include "test_plots.moc"

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "plots/chart.h"
+#include "plots/xy_chart.h"
+
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+
+namespace ripstop {
+
+// One panel of the plots dock: the curves of a Plot over time, against a probe, or as spectra.
+class PlotView final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PlotView(QWidget* parent = nullptr);
+
+    // `across` names the probe that the curves are against, with its unit; empty without one.
+    void setPlot(const Plot& plot, std::vector<Curve> curves, const QString& across);
+    const Plot& plot() const { return m_plot; }
+    const std::vector<Curve>& curves() const { return m_chart->curves(); }
+
+    enum class Title { Hidden, Shown, Current }; // the current one is what the list and menu are of
+    void setTitle(Title title);
+
+    void draw(const History& history, const std::vector<EarlierRun>& earlier);
+    double drawingTime() const; // ms, lately
+
+    Chart& chart() { return *m_chart; }
+    XyChart& xyChart() { return *m_xy; }
+    QCustomPlot& plotInSight();
+
+    // The values that its axis shows; nothing when it has several.
+    std::optional<std::pair<double, double>> valueRange() const;
+
+signals:
+    void chosen(); // clicked
+    void menuWanted(const QPoint& place);
+    void removeWanted();
+    void drawWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+
+private:
+    void showPage();
+    void styleTitle();
+
+    Plot m_plot;
+    QString m_across;
+    Title m_title = Title::Hidden;
+    QWidget* m_bar;
+    QLabel* m_name;
+    QToolButton* m_close;
+    QStackedWidget* m_pages;
+    QLabel* m_hint;
+    Chart* m_chart;
+    XyChart* m_xy;
+};
+
+} // namespace ripstop
