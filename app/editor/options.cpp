@@ -12,7 +12,8 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
 
 const QStringList appearances{"desktop", "light", "dark"}; // in the order of Appearance
-const QStringList colors{"material", "strain", "tension", "speed", "load", "tear"}; // of ColorBy
+const QStringList colors{"material", "strain", "tension", "speed",
+                         "load",     "tear",   "stress"}; // of ColorBy
 
 std::optional<QSize> sizeFrom(const QString& text)
 {

@@ -1,8 +1,14 @@
 // Colours by tear limit, the peak, and arrows on elements.
+#include "viewport/design_ghost.h"
+#include "viewport/legend.h"
 #include "viewport/quantity_values.h"
+#include "viewport/range_editor.h"
+#include "viewport/trails.h"
 #include "viewport/vector_layer.h"
 #include "viewport/vectors.h"
+#include "views/small_scenes.h"
 
+#include <QLineEdit>
 #include <QtTest>
 
 using namespace ripstop;
@@ -58,6 +64,128 @@ private slots:
         const QuantityValues values = valuesOf(frame(), ColorBy::TearLoad, look);
         QCOMPARE(values.link[0], expected);
         QCOMPARE(values.link[1], 0.0);
+    }
+
+    // 30 N in a thread that stands for 0.02 m of fabric are 1500 N/m; a line has no width.
+    void stress()
+    {
+        Look look;
+        look.linkWidth = {0.02, 0.0};
+        const Frame now = frame();
+        const QuantityValues values = valuesOf(now, ColorBy::Stress, look);
+        QCOMPARE(values.link, (std::vector<double>{1500.0, 0.0}));
+        QCOMPARE(peakOf(now, values).id, 21U);
+    }
+
+    // What flies free is turned and shifted as a whole, and its ghost with it; deformed, the ghost
+    // keeps its shape. What is pinned stays where it was drawn.
+    void ghostOfTheDesign()
+    {
+        const auto design = std::make_shared<const Frame>(frame());
+        Frame now = *design;
+        Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+        motion.rotate(Eigen::AngleAxisd(2.0, Vec3(1, 2, 3).normalized()));
+        motion.pretranslate(Vec3(10, -20, 5));
+        for (Vec3& place : now.position)
+            place = motion * place;
+        auto ghost = designGhost(design, now);
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY((ghost->position[i] - now.position[i]).norm() < 1e-9);
+
+        now.position[2] *= 1.5;
+        ghost = designGhost(design, now);
+        QVERIFY(std::abs((ghost->position[1] - ghost->position[0]).norm() - 3.0) < 1e-9);
+        const auto middle = [](const Frame& f) {
+            return Vec3((f.position[0] + f.position[1] + f.position[2]) / 3.0);
+        };
+        QVERIFY((middle(*ghost) - middle(now)).norm() < 1e-9);
+
+        auto held = std::make_shared<Frame>(frame());
+        auto layout = std::make_shared<Layout>(*held->layout);
+        layout->pinned = {1, 0, 0};
+        held->layout = layout;
+        QCOMPARE(designGhost(held, now)->position, held->position);
+    }
+
+    // As long as five seconds of the run, of the particles that are followed.
+    void trails()
+    {
+        Trails trails;
+        trails.follow({12});
+        Frame now = frame();
+        for (int i = 0; i <= 1000; ++i) {
+            now.time = 0.01 * i;
+            now.position[1].x() = now.time;
+            trails.add(now);
+        }
+        QVERIFY(trails.points().size() > 100);
+        QVERIFY(trails.points().back().time - trails.points().front().time <= Trails::length);
+        for (const Trails::Point& point : trails.points())
+            QCOMPARE(point.place[0].x(), point.time);
+        trails.follow({11, 12}); // what was followed keeps its trail
+        QCOMPARE(trails.points().front().place[1].x(), trails.points().front().time);
+        QVERIFY(!trails.points().front().place[0].allFinite());
+        now.time = 1.0; // looking back
+        trails.add(now);
+        QCOMPARE(trails.points().size(), std::size_t(1));
+    }
+
+    // Trails of particles that are selected, else of those that have probes.
+    void whoseTrails()
+    {
+        const Scene scene = oneOfEverything(); // its probe looks at particle 3
+        using Ids = std::vector<std::uint32_t>;
+        QCOMPARE(trailed(scene, {}), Ids{3});
+        QCOMPARE(trailed(scene, {Id{2}, Id{5}, Id{4}}), (Ids{2, 4}));
+        QCOMPARE(trailed(scene, {Id{5}}), Ids{3});
+    }
+
+    void typedRange_data()
+    {
+        QTest::addColumn<QString>("low");
+        QTest::addColumn<QString>("high");
+        QTest::addColumn<bool>("taken");
+        QTest::addColumn<double>("lowest");  // 1
+        QTest::addColumn<double>("highest"); // 1
+        QTest::newRow("plain") << "-1"
+                               << "4" << true << -0.01 << 0.04;
+        QTest::newRow("with its unit") << "0 %"
+                                       << "2.5 %" << true << 0.0 << 0.025;
+        QTest::newRow("turned round") << "4"
+                                      << "1" << false << 0.0 << 0.0;
+        QTest::newRow("another unit") << "0"
+                                      << "5 N" << false << 0.0 << 0.0;
+        QTest::newRow("nothing") << ""
+                                 << "1" << false << 0.0 << 0.0;
+    }
+
+    // Beside colours for strain, in per cent.
+    void typedRange()
+    {
+        QFETCH(QString, low);
+        QFETCH(QString, high);
+        QFETCH(bool, taken);
+        QWidget view;
+        Legend legend(&view);
+        legend.setScale(ColorBy::Strain, {0.0, 0.1}, ColorMap::sequential());
+        RangeEditor editor(legend, &view);
+        std::optional<ValueRange> chosen;
+        connect(&editor, &RangeEditor::chosen, this,
+                [&](const std::optional<ValueRange>& range) { chosen = range; });
+        view.show();
+        legend.show();
+        editor.open();
+        QCOMPARE(editor.high().text(), QString("10 %"));
+        editor.low().setText(low);
+        editor.high().setText(high);
+        QTest::keyClick(&editor.high(), Qt::Key_Return);
+        QCOMPARE(chosen.has_value(), taken);
+        QCOMPARE(editor.complaint().isEmpty(), taken);
+        QCOMPARE(editor.isVisible(), !taken);
+        if (!taken)
+            return;
+        QTEST(chosen->low, "lowest");
+        QTEST(chosen->high, "highest");
     }
 
     void peak()

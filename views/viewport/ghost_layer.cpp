@@ -4,7 +4,8 @@
 
 namespace ripstop {
 
-GhostLayer::GhostLayer()
+GhostLayer::GhostLayer(Of of)
+    : m_of(of)
 {
     m_points->SetDataTypeToDouble();
     for (const auto& [actor, data] :
@@ -36,8 +37,10 @@ void GhostLayer::setShown(bool shown)
 
 void GhostLayer::rebuild(const Picture& picture)
 {
-    const QColor color =
-        picture.theme.isDark() ? QColor(0x9a, 0xd0, 0xff) : QColor(0x20, 0x50, 0x90);
+    const bool dark = picture.theme.isDark();
+    const QColor run = dark ? QColor(0x9a, 0xd0, 0xff) : QColor(0x20, 0x50, 0x90);
+    const QColor design = dark ? QColor(0xa5, 0xe0, 0xa0) : QColor(0x2d, 0x6a, 0x2d);
+    const QColor& color = m_of == Of::Run ? run : design;
     setColor(*m_panelActor->GetProperty(), color);
     setColor(*m_linkActor->GetProperty(), color);
 }

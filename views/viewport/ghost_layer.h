@@ -10,11 +10,13 @@
 
 namespace ripstop {
 
-// Another run at the same time, as a pale shape that one sees through. It has a layout of its own.
+// Another run at the same time, or the design, as a pale shape that one sees through. It has a
+// layout of its own.
 class GhostLayer final : public Layer
 {
 public:
-    GhostLayer();
+    enum class Of { Run, Design };
+    explicit GhostLayer(Of of);
 
     void show(std::shared_ptr<const Frame> frame); // null: nothing
 
@@ -26,6 +28,7 @@ public:
 private:
     void build();
 
+    Of m_of;
     std::shared_ptr<const Frame> m_frame; // whose network is drawn
     vtkNew<vtkPoints> m_points;
     vtkNew<vtkPolyData> m_panels;

@@ -1,5 +1,6 @@
 #include "viewport/legend.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 
 #include <cmath>
@@ -12,21 +13,29 @@ constexpr int barWidth = 16;   // pixels
 constexpr int barHeight = 200; // pixels
 constexpr int gap = 8;         // pixels
 
-QString titleOf(ColorBy colorBy)
+struct Caption
+{
+    QString quantity; // empty: no legend
+    QString unit;
+};
+
+Caption captionOf(ColorBy colorBy)
 {
     switch (colorBy) {
     case ColorBy::Material:
         break;
     case ColorBy::Strain:
-        return Legend::tr("Strain, %");
+        return {Legend::tr("Strain"), QStringLiteral("%")};
     case ColorBy::Tension:
-        return Legend::tr("Tension, N");
+        return {Legend::tr("Tension"), QStringLiteral("N")};
     case ColorBy::Speed:
-        return Legend::tr("Speed, m/s");
+        return {Legend::tr("Speed"), QStringLiteral("m/s")};
     case ColorBy::PanelLoad:
-        return Legend::tr("Panel load, N/m²");
+        return {Legend::tr("Panel load"), QStringLiteral("N/m\u00b2")};
     case ColorBy::TearLoad:
-        return Legend::tr("Of tear limit, %");
+        return {Legend::tr("Of tear limit"), QStringLiteral("%")};
+    case ColorBy::Stress:
+        return {Legend::tr("Fabric stress"), QStringLiteral("N/m")};
     }
     return {};
 }
@@ -42,7 +51,8 @@ double markStep(const ValueRange& range)
 Legend::Legend(QWidget* parent)
     : QWidget(parent)
 {
-    setToolTip(tr("The largest value of the moment stands below; click to select what has it."));
+    setToolTip(tr("Click the colours to type their range. The largest value of the moment stands "
+                  "below; click that to select what has it."));
     setCursor(Qt::PointingHandCursor);
     hide();
 }
@@ -58,10 +68,13 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
     const bool isShare = colorBy == ColorBy::Strain || colorBy == ColorBy::TearLoad;
     m_shown = isShare ? 100.0 : 1.0; // per cent
     const ValueRange scaled{range.low * m_shown, range.high * m_shown};
-    const QString title = titleOf(colorBy);
+    const auto [quantity, unit] = captionOf(colorBy);
+    const QString title =
+        quantity.isEmpty() ? QString() : QStringLiteral("%1, %2").arg(quantity, unit);
     if (title == m_title && scaled == m_range && &colors == m_colors)
         return;
     m_title = title;
+    m_unit = unit;
     m_range = scaled;
     m_colors = &colors;
     setVisible(!m_title.isEmpty());
@@ -92,9 +105,12 @@ QString Legend::peakText() const
 
 void Legend::mousePressEvent(QMouseEvent*) {}
 
-void Legend::mouseReleaseEvent(QMouseEvent*)
+void Legend::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (m_peak.id != 0)
+    const int peakTop = height() - inset - QFontMetrics(font()).height() - gap;
+    if (event->position().y() < peakTop)
+        emit rangeClicked();
+    else if (m_peak.id != 0)
         emit peakClicked(Id{m_peak.id});
 }
 

@@ -10,8 +10,8 @@
 namespace ripstop {
 
 // The scale of colours: name, unit and round numbers beside a bar, the largest value of the moment
-// below it; a click goes to what has it. Hidden when the view shows
-// materials.
+// below it. A click on the bar asks for another range, one on the largest value goes to what has
+// it. Hidden when the view shows materials.
 class Legend final : public QWidget
 {
     Q_OBJECT
@@ -24,12 +24,19 @@ public:
     void setPeak(const Peak& peak); // the largest value of the moment, in SI units
 
     QString title() const { return m_title; }
+    QString unit() const { return m_unit; }
+    const ValueRange& range() const { return m_range; } // in that unit
+    ValueRange meant(const ValueRange& shown) const     // in SI units
+    {
+        return {shown.low / m_shown, shown.high / m_shown};
+    }
     QStringList labels() const; // from the bottom up
 
     QString peakText() const; // "peak 12.3"; empty when there is none
 
 signals:
     void peakClicked(ripstop::Id id);
+    void rangeClicked();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -48,6 +55,7 @@ private:
     const ColorMap* m_colors = nullptr;
     ValueRange m_range; // as shown: strain in per cent
     QString m_title;
+    QString m_unit;
     double m_shown = 1.0; // what values are multiplied by
     Peak m_peak;
 };

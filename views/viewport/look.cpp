@@ -128,6 +128,7 @@ Look lookOf(const Scene& scene, const Layout& layout)
     look.linkShown.assign(layout.links.size(), 0);
     look.linkColor.assign(layout.links.size(), unknownColor);
     look.linkTear.assign(layout.links.size(), {});
+    look.linkWidth.assign(layout.links.size(), 0.0);
     for (std::size_t i = 0; i < layout.links.size(); ++i) {
         const Directory::Row* row = directory.find(layout.links[i].id);
         if (!row || row->index >= row->part->links.size())
@@ -135,8 +136,9 @@ Look lookOf(const Scene& scene, const Layout& layout)
         const Paint paint = paintOf(paints, row->part->links[row->index].material);
         look.linkShown[i] = row->part->shown && paint.shown;
         look.linkColor[i] = paint.color;
-        const std::optional<double>& own = row->part->links[row->index].tearLimit;
-        look.linkTear[i] = {paint.tear.rule, own.value_or(paint.tear.limit)};
+        const Link& link = row->part->links[row->index];
+        look.linkTear[i] = {paint.tear.rule, link.tearLimit.value_or(paint.tear.limit)};
+        look.linkWidth[i] = link.role == LinkRole::Line ? 0.0 : link.width;
     }
 
     look.panelShown.assign(layout.panelId.size(), 0);
@@ -161,7 +163,8 @@ bool changesLook(const Edit& edit)
         const Property& property = *set->property;
         return property.effect == Effect::DisplayOnly || property.kind == Kind::Collider
                || property.kind == Kind::Wind || property.key == "material"
-               || property.key == "tearRule" || property.key == "tearLimit";
+               || property.key == "tearRule" || property.key == "tearLimit"
+               || property.key == "width" || property.key == "role";
     });
 }
 

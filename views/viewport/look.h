@@ -26,6 +26,7 @@ struct Look
     std::vector<std::uint8_t> linkShown;     // [links]
     std::vector<Color> linkColor;            // [links]
     std::vector<TearBound> linkTear;         // [links]
+    std::vector<double> linkWidth;           // [links] m, of the strip of fabric; 0 for none
     std::vector<std::uint8_t> panelShown;    // [panels]
     std::vector<Color> panelColor;           // [panels]
 

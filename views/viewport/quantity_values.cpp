@@ -75,6 +75,14 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
         takeLinks(frame, loads, values);
         break;
     }
+    case ColorBy::Stress: {
+        std::vector<double> stresses(frame.tension.size(), 0.0);
+        for (std::size_t i = 0; i < std::min(look.linkWidth.size(), stresses.size()); ++i)
+            if (look.linkWidth[i] > 0.0)
+                stresses[i] = frame.tension[i] / look.linkWidth[i];
+        takeLinks(frame, stresses, values);
+        break;
+    }
     case ColorBy::PanelLoad: {
         const auto& panels = frame.layout->panelCorners;
         values.panel.assign(panels.size(), 0.0);

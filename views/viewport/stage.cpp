@@ -1,6 +1,9 @@
 #include "viewport/stage.h"
 
 #include "scene/wind.h"
+#include "viewport/design_ghost.h"
+#include "viewport/element_places.h"
+#include "viewport/scene_frame.h"
 
 #include <vtkCamera.h>
 #include <vtkCullerCollection.h>
@@ -24,10 +27,11 @@ Stage::Stage(vtkRenderWindow& window)
         layer->addTo(*m_renderer);
 }
 
-std::array<Layer*, 13> Stage::layers()
+std::array<Layer*, 15> Stage::layers()
 {
-    return {&m_ground,    &m_shadow, &m_colliders, &panels, &links,     &particles, &m_weights,
-            &m_highlight, &m_pins,   &m_guides,    &m_wind, &m_vectors, &ghost};
+    return {&m_ground,  &m_shadow,  &m_colliders, &panels,        &links,
+            &particles, &m_weights, &m_highlight, &m_pins,        &m_guides,
+            &m_wind,    &m_vectors, &ghost,       &m_designGhost, &trails};
 }
 
 // A sun that stays with the world, so that turning the view does not turn the shading, and a soft
@@ -78,7 +82,7 @@ void Stage::setColorBy(ColorBy colorBy)
 
 void Stage::setFixedRange(std::optional<ValueRange> range)
 {
-    m_fixedRange = range;
+    m_fixedRanges[std::size_t(m_colorBy)] = range;
     m_layersAreOld = true;
 }
 
@@ -110,6 +114,23 @@ void Stage::setVectors(Vectors vectors)
 {
     m_vectors.setKind(vectors);
     m_layersAreOld = true;
+}
+
+void Stage::setDesignShown(bool shown)
+{
+    m_designShown = shown;
+    m_design.reset();
+    m_designGhost.show(nullptr);
+    m_layersAreOld = true;
+}
+
+void Stage::takeDesign(const Scene& scene)
+{
+    if (!m_designShown)
+        return;
+    if (!m_design)
+        m_design = sceneFrame(scene);
+    m_designGhost.show(designGhost(m_design, *m_frame));
 }
 
 Vec3 Stage::windAtDesign(const Scene& scene) const
@@ -175,6 +196,18 @@ std::vector<Vec3> Stage::subjectPoints() const
     return points;
 }
 
+std::vector<Vec3> Stage::pointsOf(const Scene& scene, const std::vector<Id>& ids) const
+{
+    auto places = m_frame ? placesOf(*m_frame, scene, ids) : std::vector<Vec3>();
+    if (places.empty() && !ids.empty()) // too new for the frame
+        places = placesOf(*sceneFrame(scene), scene, ids);
+    for (const ColliderBody& body : m_bodies)
+        if (m_frame && std::ranges::binary_search(ids, body.id))
+            for (const Vec3& corner : cornersOf(body, placeOf(*m_frame, body.id, body.collider)))
+                places.push_back(corner);
+    return places;
+}
+
 void Stage::takeBounds()
 {
     m_bounds.setEmpty();
@@ -230,13 +263,15 @@ void Stage::prepare(const Scene& scene)
         m_range.reset();
     takePoints();
     takeBounds();
+    takeDesign(scene);
     m_values = valuesOf(*m_frame, m_colorBy, m_look);
     takeRange();
 
     const Picture picture{scene,     *m_frame, m_look,   m_theme, m_points, m_selected,  m_bodies,
                           m_colorBy, m_values, colors(), range(), m_bounds, m_pixelRatio};
     for (Layer* layer : layers()) {
-        const bool shows = layer == &m_highlight || layer == &m_colliders; // what is selected
+        const bool shows = layer == &m_highlight || layer == &m_colliders // what is selected
+                           || layer == &trails;
         if (rebuild || (m_selectionIsOld && shows))
             layer->rebuild(picture);
         if (rebuild || otherFrame || shows)

@@ -12,6 +12,7 @@
 #include "viewport/panel_layer.h"
 #include "viewport/particle_layer.h"
 #include "viewport/shadow_layer.h"
+#include "viewport/trail_layer.h"
 #include "viewport/turntable.h"
 #include "viewport/vector_layer.h"
 #include "viewport/weight_layer.h"
@@ -35,11 +36,13 @@ public:
     void show(std::shared_ptr<const Frame> frame);
     void setTheme(const Theme& theme);
     void setColorBy(ColorBy colorBy);
-    void setFixedRange(std::optional<ValueRange> range);
+    void setFixedRange(std::optional<ValueRange> range); // of the quantity of now
     void setSelected(std::vector<Id> ids);
     void setBackdropShown(bool shown); // the sky; on at first
     void setPixelRatio(double ratio);
     void sceneChanged() { m_lookIsOld = true; } // what it says about looks
+    void designChanged() { m_design.reset(); }  // what it says about places
+    void setDesignShown(bool shown);            // as a ghost; off at first
 
     void prepare(const Scene& scene);
     void place(const Turntable& camera);
@@ -51,13 +54,15 @@ public:
     PanelLayer panels;
     LinkLayer links;
     ParticleLayer particles;
-    GhostLayer ghost;
+    GhostLayer ghost{GhostLayer::Of::Run};
+    TrailLayer trails;
 
     // As of the last prepare().
     const std::shared_ptr<const Frame>& frame() const { return m_frame; }
     // What a designer looks at first: the fabric and what it carries. Everything when there is
     // none.
     std::vector<Vec3> subjectPoints() const;
+    std::vector<Vec3> pointsOf(const Scene& scene, const std::vector<Id>& ids) const;
     Vec3 windAtDesign(const Scene& scene) const; // m/s, in the middle of what is shown
     const Look& look() const { return m_look; }
     const std::vector<ColliderBody>& colliders() const { return m_bodies; }
@@ -65,20 +70,25 @@ public:
     const Theme& theme() const { return m_theme; }
     ColorBy colorBy() const { return m_colorBy; }
     Peak peak() const { return m_frame ? peakOf(*m_frame, m_values) : Peak{}; }
-    ValueRange range() const { return m_fixedRange ? *m_fixedRange : m_range.range(); }
+    ValueRange range() const { return fixedRange().value_or(m_range.range()); }
     const ColorMap& colors() const;
 
     // Of all that is shown but the ground.
     std::vector<Vec3> shownPoints() const;
 
 private:
+    const std::optional<ValueRange>& fixedRange() const
+    {
+        return m_fixedRanges[std::size_t(m_colorBy)];
+    }
     void light();
     void takePoints();
     void takeBounds();
     void takeRange();
     bool somethingBroke() const;
     std::ptrdiff_t lateOnes() const; // colliders whose file is being read
-    std::array<Layer*, 13> layers();
+    void takeDesign(const Scene& scene);
+    std::array<Layer*, 15> layers();
 
     PinLayer m_pins;
     GuideLayer m_guides;
@@ -89,6 +99,9 @@ private:
     ShadowLayer m_shadow;
     WindLayer m_wind;
     VectorLayer m_vectors;
+    GhostLayer m_designGhost{GhostLayer::Of::Design};
+    std::shared_ptr<const Frame> m_design; // null: to be made when it is shown
+    bool m_designShown = false;
 
     std::shared_ptr<const Frame> m_frame; // keeps the coordinates alive
     std::shared_ptr<const Frame> m_drawn; // what the layers show
@@ -99,7 +112,7 @@ private:
     ColorBy m_colorBy = ColorBy::Material;
     QuantityValues m_values;
     SteadyRange m_range;
-    std::optional<ValueRange> m_fixedRange;
+    std::array<std::optional<ValueRange>, colorByCount> m_fixedRanges;
     std::vector<Id> m_selected;
     Eigen::AlignedBox3d m_bounds;
     Eigen::AlignedBox3d m_landscape; // around the height fields

@@ -6,13 +6,13 @@
 #include "viewport/centre_mark.h"
 #include "viewport/chase.h"
 #include "viewport/compass.h"
-#include "viewport/element_places.h"
 #include "viewport/gizmo_overlay.h"
 #include "viewport/grab_tool.h"
 #include "viewport/legend.h"
 #include "viewport/overlay_paint.h"
 #include "viewport/pointing.h"
 #include "viewport/probe_labels.h"
+#include "viewport/range_editor.h"
 #include "viewport/scene_frame.h"
 #include "viewport/stage.h"
 #include "viewport/transform_tool.h"
@@ -44,6 +44,7 @@ public:
         , stage(screen.window())
         , pointing([this] { return sight(); }, &widget)
         , legend(&widget)
+        , rangeEditor(legend, &widget)
         , compass(&widget)
         , transform(openDocument, openSelection, openPlayer, widget, camera)
         , centre(openDocument, openSelection, &widget)
@@ -68,6 +69,13 @@ public:
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
 
+    template <typename Change>
+    void draw(Change change) // with the change
+    {
+        change();
+        screen.renderSoon();
+    }
+
     Document& document;
     Selection& selection;
     Player& player;
@@ -77,6 +85,7 @@ public:
     Stage stage;
     Pointing pointing;
     Legend legend;
+    RangeEditor rangeEditor;
     Compass compass;
     TransformTool transform;
     CentreMark centre;
@@ -105,6 +114,7 @@ void Viewport::Private::sceneReplaced()
 {
     untouched = true;
     wholeScene = false;
+    stage.designChanged();
     chase.forget();
     camera.look(PresetView::Iso);
     showDesign();
@@ -113,6 +123,7 @@ void Viewport::Private::sceneReplaced()
 
 void Viewport::Private::sceneChanged(const Edit& edit)
 {
+    stage.designChanged();
     // a design that cannot run sends no frames, but must show what was done to it
     if (!player.frame() || !player.problem().isEmpty())
         showDesign();
@@ -205,6 +216,7 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
 
     connect(&d->legend, &Legend::peakClicked, &selection,
             [&selection](Id id) { selection.set({id}); });
+    connect(&d->rangeEditor, &RangeEditor::chosen, this, &Viewport::setFixedRange);
     connect(this, &Viewport::cameraChanged, this, [this] { d->pointing.moved(); });
 
     setTheme(Theme::from(palette()));
@@ -226,8 +238,7 @@ void Viewport::show(std::shared_ptr<const Frame> frame)
 
 void Viewport::showGhost(std::shared_ptr<const Frame> frame)
 {
-    d->stage.ghost.show(std::move(frame));
-    d->screen.renderSoon();
+    d->draw([&] { d->stage.ghost.show(std::move(frame)); });
 }
 
 const std::shared_ptr<const Frame>& Viewport::frame() const { return d->stage.frame(); }
@@ -236,15 +247,15 @@ ColorBy Viewport::colorBy() const { return d->stage.colorBy(); }
 
 void Viewport::setColorBy(ColorBy colorBy)
 {
-    d->stage.setColorBy(colorBy);
-    d->screen.renderSoon();
+    d->draw([&] { d->stage.setColorBy(colorBy); });
 }
 
 void Viewport::setFixedRange(std::optional<ValueRange> range)
 {
-    d->stage.setFixedRange(range);
-    d->screen.renderSoon();
+    d->draw([&] { d->stage.setFixedRange(range); });
 }
+
+void Viewport::editRange() { d->rangeEditor.open(); }
 
 ValueRange Viewport::range() const { return d->stage.range(); }
 
@@ -275,26 +286,32 @@ void Viewport::setWindShown(bool shown) { d->compass.setWindShown(shown); }
 
 void Viewport::setCentreShown(bool shown)
 {
-    d->centre.setMarked(shown);
-    d->screen.renderSoon();
+    d->draw([&] { d->centre.setMarked(shown); });
+}
+
+void Viewport::setDesignShown(bool shown)
+{
+    d->draw([&] { d->stage.setDesignShown(shown); });
+}
+
+void Viewport::setTrailsShown(bool shown)
+{
+    d->draw([&] { d->stage.trails.setShown(shown); });
 }
 
 void Viewport::setProbesShown(bool shown)
 {
-    d->labels.setWanted(shown);
-    d->screen.renderSoon();
+    d->draw([&] { d->labels.setWanted(shown); });
 }
 
 void Viewport::setVectors(Vectors vectors)
 {
-    d->stage.setVectors(vectors);
-    d->screen.renderSoon();
+    d->draw([&] { d->stage.setVectors(vectors); });
 }
 
 void Viewport::setWindFieldShown(bool shown)
 {
-    d->stage.setWindShown(shown);
-    d->screen.renderSoon();
+    d->draw([&] { d->stage.setWindShown(shown); });
 }
 
 void Viewport::setTheme(const Theme& theme)
@@ -361,15 +378,8 @@ void Viewport::fit()
 
 void Viewport::fit(const std::vector<Id>& ids)
 {
-    const auto& frame = d->stage.frame();
-    auto places = frame ? placesOf(*frame, d->document.scene(), ids) : std::vector<Vec3>();
-    if (places.empty() && !ids.empty()) // too new for the frame
-        places = placesOf(*sceneFrame(d->document.scene()), d->document.scene(), ids);
     d->stage.prepare(d->document.scene());
-    for (const ColliderBody& body : d->stage.colliders())
-        if (frame && std::ranges::binary_search(ids, body.id))
-            for (const Vec3& corner : cornersOf(body, placeOf(*frame, body.id, body.collider)))
-                places.push_back(corner);
+    const std::vector<Vec3> places = d->stage.pointsOf(d->document.scene(), ids);
     if (places.empty())
         return fit();
     d->untouched = false;

@@ -50,8 +50,9 @@ public:
     void setColorBy(ColorBy colorBy);
 
     // In the unit of the quantity (strain: 1). Without one the range follows the values.
-    void setFixedRange(std::optional<ValueRange> range);
-    ValueRange range() const; // what the colours mean now
+    void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
+    void editRange();                                    // asks for one, beside the legend
+    ValueRange range() const;                            // what the colours mean now
     const Legend& legend() const;
 
     void setPanelsShown(bool shown);
@@ -61,6 +62,8 @@ public:
     void setWindFieldShown(bool shown); // off at first
     void setCentreShown(bool shown);    // of gravity, off at first
     void setVectors(Vectors vectors);   // arrows on the elements; none at first
+    void setDesignShown(bool shown);    // as a ghost; off at first
+    void setTrailsShown(bool shown);    // of selected particles, or of those with probes; off
     void setProbesShown(bool shown);    // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
