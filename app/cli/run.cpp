@@ -350,7 +350,8 @@ int run(const Options& options)
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
-    for (const std::string& file : {options.finalScene, options.tears, options.record})
+    for (const std::string& file :
+         {options.finalScene, options.tears, options.events, options.record})
         if (!file.empty())
             if (const auto failure = unwritable(file)) // better now than after an hour
                 return fail(BadInput, failure->message);
