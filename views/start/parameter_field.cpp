@@ -149,6 +149,12 @@ QWidget* ParameterField::numberRow(Slider slider)
         showOnSlider();
         emit changed();
     });
+    connect(m_number, &QLineEdit::editingFinished, this, [this] { // "80 kg" stands before a "kg"
+        bool isPlain = false;
+        (void)QLocale().toDouble(m_number->text(), &isPlain);
+        if (!isPlain && refusal().isEmpty())
+            m_number->setText(compactNumber(value()));
+    });
     return row;
 }
 
