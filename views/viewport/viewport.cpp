@@ -6,6 +6,7 @@
 #include "viewport/centre_mark.h"
 #include "viewport/chase.h"
 #include "viewport/compass.h"
+#include "viewport/covered.h"
 #include "viewport/gizmo_overlay.h"
 #include "viewport/grab_tool.h"
 #include "viewport/legend.h"
@@ -60,6 +61,7 @@ public:
     {
         return screen.height() > 0 ? double(screen.width()) / screen.height() : 1.0;
     }
+    Covered covered() const { return coveredOf(*screen.parentWidget()); }
     void sceneReplaced();
     void sceneChanged(const Edit& edit);
     void showDesign();
@@ -175,7 +177,7 @@ void Viewport::Private::click(Id id, Qt::KeyboardModifiers keys)
 void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
-    camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect());
+    camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect(), covered());
     chase.settle(stage.frame().get());
     screen.renderSoon();
 }
@@ -383,7 +385,7 @@ void Viewport::fit(const std::vector<Id>& ids)
     if (places.empty())
         return fit();
     d->untouched = false;
-    d->camera.fit(places, d->aspect());
+    d->camera.fit(places, d->aspect(), d->covered());
     d->screen.renderSoon();
     emit cameraChanged();
 }
