@@ -25,11 +25,12 @@ struct Examples
     Wind wind;
     Control control;
     Probe probe;
+    Plot plot;
 
     std::vector<Ref> all()
     {
-        return {&settings, &particle, &link, &panel,   &part, &material,
-                &group,    &collider, &wind, &control, &probe};
+        return {&settings, &particle, &link, &panel,   &part,  &material,
+                &group,    &collider, &wind, &control, &probe, &plot};
     }
     Ref of(Kind kind) { return all()[std::size_t(kind)]; }
 };

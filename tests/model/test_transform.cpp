@@ -197,13 +197,13 @@ private slots:
         box.position = Vec3(1, 0, 0);
         box.turn = Vec3(10, 20, 30);
         box.path = "0: 1 0 0; 2: 1 0 3";
-        scene.items.push_back({Id{16}, box});
-        scene.nextId = Id{17};
+        scene.items.push_back({Id{17}, box});
+        scene.nextId = Id{18};
         const Eigen::Matrix3d quarter =
             Eigen::AngleAxisd(0.5 * pi, Vec3::UnitY()).toRotationMatrix();
         const Scene now =
-            movedBy(scene, {Id{12}, Id{16}}, turned(Vec3::Zero(), Vec3::UnitY(), 0.5 * pi));
-        const Collider& turnedBox = *findItem<Collider>(now, Id{16});
+            movedBy(scene, {Id{12}, Id{17}}, turned(Vec3::Zero(), Vec3::UnitY(), 0.5 * pi));
+        const Collider& turnedBox = *findItem<Collider>(now, Id{17});
         QVERIFY((turnedBox.position - Vec3(0, 0, -1)).norm() < 1e-15);
         QVERIFY((turnOf(turnedBox) - quarter * turnOf(box)).norm() < 1e-14);
         QVERIFY(turnedBox.path.starts_with("0:")
@@ -219,9 +219,9 @@ private slots:
         ball.position = Vec3(1, 1, 0);
         ball.radius = 0.5;
         scene.items.back().item = ball;
-        const Scene larger = movedBy(scene, {Id{16}}, scaled(Vec3::Zero(), Vec3(3, 3, 3)));
-        QVERIFY(std::abs(findItem<Collider>(larger, Id{16})->radius - 1.5) < 1e-15);
-        QCOMPARE(findItem<Collider>(larger, Id{16})->position, Vec3(3, 3, 0));
+        const Scene larger = movedBy(scene, {Id{17}}, scaled(Vec3::Zero(), Vec3(3, 3, 3)));
+        QVERIFY(std::abs(findItem<Collider>(larger, Id{17})->radius - 1.5) < 1e-15);
+        QCOMPARE(findItem<Collider>(larger, Id{17})->position, Vec3(3, 3, 0));
     }
 
     // The steps of one drag must merge, whatever the hand does in between.

@@ -69,9 +69,12 @@ inline Scene oneOfEverything()
     control.targets = {Id{2}};
     Probe probe;
     probe.target = Id{3};
-    scene.items = {{Id{1}, part},        {Id{9}, thread},  {Id{10}, cloth},   {Id{11}, group},
-                   {Id{12}, Collider{}}, {Id{13}, Wind{}}, {Id{14}, control}, {Id{15}, probe}};
-    scene.nextId = Id{16};
+    Plot plot;
+    plot.probes = {Id{15}};
+    scene.items = {{Id{1}, part},     {Id{9}, thread},      {Id{10}, cloth},
+                   {Id{11}, group},   {Id{12}, Collider{}}, {Id{13}, Wind{}},
+                   {Id{14}, control}, {Id{15}, probe},      {Id{16}, plot}};
+    scene.nextId = Id{17};
     return scene;
 }
 

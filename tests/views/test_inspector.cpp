@@ -59,8 +59,8 @@ struct Form
     }
 };
 
-const std::vector<Id> oneOfEachKind{settingsId, Id{3},  Id{5},  Id{8},  Id{1}, Id{9},
-                                    Id{11},     Id{12}, Id{13}, Id{14}, Id{15}};
+const std::vector<Id> oneOfEachKind{settingsId, Id{3},  Id{5},  Id{8},  Id{1},  Id{9},
+                                    Id{11},     Id{12}, Id{13}, Id{14}, Id{15}, Id{16}};
 
 Id idOfKind(Kind kind)
 {

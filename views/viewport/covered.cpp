@@ -19,7 +19,7 @@ Covered coveredOf(const QWidget& view)
     for (const QObject* object : view.children()) {
         const auto* child = qobject_cast<const QWidget*>(object);
         if (!child || child->isHidden() || child->height() < tall * view.height()
-            || child->width() > narrow * view.width())
+            || child->width() > narrow * view.width() || child->y() > tall * view.height())
             continue;
         const QRect place = child->geometry();
         if (place.center().x() < view.width() / 2)
