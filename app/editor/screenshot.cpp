@@ -19,6 +19,7 @@ namespace {
 
 constexpr int slicesPerPicture = 120; // one sample of the plots each
 constexpr int settlingTurns = 6;      // of the event loop, until docks and view have their sizes
+constexpr int openingTurns = 50;      // of the same, until an action has opened a dialog if it does
 constexpr int dialogTurns = 200;      // of the same, until a dialog shows what it comes to
 
 } // namespace
@@ -46,8 +47,10 @@ void Screenshot::goOn()
         return;
     if (!m_options.mesh.isEmpty())
         return saveImport();
-    if (!m_options.action.isEmpty())
+    if (!m_options.action.isEmpty() && QApplication::activeModalWidget())
         return saveWithDialog();
+    if (!m_options.action.isEmpty() && m_slice == 0 && ++m_waited < openingTurns)
+        return;
     if (++m_settling < settlingTurns)
         return;
     const int perPicture = std::max(1, slicesPerPicture / m_options.frames);
@@ -100,7 +103,7 @@ void Screenshot::saveImport()
 void Screenshot::saveWithDialog()
 {
     QWidget* dialog = QApplication::activeModalWidget();
-    if (!dialog || ++m_settling < dialogTurns)
+    if (++m_settling < dialogTurns)
         return;
     m_window.repaint();
     QPixmap picture = m_window.grab();

@@ -38,6 +38,7 @@ private:
     int m_slice = 0;   // of the flight; the plots get a sample at the end of each
     int m_picture = 0; // the next to be taken
     int m_settling = 0;
+    int m_waited = 0;
 };
 
 } // namespace ripstop
