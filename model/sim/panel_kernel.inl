@@ -137,8 +137,7 @@ RIPSTOP_RARE void localWinds(const PanelWork& work, const std::size_t (&panel)[4
         const auto [a, b, c] = work.panels[panel[lane]].corner;
         const PaddedVec3* x = work.position;
         const Four middle = (four(x[a]) + four(x[b]) + four(x[c])) * all(1.0 / 3.0);
-        const Vec3 local =
-            localWind(*work.system, *work.state, {middle[0], middle[1], middle[2]});
+        const Vec3 local = localWind(*work.system, *work.state, {middle[0], middle[1], middle[2]});
         wind.x[lane] = local.x();
         wind.y[lane] = local.y();
         wind.z[lane] = local.z();

@@ -30,15 +30,15 @@ Scene oneOfEach()
     part.panels = {{Id{15}, Id{11}, Id{12}, Id{13}}};
     Scene scene;
     scene.items = {{Id{1}, part},   {Id{2}, Material()}, {Id{3}, Group()}, {Id{4}, Collider()},
-                   {Id{5}, Wind()}, {Id{6}, Control()},  {Id{7}, Probe()},
-                   {Id{8}, Plot()}};
+                   {Id{5}, Wind()}, {Id{6}, Control()},  {Id{7}, Probe()}, {Id{8}, Plot()}};
     scene.nextId = Id{17};
     return scene;
 }
 
 Id exampleOf(Kind kind)
 {
-    constexpr std::array<std::uint32_t, kindCount> ids{0xffffffff, 11, 14, 15, 1, 2, 3, 4, 5, 6, 7, 8};
+    constexpr std::array<std::uint32_t, kindCount> ids{0xffffffff, 11, 14, 15, 1, 2,
+                                                       3,          4,  5,  6,  7, 8};
     return Id{ids[std::size_t(kind)]};
 }
 

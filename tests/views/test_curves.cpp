@@ -110,7 +110,8 @@ private slots:
             old.add(sample(1, 0.1 * i, {1.0, 2.0}));
             now.add(sample(2, 0.1 * i, {3.0, 4.0}));
         }
-        const auto curves = phaseCurves(now, {{"run 1", std::make_shared<const History>(old)}}, both, 41);
+        const auto curves =
+            phaseCurves(now, {{"run 1", std::make_shared<const History>(old)}}, both, 41);
         QCOMPARE(curves.size(), std::size_t(4));
         QVERIFY(curves[0].past && curves[1].past && !curves[2].past);
         QCOMPARE(curves[0].name, QString("x, run 1"));

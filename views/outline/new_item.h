@@ -7,9 +7,8 @@
 namespace ripstop {
 
 // The kinds that can be added as they are; parts come from builders, imports and drawing.
-inline constexpr std::array addableKinds{Kind::Material, Kind::Collider, Kind::Wind,
-                                         Kind::Control,  Kind::Probe,    Kind::Plot,
-                                         Kind::Group};
+inline constexpr std::array addableKinds{Kind::Material, Kind::Collider, Kind::Wind, Kind::Control,
+                                         Kind::Probe,    Kind::Plot,     Kind::Group};
 
 // The item that makes sense beside what is selected: a group of it, a control that moves it, a
 // probe on it. Its name is not used yet, its id is the next free one. For colliders there is

@@ -16,9 +16,9 @@ namespace ripstop {
 namespace {
 
 // The rows at the top. Settings stand for themselves, the others hold all items of a kind.
-constexpr std::array sections{Kind::Settings, Kind::Part, Kind::Material, Kind::Group,
-                              Kind::Collider, Kind::Wind, Kind::Control,  Kind::Probe,
-                              Kind::Plot};
+constexpr std::array sections{Kind::Settings, Kind::Part,     Kind::Material,
+                              Kind::Group,    Kind::Collider, Kind::Wind,
+                              Kind::Control,  Kind::Probe,    Kind::Plot};
 constexpr std::array tables{Kind::Particle, Kind::Link, Kind::Panel};
 
 // An index keeps what its parent is: nothing, a section, or a part (by id, which does not shift).
