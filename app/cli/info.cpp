@@ -1,5 +1,4 @@
 // ripstop-cli info: what is in a scene, and what is wrong with it.
-#include "author/cloth_area.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
@@ -7,6 +6,7 @@
 #include "compile/compile.h"
 #include "io/recording_file.h"
 #include "scene/check.h"
+#include "scene/cloth_area.h"
 #include "sim/solver_plan.h"
 
 #include <Eigen/Geometry>

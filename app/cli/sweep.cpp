@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -213,8 +214,9 @@ std::string table(const Sweep& sweep, const Rows& rows)
 
 // --- many runs -----------------------------------------------------------------------------------
 
-// Takes the orders one after the other, as many at a time as there are jobs. After each run the
-// file has all that are done, whole.
+// Takes the orders one after the other, as many at a time as there are jobs. The file has all that
+// are done, whole, a second after each at the latest; more often would write long tables again and
+// again.
 class Works
 {
 public:
@@ -232,6 +234,8 @@ public:
         work();
         for (std::thread& other : others)
             other.join();
+        if (!m_failure && m_done > 0)
+            save();
         return m_failure;
     }
 
@@ -247,17 +251,27 @@ private:
                 return;
             m_rows[i] = std::move(row);
             m_progress.show(double(++m_done) / double(m_rows.size()));
-            if (!m_sweep.options.output.empty())
-                m_failure =
-                    replaceFile(m_sweep.options.output, table(m_sweep, m_rows), Flush::Later);
+            if (Clock::now() - m_saved > std::chrono::seconds(1))
+                save();
             m_ends = m_ends || m_failure;
         }
     }
+
+    void save()
+    {
+        const std::string& file = m_sweep.options.output;
+        if (!file.empty())
+            m_failure = replaceFile(file, table(m_sweep, m_rows), Flush::Later);
+        m_saved = Clock::now();
+    }
+
+    using Clock = std::chrono::steady_clock;
 
     const Sweep& m_sweep;
     Rows m_rows;
     ProgressLine m_progress;
     std::size_t m_done = 0;
+    Clock::time_point m_saved = Clock::now();
     std::optional<Failure> m_failure;
     std::mutex m_mutex;
     std::atomic<std::size_t> m_next = 0;
@@ -273,6 +287,9 @@ int prepare(const Options& options, Sweep& sweep)
             return fail(WrongUsage, axis.message());
         sweep.axes.push_back(std::move(*axis));
     }
+    if (!options.output.empty())
+        if (const auto failure = unwritable(options.output))
+            return fail(BadInput, failure->message);
     double runs = double(options.scenes.size());
     for (const SweepAxis& axis : sweep.axes)
         runs *= double(axis.values.size());
@@ -383,7 +400,7 @@ void addSweep(CLI::App& app, Command& chosen)
         "state, links that tore, and the final, mean, least and largest value of each probe over\n"
         "all steps. A run that stops early says so in its row, and the others go on; the exit "
         "code\n"
-        "is 3 then. The file is whole at any time and grows with each run; Ctrl-C keeps the rows\n"
+        "is 3 then. The file is whole at any time and grows while runs end; Ctrl-C keeps the rows\n"
         "of runs that are done.");
     command->callback([options, &chosen] { chosen = [options] { return sweep(*options); }; });
 }

@@ -4,7 +4,6 @@
 #include "document/document.h"
 #include "document/gauge.h"
 #include "document/player.h"
-#include "document/reading.h"
 #include "document/recordings.h"
 #include "document/selection.h"
 #include "document/words.h"

@@ -1,7 +1,7 @@
 #include "author/figures.h"
 
-#include "author/cloth_area.h"
 #include "author/insert.h"
+#include "scene/cloth_area.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "scene/canopy_shape.h"
 
+#include "scene/cloth_area.h"
 #include "scene/scene.h"
 
 #include <Eigen/Geometry>
@@ -34,6 +35,7 @@ public:
         : m_part(part)
         , m_piece(part.panels.size(), -1)
         , m_turned(part.panels.size(), false)
+        , m_cloth(part)
     {}
 
     Result<std::vector<CanopyPiece>> run()
@@ -96,8 +98,6 @@ private:
                 m_sides[edgeOf(a, b)].push_back({panel, a < b});
             }
         }
-        for (const Link& link : m_part.links)
-            m_restLength.emplace(edgeOf(link.from, link.to), link.restLength);
     }
 
     // All panels that hang together with this one, turned to face the same way. False when they
@@ -135,25 +135,8 @@ private:
         CanopyPiece made;
         for (int panel = 0; panel < int(m_part.panels.size()); ++panel)
             if (m_piece[std::size_t(panel)] == piece)
-                made.facets.push_back({panel, cornersOf(panel), clothArea(panel)});
+                made.facets.push_back({panel, cornersOf(panel), m_cloth.of(cornersOf(panel))});
         return made;
-    }
-
-    double clothArea(int panel) const
-    {
-        const std::array<Id, 3> corner = cornersOf(panel);
-        double length[3];
-        bool tied = true;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto rest = m_restLength.find(edgeOf(corner[k], corner[(k + 1) % 3]));
-            tied = tied && rest != m_restLength.end();
-            length[k] = tied ? rest->second : 0.0;
-        }
-        const double s = 0.5 * (length[0] + length[1] + length[2]); // Heron
-        const double square = s * (s - length[0]) * (s - length[1]) * (s - length[2]);
-        if (tied && square > 0.0)
-            return std::sqrt(square);
-        return 0.5 * (at(corner[1]) - at(corner[0])).cross(at(corner[2]) - at(corner[0])).norm();
     }
 
     Vec3 at(Id particle) const { return findRow(m_part.particles, particle)->position; }
@@ -259,7 +242,7 @@ private:
     std::vector<int> m_piece; // [panels] its piece, -1 before it is found
     std::vector<bool> m_turned;
     Sides m_sides;
-    std::map<Edge, double> m_restLength; // m, of the first link on an edge
+    ClothArea m_cloth;
 };
 
 } // namespace

@@ -1,12 +1,15 @@
 // ripstop-cli, called as scripts call it.
 #pragma once
 
+#include "model/files.h"
+
 #include <QByteArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
+#include <QtTest>
 
 namespace ripstop {
 
@@ -27,6 +30,11 @@ inline Outcome call(const QStringList& arguments)
         return {-1, {}, process.errorString()};
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
             process.readAllStandardOutput(), QString(process.readAllStandardError())};
+}
+
+inline QString scene(const char* name)
+{
+    return QString(SCENES_DIR "/%1.ripstop.json").arg(name);
 }
 
 } // namespace ripstop

@@ -3,6 +3,7 @@
 #include "export/export_run.h"
 #include "export/format.h"
 #include "io/csv.h"
+#include "model/files.h"
 #include "scene/scene.h"
 
 #include <QDir>
@@ -69,12 +70,6 @@ Scene pendulum()
 }
 
 Simulation simulationOf(const Scene& scene) { return Simulation(*compile(scene)); }
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
-}
 
 std::optional<Failure> written(const Frame& frame, const std::string& target)
 {

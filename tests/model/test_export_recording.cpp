@@ -1,10 +1,9 @@
 // What a recording gives to other programs: the run as it was, without flying it again.
 #include "builders/builder.h"
-#include "compile/compile.h"
 #include "export/export_run.h"
 #include "io/recording_file.h"
 #include "model/cli_call.h"
-#include "run/recorder.h"
+#include "model/flown.h"
 
 #include <QDir>
 #include <QFile>
@@ -14,24 +13,6 @@
 using namespace ripstop;
 
 namespace {
-
-QString scene(const char* name) { return QString(SCENES_DIR "/%1.ripstop.json").arg(name); }
-
-std::shared_ptr<Recording> flown(const Scene& scene, int steps)
-{
-    Simulation simulation(*compile(scene));
-    Recorder recorder;
-    recorder.loaded(simulation, {std::make_shared<const Scene>(scene), {}});
-    for (int step = 0; step < steps; ++step) {
-        recorder.beforeStep(simulation);
-        if (!simulation.step())
-            break;
-        recorder.afterStep(simulation);
-    }
-    const auto recording = recorder.recording();
-    recorder.finish();
-    return recording;
-}
 
 // Keeps what it is given.
 struct Kept final : FrameSink

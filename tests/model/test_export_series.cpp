@@ -2,6 +2,7 @@
 #include "compile/compile.h"
 #include "export/export_run.h"
 #include "export/format.h"
+#include "model/files.h"
 #include "model/meshes.h"
 #include "shapes/mesh_file.h"
 
@@ -72,12 +73,6 @@ T numberAt(const QByteArray& bytes, qsizetype at, QSysInfo::Endian order)
     T value;
     std::memcpy(&value, &raw, sizeof value);
     return value;
-}
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
 }
 
 // The design as it stands, and 1/25 s later lifted by 2 m, with the diagonal torn and the panel

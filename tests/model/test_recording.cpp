@@ -8,6 +8,7 @@
 #include "run/replay.h"
 
 #include "cli_call.h"
+#include "flown.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -19,7 +20,6 @@
 #include <atomic>
 #include <csignal>
 #include <fstream>
-#include <functional>
 #include <thread>
 
 using namespace ripstop;
@@ -27,31 +27,6 @@ using namespace ripstop;
 namespace {
 
 Scene built(const char* builder) { return *build(*findBuilder(builder), {}); }
-
-Design designOf(const Scene& scene) { return {std::make_shared<const Scene>(scene), {}}; }
-
-// Tells the simulation things as the steps go by.
-using Pilot = std::function<void(Simulation&, Recorder&, int step)>;
-
-std::shared_ptr<Recording> flown(const Scene& scene, int steps, const Pilot& pilot = {},
-                                 int threads = 1, std::size_t memory = std::size_t(64) << 20)
-{
-    Simulation simulation(*compile(scene), threads);
-    Recorder recorder(memory);
-    recorder.loaded(simulation, designOf(scene));
-    for (int step = 0; step < steps; ++step) {
-        if (pilot)
-            pilot(simulation, recorder, step);
-        recorder.beforeStep(simulation);
-        if (!simulation.step())
-            break;
-        recorder.afterStep(simulation);
-    }
-    const auto recording = recorder.recording();
-    recorder.finish();
-    recording->settle();
-    return recording;
-}
 
 std::uint32_t firstControl(const Scene& scene)
 {
@@ -82,19 +57,6 @@ Pilot busyPilot(const Scene& scene)
             recorder.loaded(simulation, designOf(*edited));
         }
     };
-}
-
-QByteArray bytesOfFile(const QString& name)
-{
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void writeFile(const QString& name, const QByteArray& bytes)
-{
-    QFile file(name);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(bytes);
 }
 
 } // namespace
@@ -275,13 +237,13 @@ private slots:
         const QString file = folder.filePath("a.ripstop-run");
         const auto recording = flown(built("hang_glider"), 1000);
         QVERIFY(!saveRecording(*recording, file.toStdString()));
-        QByteArray bytes = bytesOfFile(file);
+        QByteArray bytes = contentOf(file);
         const auto place = qsizetype(share * double(bytes.size()));
         if (cut)
             bytes.truncate(place);
         else
             bytes[place] = char(bytes[place] ^ 16);
-        writeFile(file, bytes);
+        write(file, bytes);
         const auto opened = openRecording(file.toStdString());
         QVERIFY2(opened, opened ? "" : opened.message().c_str());
         QVERIFY(QString::fromStdString(opened->damage).contains(cut ? "cut off" : "damaged"));
@@ -313,7 +275,7 @@ private slots:
         QFETCH(QString, says);
         const QTemporaryDir folder;
         const QString file = folder.filePath("a.ripstop-run");
-        writeFile(file, bytes);
+        write(file, bytes);
         const auto opened = openRecording(file.toStdString());
         QVERIFY(!opened);
         QVERIFY2(QString::fromStdString(opened.message()).contains(says), opened.message().c_str());
@@ -325,7 +287,7 @@ private slots:
         const QTemporaryDir folder;
         const QString file = folder.filePath("a.ripstop-run");
         const auto recording = flown(built("hang_glider"), 300);
-        writeFile(file, "old");
+        write(file, "old");
         rlimit before{};
         getrlimit(RLIMIT_FSIZE, &before);
         std::signal(SIGXFSZ, SIG_IGN);
@@ -336,7 +298,7 @@ private slots:
         QVERIFY(failure);
         QVERIFY2(QString::fromStdString(failure->message).contains("make room"),
                  failure->message.c_str());
-        QCOMPARE(bytesOfFile(file), QByteArray("old"));
+        QCOMPARE(contentOf(file), QByteArray("old"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
         // a folder that is none
         QVERIFY(saveRecording(*recording, folder.filePath("no/a.ripstop-run").toStdString()));
@@ -450,9 +412,9 @@ private slots:
         QCOMPARE(apart.exitCode, 4);
         QCOMPARE(apart.json()["distances"].toArray().size(), 11);
 
-        QByteArray bytes = bytesOfFile(file);
+        QByteArray bytes = contentOf(file);
         bytes.truncate(bytes.size() * 3 / 4);
-        writeFile(file, bytes);
+        write(file, bytes);
         const Outcome cut = call({"info", file, "--json"});
         QCOMPARE(cut.exitCode, 0);
         QVERIFY2(cut.error.contains("cut off"), qPrintable(cut.error));

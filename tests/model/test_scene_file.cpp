@@ -1,4 +1,5 @@
 // The scene file: what is written comes back to the last bit, and a save is whole or not at all.
+#include "model/files.h"
 #include "model/scene_texts.h"
 
 #include "io/scene_file.h"
@@ -79,19 +80,6 @@ std::vector<Value> valuesFor(const Property& property)
         values.emplace_back(std::monostate());
     std::erase_if(values, [&](const Value& value) { return refusal(property, value).has_value(); });
     return values;
-}
-
-void write(const QString& path, const QByteArray& content)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(content), content.size());
-}
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
 }
 
 } // namespace

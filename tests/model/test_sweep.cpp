@@ -11,8 +11,6 @@ using namespace ripstop;
 
 namespace {
 
-QString scene(const char* name) { return QString(SCENES_DIR "/%1.ripstop.json").arg(name); }
-
 // A weight that falls from 5 m, and probes of its height and of what has no reading. One step is
 // 0.01 s.
 QByteArray fall()

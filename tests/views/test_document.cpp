@@ -2,7 +2,6 @@
 
 #include "compile/compile.h"
 #include "document/gauge.h"
-#include "document/reading.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "io/scene_file.h"

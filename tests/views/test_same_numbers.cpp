@@ -40,12 +40,6 @@ Values valuesOf(const QByteArray& table)
     return values;
 }
 
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 bool areSame(const std::vector<double>& a, const std::vector<double>& b)

@@ -1,8 +1,12 @@
 #include "document/gauge.h"
 
+#include "document/words.h"
+
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
 namespace ripstop {
 namespace {
@@ -67,6 +71,30 @@ double valueOf(const Frame& frame, std::string_view key, Kind kind, Row row)
     return area > 0.0 ? frame.panelLoad[row].norm() / area : 0.0;
 }
 
+struct Place
+{
+    Kind kind;
+    Row row;
+};
+
+// Nothing for what is torn, or gone with its edges.
+std::optional<Place> find(const Frame& frame, Id element)
+{
+    const Layout& layout = *frame.layout;
+    const auto id = std::uint32_t(element);
+    const auto rowIn = [id](const auto& table, auto idOf) -> std::optional<Row> {
+        const auto found = std::ranges::find(table, id, idOf);
+        return found == table.end() ? std::nullopt : std::optional(Row(found - table.begin()));
+    };
+    if (const auto row = rowIn(layout.links, &Layout::Link::id))
+        return frame.torn[*row] ? std::nullopt : std::optional(Place{Kind::Link, *row});
+    if (const auto row = rowIn(layout.particleId, std::identity()))
+        return Place{Kind::Particle, *row};
+    if (const auto row = rowIn(layout.panelId, std::identity()); row && !frame.gone[*row])
+        return Place{Kind::Panel, *row};
+    return std::nullopt;
+}
+
 Gauge::Reading read(const Frame& frame, const Gauge::Key& key, Kind kind)
 {
     const Layout& layout = *frame.layout;
@@ -99,6 +127,22 @@ Gauge gaugeOf(std::shared_ptr<const Frame> frame)
             return read(*frame, key, kind);
         };
     return gauge;
+}
+
+QString readingOf(const Frame& frame, Id element)
+{
+    const auto place = find(frame, element);
+    QStringList texts;
+    for (const std::string_view told : {"speed", "tension", "strain", "load"}) {
+        const Gauge::Key& key = *std::ranges::find(keys, told, &Gauge::Key::key);
+        if (!place || !key.kinds.contains(place->kind))
+            continue;
+        const double value = valueOf(frame, told, place->kind, place->row);
+        const double brief = QString::number(value, 'g', 3).toDouble();
+        texts << compactNumber(brief) + ' '
+                     + QString::fromUtf8(key.unit.data(), qsizetype(key.unit.size()));
+    }
+    return texts.join(QStringLiteral(" · "));
 }
 
 } // namespace ripstop

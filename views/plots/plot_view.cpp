@@ -140,15 +140,12 @@ void PlotView::draw(const History& history, const std::vector<EarlierRun>& earli
     m_xy->show(m_across, unit, phaseCurves(history, earlier, named, std::uint32_t(m_plot.against)));
 }
 
-QCustomPlot& PlotView::plotInSight()
+QCustomPlot& PlotView::plotInSight() const
 {
     return m_plot.axis == PlotAxis::Time ? m_chart->plot() : m_xy->plot();
 }
 
-double PlotView::drawingTime() const
-{
-    return (m_plot.axis == PlotAxis::Time ? m_chart->plot() : m_xy->plot()).replotTime(true);
-}
+double PlotView::drawingTime() const { return plotInSight().replotTime(true); }
 
 std::optional<std::pair<double, double>> PlotView::valueRange() const
 {

@@ -30,7 +30,7 @@ public:
 
     Chart& chart() { return *m_chart; }
     XyChart& xyChart() { return *m_xy; }
-    QCustomPlot& plotInSight();
+    QCustomPlot& plotInSight() const;
 
     // The values that its axis shows; nothing when it has several.
     std::optional<std::pair<double, double>> valueRange() const;

@@ -1,7 +1,6 @@
 #include "viewport/design_ghost.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <unordered_map>
@@ -31,26 +30,15 @@ Pairs pairsOf(const Layout& design, const Layout& now)
     return pairs;
 }
 
+// The motion of a stiff body that comes nearest (Umeyama 1991).
 Eigen::Isometry3d fit(const Frame& design, const Frame& now, const Pairs& pairs)
 {
-    Vec3 from = Vec3::Zero();
-    Vec3 to = Vec3::Zero();
-    for (const auto& [d, n] : pairs) {
-        from += design.position[d] / double(pairs.size());
-        to += now.position[n] / double(pairs.size());
+    Eigen::Matrix3Xd from(3, Eigen::Index(pairs.size())), to = from;
+    for (Eigen::Index i = 0; i < from.cols(); ++i) {
+        from.col(i) = design.position[pairs[std::size_t(i)].first];
+        to.col(i) = now.position[pairs[std::size_t(i)].second];
     }
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const auto& [d, n] : pairs)
-        covariance += (now.position[n] - to) * (design.position[d] - from).transpose();
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Vec3 mirror = Vec3::Ones(); // a turn, never a mirror image
-    mirror.z() = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-    const Eigen::Matrix3d turn = svd.matrixU() * mirror.asDiagonal() * svd.matrixV().transpose();
-    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    motion.linear() = turn;
-    motion.translation() = to - turn * from;
-    return motion;
+    return Eigen::Isometry3d(Eigen::umeyama(from, to, false));
 }
 
 } // namespace

@@ -87,7 +87,9 @@ GrabTool::~GrabTool()
 
 std::optional<GrabTool::Held> GrabTool::take(QPointF cursor, const Sight& sight) const
 {
-    const Picked picked = Picker{sight, m_pickable()}.under(cursor.x(), cursor.y());
+    Pickable pickable = m_pickable();
+    pickable.drawn.particles = true; // a corner is held by its particle, with a dot or without
+    const Picked picked = Picker{sight, pickable}.under(cursor.x(), cursor.y());
     if (picked.sort == Picked::Sort::Nothing)
         return std::nullopt;
     Held held{Pulled{}, picked.place, picked.place, picked.place, cursor, cursor};

@@ -35,20 +35,6 @@ struct Wedge
     }
 };
 
-// Centre and half width along one axis of the picture.
-struct Slab
-{
-    double low = 1e300;
-    double high = -1e300;
-    void add(double value)
-    {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    double middle() const { return 0.5 * (low + high); }
-    double half() const { return 0.5 * (high - low); }
-};
-
 } // namespace
 
 Vec3 Turntable::back() const
@@ -119,21 +105,20 @@ void Turntable::fit(std::span<const Vec3> points, double aspect, const Covered& 
     Wedge across{slopeX * (1.0 - 2.0 * covered.left), slopeX * (1.0 - 2.0 * covered.right)};
     Wedge upright{slopeY * (1.0 - 2.0 * covered.bottom), slopeY * (1.0 - 2.0 * covered.top)};
 
-    Slab x, y, z;
+    Eigen::AlignedBox3d box; // along the axes of the picture
     for (const Vec3& point : points) {
-        const double px = point.dot(axisX), py = point.dot(axisY), pz = point.dot(axisZ);
-        x.add(px);
-        y.add(py);
-        z.add(pz);
-        across.add(px, orthographic ? 0.0 : pz);
-        upright.add(py, orthographic ? 0.0 : pz);
+        const Vec3 place(point.dot(axisX), point.dot(axisY), point.dot(axisZ));
+        box.extend(place);
+        across.add(place.x(), orthographic ? 0.0 : place.z());
+        upright.add(place.y(), orthographic ? 0.0 : place.z());
     }
+    const double middle = box.center().z();
     const double eye = std::max(across.leastDepth(), upright.leastDepth());
-    distance = std::max(orthographic ? eye : eye - z.middle(), nearest);
-    if (x.half() + y.half() + z.half() == 0.0)
+    distance = std::max(orthographic ? eye : eye - middle, nearest);
+    if (box.sizes().isZero(0.0))
         distance = 1.0; // a single particle
-    const double depth = orthographic ? distance : distance + z.middle();
-    focus = across.middle(depth) * axisX + upright.middle(depth) * axisY + z.middle() * axisZ;
+    const double depth = orthographic ? distance : distance + middle;
+    focus = across.middle(depth) * axisX + upright.middle(depth) * axisY + middle * axisZ;
 }
 
 Eigen::Matrix4d Turntable::projection(double aspect) const

@@ -3,6 +3,8 @@
 
 #include "scene/scene.h"
 
+#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,13 +18,13 @@ class ClothArea
 public:
     explicit ClothArea(const Part& part);
 
-    double of(const Panel& panel) const; // m^2; 0 when a corner is of another part
-    double whole() const;                // m^2, of all panels
+    double of(const std::array<Id, 3>& corner) const; // m^2; 0 when one is of another part
+    double whole() const;                             // m^2, of all panels
 
 private:
-    double lengthOf(Id a, Id b) const; // m; 0 without a link
+    std::optional<double> lengthOf(Id a, Id b) const; // m, of the first link there
 
-    using Side = std::pair<Id, Id>;
+    using Side = std::pair<Id, Id>; // the lower id first
     const Part& m_part;
     std::vector<std::pair<Side, double>> m_lengths; // in ascending order of side
 };
