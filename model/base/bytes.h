@@ -21,6 +21,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,6 +34,12 @@ class ByteWriter
 {
 public:
     static constexpr bool writes = true;
+
+    explicit ByteWriter(std::string room = {}) // whose memory it uses
+        : m_bytes(std::move(room))
+    {
+        m_bytes.clear();
+    }
 
     template <typename... T>
     void operator()(const T&... values)

@@ -18,6 +18,17 @@ struct FreeContext
     void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
 };
 
+constexpr int fast = 1; // of zstd's levels
+constexpr int small = 9;
+
+std::string_view packInto(std::string& room, ZSTD_CCtx& context, std::string_view bytes)
+{
+    room.resize(std::max(room.size(), ZSTD_compressBound(bytes.size())));
+    const std::size_t size =
+        ZSTD_compress2(&context, room.data(), room.size(), bytes.data(), bytes.size());
+    return {room.data(), ZSTD_isError(size) ? 0 : size};
+}
+
 int windowFor(std::size_t bytes)
 {
     int bits = 20;
@@ -36,18 +47,26 @@ std::string pack(std::string_view before, std::string_view bytes, int level)
                                windowFor(before.size() + bytes.size()));
         ZSTD_CCtx_refPrefix(context.get(), before.data(), before.size());
     }
-    std::string out(ZSTD_compressBound(bytes.size()), '\0');
-    const std::size_t size =
-        ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
-    out.resize(ZSTD_isError(size) ? 0 : size);
-    return out;
+    std::string room;
+    return std::string(packInto(room, *context, bytes));
 }
 
 } // namespace
 
 std::string packed(std::string_view bytes, Packing packing)
 {
-    return pack({}, bytes, packing == Packing::Fast ? 1 : 9);
+    return pack({}, bytes, packing == Packing::Fast ? fast : small);
+}
+
+Packer::Packer()
+    : m_context(ZSTD_createCCtx(), ZSTD_freeCCtx)
+{
+    ZSTD_CCtx_setParameter(m_context.get(), ZSTD_c_compressionLevel, fast);
+}
+
+std::string Packer::operator()(std::string_view bytes)
+{
+    return std::string(packInto(m_room, *m_context, bytes));
 }
 
 std::string packedAfter(std::string_view before, std::string_view bytes)

@@ -4,14 +4,31 @@
 #include "base/result.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+
+struct ZSTD_CCtx_s;
 
 namespace ripstop {
 
 enum class Packing { Fast, Small };
 
 std::string packed(std::string_view bytes, Packing packing = Packing::Fast);
+
+// Packs one after the other, fast. It keeps the memory that this takes: fresh pages for each would
+// cost more than packing does.
+class Packer
+{
+public:
+    Packer();
+
+    std::string operator()(std::string_view bytes);
+
+private:
+    std::shared_ptr<ZSTD_CCtx_s> m_context;
+    std::string m_room;
+};
 
 // As a difference to another text, which is needed to unpack it: a scene after an edit takes some
 // hundred bytes.

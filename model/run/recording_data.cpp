@@ -85,14 +85,18 @@ void Recording::Private::packOne(Lock& lock)
     const auto number = found - entries.begin();
     const std::shared_ptr<const RunChunk> raw = found->raw;
     lock.unlock();
-    auto bytes = std::make_shared<const std::string>(packed(bytesOf(*raw)));
+    if (!m_desk)
+        m_desk.emplace();
+    m_desk->stretch = bytesOf(*raw, std::move(m_desk->stretch));
+    auto bytes = std::make_shared<const std::string>(m_desk->packer(m_desk->stretch));
     lock.lock();
     Entry& entry = entries[std::size_t(number)]; // more may have come meanwhile
     entry.raw.reset();
     entry.bytes = bytes->size();
     entry.packed = std::move(bytes);
     size.memory += entry.bytes;
-    --waiting;
+    if (--waiting == 0 && over)
+        m_desk.reset();
 }
 
 void Recording::Private::spillOne(Lock& lock)

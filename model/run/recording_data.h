@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run/input_player.h"
+#include "run/packed.h"
 #include "run/recording.h"
 #include "run/simulation.h"
 #include "run/spill_file.h"
@@ -96,6 +97,12 @@ private:
     void spillOne(std::unique_lock<std::mutex>& lock);
 
     std::shared_ptr<SpillFile> m_spill = std::make_shared<SpillFile>();
+    struct Desk
+    {
+        std::string stretch; // before it is packed
+        Packer packer;
+    };
+    std::optional<Desk> m_desk; // of the thread, while there is something to pack
     std::jthread m_thread; // last: stops and joins before the rest is destroyed
 };
 

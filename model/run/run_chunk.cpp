@@ -129,9 +129,9 @@ std::size_t bytesIn(const State& state)
            + (sizeof(double) + 1) * state.rodTension.size();
 }
 
-std::string bytesOf(const RunChunk& chunk)
+std::string bytesOf(const RunChunk& chunk, std::string room)
 {
-    ByteWriter writer;
+    ByteWriter writer(std::move(room));
     writer(chunk);
     return writer.take();
 }

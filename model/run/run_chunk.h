@@ -61,7 +61,8 @@ State stateOf(const RunChunk& chunk, const KeptFrame& frame);
 std::size_t bytesIn(const KeptFrame& frame);
 std::size_t bytesIn(const State& state);
 
-std::string bytesOf(const RunChunk& chunk);
+// `room` gives its memory, as for one after the other.
+std::string bytesOf(const RunChunk& chunk, std::string room = {});
 std::optional<RunChunk> chunkOf(std::string_view bytes); // nothing when it is damaged
 
 } // namespace ripstop

@@ -1,5 +1,6 @@
 #include "icons/swatch.h"
 
+#include <QHash>
 #include <QPainter>
 #include <QPixmap>
 
@@ -7,6 +8,11 @@ namespace ripstop {
 
 QIcon swatch(const QColor& color)
 {
+    static QHash<QRgb, QIcon> made; // lists ask for it whenever they are painted
+    QIcon& icon = made[color.rgba()];
+    if (!icon.isNull())
+        return icon;
+
     constexpr int side = 16;   // px
     constexpr int density = 2; // stays sharp on dense screens
     QPixmap picture(side * density, side * density);
@@ -20,7 +26,7 @@ QIcon swatch(const QColor& color)
     painter.drawRoundedRect(QRectF(2.5, 2.5, 11, 11), 2.5, 2.5);
     painter.end();
 
-    QIcon icon(picture);
+    icon.addPixmap(picture);
     icon.addPixmap(picture, QIcon::Selected); // the colour itself, also in a selected row
     return icon;
 }

@@ -18,6 +18,8 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace ripstop {
 namespace {
 
@@ -81,6 +83,7 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
 
     auto* title = new QHBoxLayout;
     title->setContentsMargins(8, 8, 8, 0);
+    m_icon->setFixedSize(iconSide, iconSide); // or each new picture has the window laid out anew
     title->addWidget(m_icon, 0, Qt::AlignTop);
     title->addWidget(m_title, 1);
     auto* facts = new QHBoxLayout;
@@ -217,9 +220,9 @@ void Inspector::refreshHeader()
 {
     const Scene& scene = m_document.scene();
     const Kind kind = m_subject.kind();
-    const QIcon picture = icon(QString::fromUtf8(kindName(kind).data()));
-    m_icon->setPixmap(picture.pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
-
+    if (std::exchange(m_iconKind, kind) != kind) // or it would be painted at each edit
+        m_icon->setPixmap(icon(QString::fromUtf8(kindName(kind).data()))
+                              .pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
     QString title = describe(scene, m_subject.ids());
     title[0] = title.at(0).toUpper();
     m_title->setText(title);
@@ -229,6 +232,15 @@ void Inspector::refreshHeader()
     m_totals->setText(facts);
     m_totals->setVisible(!facts.isEmpty());
     m_targets->show(m_subject.ids().size() == 1 ? m_subject.ids().front() : noId);
+}
+
+void Inspector::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) { // icons have its colours
+        m_iconKind.reset();
+        refresh();
+    }
 }
 
 void Inspector::showPicking()

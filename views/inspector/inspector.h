@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 class QLabel;
 class QLineEdit;
@@ -38,6 +39,7 @@ public:
     void startSearch(); // the keyboard goes to the search of properties
 
 private:
+    void changeEvent(QEvent* event) override;
     void showSelection();
     void showKind(Kind kind);
     void leaveForm();
@@ -55,6 +57,7 @@ private:
     UsageWatch m_usage;
     SliderShelf m_sliders;
     QLabel* m_icon;
+    std::optional<Kind> m_iconKind; // that it shows
     QLabel* m_title;
     QLabel* m_totals;
     TargetRows* m_targets;

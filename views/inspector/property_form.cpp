@@ -233,8 +233,7 @@ void PropertyForm::refresh()
         if (isTunable(property))
             row.slider->setChecked(m_sliders.has(property, m_subject.ids()));
         const QString idle = m_usage.whyIdle(property, m_subject.ids());
-        row.label->setForegroundRole(idle.isEmpty() ? QPalette::WindowText
-                                                    : QPalette::PlaceholderText);
+        row.label->setIdle(!idle.isEmpty());
         QString tip = row.tip;
         if (row.isChanged)
             tip = tr("%1<br>The default is %2.")

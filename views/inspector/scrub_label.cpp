@@ -17,6 +17,13 @@ void ScrubLabel::setScrubbing(bool on)
     setCursor(on ? Qt::SizeHorCursor : Qt::ArrowCursor);
 }
 
+void ScrubLabel::setIdle(bool idle)
+{
+    const auto role = idle ? QPalette::PlaceholderText : QPalette::WindowText;
+    if (foregroundRole() != role) // or it would be painted again
+        setForegroundRole(role);
+}
+
 void ScrubLabel::mousePressEvent(QMouseEvent* event)
 {
     if (!m_scrubbing)

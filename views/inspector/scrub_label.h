@@ -14,6 +14,7 @@ public:
     explicit ScrubLabel(const QString& text, QWidget* parent = nullptr);
 
     void setScrubbing(bool on);
+    void setIdle(bool idle); // pale: what it names does nothing
 
 signals:
     void began();

@@ -205,7 +205,7 @@ void TuningRow::refresh()
     m_note->setText(words);
     m_note->setVisible(!words.isEmpty());
     const bool isIdle = !m_usage.whyIdle(property, m_slider.ids).isEmpty();
-    m_label->setForegroundRole(isIdle ? QPalette::PlaceholderText : QPalette::WindowText);
+    m_label->setIdle(isIdle);
     m_label->setToolTip(QStringLiteral("<qt>%1</qt>").arg(helpOf(property).toHtmlEscaped()));
 
     const Common common = Subject::common(property, refs);

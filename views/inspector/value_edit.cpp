@@ -20,6 +20,8 @@ ValueEdit::ValueEdit(Judge judge, QWidget* parent)
 
 void ValueEdit::setUnit(const QString& unit)
 {
+    if (unit == m_unit)
+        return;
     m_unit = unit;
     const int width = unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + unitGap;
     setTextMargins(0, 0, width, 0);

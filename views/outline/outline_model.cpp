@@ -25,6 +25,8 @@ constexpr std::array tables{Kind::Particle, Kind::Link, Kind::Panel};
 constexpr quintptr top = 0;
 constexpr quintptr partMark = quintptr(1) << 32;
 
+constexpr int refreshInterval = 100; // ms
+
 int sectionRow(Kind kind)
 {
     return int(std::find(sections.begin(), sections.end(), kind) - sections.begin());
@@ -52,6 +54,9 @@ OutlineModel::OutlineModel(Document& document, Selection& selection, QObject* pa
 {
     connect(&document, &Document::replaced, this, &OutlineModel::reset);
     connect(&document, &Document::changed, this, &OutlineModel::follow);
+    m_saysAgain.setSingleShot(true);
+    m_saysAgain.setInterval(refreshInterval);
+    connect(&m_saysAgain, &QTimer::timeout, this, &OutlineModel::sayAgain);
     reset();
 }
 
@@ -245,8 +250,14 @@ void OutlineModel::follow(const Edit& applied)
     if (std::any_of(applied.changes.begin(), applied.changes.end(), isStructural))
         for (const Kind kind : sections)
             followItems(kind);
+    if (!m_saysAgain.isActive())
+        m_saysAgain.start();
+}
 
-    // What a row says may hang on any other thing (members, counts), and saying it is cheap.
+// What a row says may hang on any other thing (members, counts). Painting them all takes too long
+// for each edit of a slider that is pulled.
+void OutlineModel::sayAgain()
+{
     const auto refresh = [this](const QModelIndex& parent) {
         if (const int rows = rowCount(parent); rows > 0)
             emit dataChanged(index(0, 0, parent), index(rows - 1, ColumnCount - 1, parent));

@@ -3,6 +3,7 @@
 #include "scene/edit.h"
 
 #include <QAbstractItemModel>
+#include <QTimer>
 
 #include <array>
 
@@ -55,6 +56,7 @@ public:
 private:
     void reset();
     void follow(const Edit& applied);
+    void sayAgain();
     void followItems(Kind kind);
     QModelIndex section(Kind kind) const;
     QString detail(const Node& node) const;
@@ -64,6 +66,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     std::array<std::vector<Id>, kindCount> m_items; // by kind, in the author's order
+    QTimer m_saysAgain;
 };
 
 } // namespace ripstop

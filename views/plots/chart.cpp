@@ -6,7 +6,6 @@
 
 #include <QEvent>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -39,12 +38,8 @@ QCPRange around(const QCPRange& values)
 
 Chart::Chart(QWidget* parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot)
+    , m_plot(makePlot(*this))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
-    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_plot->setNoAntialiasingOnDrag(true);
     m_plot->setAutoAddPlottableToLegend(false);          // each strip has a legend of its own
     m_plot->setContextMenuPolicy(Qt::CustomContextMenu); // it lets no click through to the panel

@@ -3,6 +3,7 @@
 #include "plots/curve_color.h"
 
 #include <QCoreApplication>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <qcustomplot.h>
 
@@ -55,6 +56,18 @@ private:
 };
 
 } // namespace
+
+QCustomPlot* makePlot(QWidget& chart)
+{
+    auto* plot = new QCustomPlot;
+    auto* layout = new QVBoxLayout(&chart);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(plot);
+    plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    // reaches the screen together with all else that has changed
+    plot->setPlottingHint(QCP::phImmediateRefresh, false);
+    return plot;
+}
 
 void styleAxis(QCPAxis& axis, const QWidget& chart)
 {

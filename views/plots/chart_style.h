@@ -12,6 +12,8 @@ class QWidget;
 
 namespace ripstop {
 
+QCustomPlot* makePlot(QWidget& chart); // that fills the chart
+
 void styleAxis(QCPAxis& axis, const QWidget& chart);
 void styleLegend(QCPLegend& legend, const QWidget& chart);
 // Names of the curves above the axes, in as many columns as the width, px, has room for; of more

@@ -4,7 +4,6 @@
 #include "plots/curve_color.h"
 
 #include <QEvent>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -13,12 +12,8 @@ namespace ripstop {
 
 PolarChart::PolarChart(QWidget* parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot)
+    , m_plot(makePlot(*this))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
-    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_plot->xAxis->setLabel(tr("Angle of attack (degrees)"));
     m_plot->xAxis->setRange(0.0, 90.0);
     const QSharedPointer<QCPAxisTickerFixed> ticks(new QCPAxisTickerFixed);

@@ -4,7 +4,6 @@
 
 #include <QEvent>
 #include <QScopedValueRollback>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -14,12 +13,8 @@ namespace ripstop {
 
 XyChart::XyChart(QWidget* parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot)
+    , m_plot(makePlot(*this))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
-    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_plot->setContextMenuPolicy(Qt::CustomContextMenu); // it lets no click through to the panel
     connect(m_plot, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
         emit customContextMenuRequested(m_plot->mapTo(this, place));

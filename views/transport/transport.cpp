@@ -32,12 +32,13 @@ QString speedText(double speed)
                                   : QLocale().toString(speed) + QChar(0x00d7);
 }
 
-// A label that does not push its neighbours about when its digits change.
+// A label that does not push its neighbours about when its digits change, nor has the window laid
+// out anew.
 QLabel* steadyLabel(const QString& widest, const QString& toolTip)
 {
     auto* label = new QLabel;
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest));
+    label->setFixedSize(label->fontMetrics().size(Qt::TextSingleLine, widest));
     label->setToolTip(toolTip);
     return label;
 }
@@ -56,7 +57,7 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     , m_speed(new QComboBox)
     , m_badge(new QLabel)
     , m_time(steadyLabel(QStringLiteral("00000.000 s"), tr("Simulated time since the start")))
-    , m_ratio(steadyLabel(QStringLiteral("000.00x"), {}))
+    , m_ratio(steadyLabel(QStringLiteral("00000.00x"), {}))
     , m_substeps(steadyLabel(tr("%1 substeps").arg(2000), {}))
 {
     m_badge->setObjectName(QStringLiteral("mode"));
