@@ -63,7 +63,7 @@ public:
     }
     Covered covered() const { return coveredOf(*screen.parentWidget()); }
     void sceneReplaced();
-    void sceneChanged(const Edit& edit);
+    bool sceneChanged(const Edit& edit); // true when it shows in the picture at once
     void showDesign();
     void prepare();
     void place();
@@ -123,7 +123,7 @@ void Viewport::Private::sceneReplaced()
     fitNow();
 }
 
-void Viewport::Private::sceneChanged(const Edit& edit)
+bool Viewport::Private::sceneChanged(const Edit& edit)
 {
     stage.designChanged();
     // a design that cannot run sends no frames, but must show what was done to it
@@ -131,6 +131,9 @@ void Viewport::Private::sceneChanged(const Edit& edit)
         showDesign();
     else if (changesLook(edit))
         stage.sceneChanged();
+    else
+        return false;
+    return true;
 }
 
 void Viewport::Private::prepare()
@@ -202,8 +205,10 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
 
     connect(&document, &Document::replaced, this, [this] { d->sceneReplaced(); });
     connect(&document, &Document::changed, this, [this](const Edit& edit) {
-        d->sceneChanged(edit);
-        d->screen.renderSoon();
+        if (d->sceneChanged(edit))
+            d->screen.renderSoon();
+        else // what lies over the picture; the next frame brings the rest
+            d->screen.update();
     });
     connect(&selection, &Selection::changed, this, [this] {
         d->stage.setSelected(d->selection.ids());
