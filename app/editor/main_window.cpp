@@ -445,7 +445,9 @@ void MainWindow::insert(const QString& builder)
     BuilderDialog dialog(builder, {m_document, m_selection, m_viewport->camera().focus}, this);
     connect(&dialog, &BuilderDialog::shown, m_viewport,
             [this](const std::vector<Id>& bodies) { m_viewport->fit(bodies); });
-    dialog.exec();
+    const Turntable before = m_viewport->camera();
+    if (dialog.exec() == QDialog::Rejected)
+        m_viewport->look(before); // the preview took it elsewhere
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

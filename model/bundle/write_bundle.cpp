@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ripstop {
 namespace {
@@ -76,30 +77,50 @@ std::optional<Failure> place(const fs::path& folder, const fs::path& target)
     return Failure{target.string() + " was not written: " + why + "; choose another folder."};
 }
 
-// With copies of the files that colliders name, so that the bundle needs nothing else.
-Result<Scene> gathered(const Scene& scene, const fs::path& folder)
+// Copies of the files that colliders name, so that the bundle needs nothing else.
+class Copies
 {
-    Scene own = scene;
-    for (Entry& entry : own.items) {
-        auto* collider = std::get_if<Collider>(&entry.item);
-        if (!collider || collider->file.empty())
-            continue;
-        const fs::path file = placeOfFile(scene.folder.path, collider->file);
-        // the number keeps files of one name apart
-        const fs::path name =
-            fs::path(bundled::colliders)
-            / (std::to_string(std::uint32_t(entry.id)) + "_" + file.filename().string());
-        std::error_code error;
-        fs::create_directory(folder / bundled::colliders, error);
-        fs::copy_file(file, folder / name, error);
-        if (error)
-            return Failure{"Collider " + collider->name + ": " + file.string()
-                           + " cannot be copied into the bundle: " + error.message() + "."};
-        collider->file = name.generic_string();
+public:
+    explicit Copies(fs::path folder)
+        : m_folder(std::move(folder))
+    {}
+
+    // The scene with the copies in place of the files.
+    Result<Scene> instead(const Scene& scene)
+    {
+        Scene own = scene;
+        for (Entry& entry : own.items) {
+            auto* collider = std::get_if<Collider>(&entry.item);
+            if (!collider || collider->file.empty())
+                continue;
+            const fs::path file = placeOfFile(scene.folder.path, collider->file);
+            const auto [name, isNew] = m_names.try_emplace(file);
+            if (isNew) // the number keeps files of one name apart
+                name->second = fs::path(bundled::colliders)
+                               / (std::to_string(m_names.size()) + "_" + file.filename().string());
+            if (auto failure = isNew ? copy(file, name->second) : std::nullopt)
+                return Failure{"Collider " + collider->name + ": " + failure->message};
+            collider->file = name->second.generic_string();
+        }
+        own.folder.path = m_folder.string();
+        return own;
     }
-    own.folder.path = folder.string();
-    return own;
-}
+
+private:
+    std::optional<Failure> copy(const fs::path& file, const fs::path& name) const
+    {
+        std::error_code error;
+        fs::create_directory(m_folder / bundled::colliders, error);
+        fs::copy_file(file, m_folder / name, error);
+        if (!error)
+            return std::nullopt;
+        return Failure{file.string() + " cannot be copied into the bundle: " + error.message()
+                       + "."};
+    }
+
+    fs::path m_folder;
+    std::map<fs::path, fs::path> m_names; // in the bundle
+};
 
 bool namesFiles(const Scene& scene)
 {
@@ -107,6 +128,38 @@ bool namesFiles(const Scene& scene)
         const auto* collider = std::get_if<Collider>(&entry.item);
         return collider && !collider->file.empty();
     });
+}
+
+// The recording with the copies in place of the files of its designs.
+Result<std::shared_ptr<const Recording>> instead(const std::shared_ptr<const Recording>& recording,
+                                                 Copies& copies)
+{
+    std::vector<Design> designs;
+    bool names = false;
+    for (std::size_t i = 0; i < recording->designCount(); ++i) {
+        designs.push_back(recording->design(int(i)));
+        const Scene scene = designs.back().scene();
+        if (!namesFiles(scene))
+            continue;
+        Result<Scene> own = copies.instead(scene);
+        if (!own)
+            return own.failure();
+        designs.back() = {std::make_shared<const Scene>(std::move(*own)), {}};
+        names = true;
+    }
+    if (!names)
+        return recording;
+
+    auto own = std::make_shared<Recording>();
+    for (Design& design : designs)
+        own->addDesign(std::move(design));
+    for (std::size_t i = 0; i < recording->chunkCount(); ++i)
+        own->addChunk(recording->chunk(i), [recording, i] { return recording->chunkBytes(i); }, 0);
+    own->setName(recording->name());
+    own->setOrigin(recording->origin());
+    own->setBookmarks(recording->bookmarks());
+    own->finish();
+    return std::shared_ptr<const Recording>(std::move(own));
 }
 
 // Table and figure of the probes, and what the manifest says of the flight.
@@ -190,7 +243,7 @@ public:
     {
         if (auto failure = open())
             return {failure};
-        const Result<Scene> own = gathered(scene, folder());
+        const Result<Scene> own = m_copies->instead(scene);
         if (!own)
             return {own.failure()};
         const auto system = compile(*own);
@@ -211,16 +264,15 @@ public:
 
     BundleWritten writeRecording(const std::shared_ptr<const Recording>& recording)
     {
-        for (std::size_t i = 0; i < recording->designCount(); ++i)
-            if (namesFiles(recording->design(int(i)).scene()))
-                return {Failure{"The recording needs the files of its colliders, which are not in "
-                                "it; make the bundle of the scene instead."}};
         if (auto failure = open())
             return {failure};
-        RecordedFrames source(recording, RecordedFrames::Places::Exact, m_order.threads);
+        const auto own = instead(recording, *m_copies);
+        if (!own)
+            return {own.failure()};
+        RecordedFrames source(*own, RecordedFrames::Places::Exact, m_order.threads);
         if (auto failure = fly(source, everyStep(source.begin(), source.end(), source.timeStep())))
             return {failure};
-        return write(recording->scene(), *recording, Manifest::From::Recording);
+        return write((*own)->scene(), **own, Manifest::From::Recording);
     }
 
 private:
@@ -235,6 +287,7 @@ private:
             return made.failure();
         m_folder.emplace(std::move(*made));
         m_findings.emplace(folder());
+        m_copies.emplace(folder());
         return std::nullopt;
     }
 
@@ -301,6 +354,7 @@ private:
     const Progress& m_progress;
     std::optional<TemporaryFolder> m_folder;
     std::optional<Findings> m_findings;
+    std::optional<Copies> m_copies;
     std::optional<Failure> m_stopped; // why the flight ended early
 };
 

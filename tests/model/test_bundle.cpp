@@ -122,13 +122,23 @@ private slots:
         flat->items.push_back({id, ground});
         const QString file = folder.filePath("pendulum.ripstop.json");
         QVERIFY(!saveScene(*flat, file.toStdString()));
-        const QString path = folder.filePath("pendulum.zip");
-        const Outcome made = wrapped(file, path, {"--seconds", "0.5"});
+        const QString run = folder.filePath("pendulum.ripstop-run");
+        QCOMPARE(call({"run", file, "--seconds", "0.5", "--record", run}).exitCode, 0);
+        const QString ofScene = folder.filePath("scene.zip"), ofRun = folder.filePath("run.zip");
+        const Outcome made = wrapped(file, ofScene, {"--seconds", "0.5"});
         QVERIFY2(made.exitCode == 0, qPrintable(made.error));
+        const Outcome madeOfRun = wrapped(run, ofRun);
+        QVERIFY2(madeOfRun.exitCode == 0, qPrintable(madeOfRun.error));
         QVERIFY(QFile::remove(hill));
-        const Outcome flown = call({"run", path});
-        QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
-        QCOMPARE(wrapped(file, folder.filePath("none.zip"), {"--seconds", "0.5"}).exitCode, 1);
+        for (const QString& path : {ofScene, ofRun}) {
+            const Outcome flown = call({"run", path});
+            QVERIFY2(flown.exitCode == 0, qPrintable(flown.error));
+        }
+        for (const QString& lost : {file, run}) {
+            const Outcome refused = wrapped(lost, folder.filePath("none.zip"));
+            QCOMPARE(refused.exitCode, 1);
+            QVERIFY2(refused.error.contains("hill.pgm"), qPrintable(refused.error));
+        }
         QVERIFY(!QFile::exists(folder.filePath("none.zip")));
     }
 

@@ -1,107 +1,19 @@
 #include "viewport/viewport.h"
 
-#include "document/document.h"
-#include "document/player.h"
-#include "document/selection.h"
-#include "viewport/centre_mark.h"
-#include "viewport/chase.h"
-#include "viewport/compass.h"
-#include "viewport/covered.h"
-#include "viewport/gizmo_overlay.h"
-#include "viewport/grab_tool.h"
-#include "viewport/legend.h"
 #include "viewport/overlay_paint.h"
-#include "viewport/pointing.h"
-#include "viewport/probe_labels.h"
-#include "viewport/range_editor.h"
 #include "viewport/scene_frame.h"
-#include "viewport/stage.h"
-#include "viewport/transform_tool.h"
-#include "viewport/vtk_widget.h"
+#include "viewport/viewport_data.h"
 
-#include <QApplication>
-#include <QMouseEvent>
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ripstop {
 namespace {
 
 constexpr int corner = 12; // pixels between the edge and what lies over the view
-constexpr double zoomPerNotch = 0.85;
 
 } // namespace
-
-class Viewport::Private
-{
-public:
-    Private(Viewport& widget, Document& openDocument, Selection& openSelection, Player& openPlayer)
-        : document(openDocument)
-        , selection(openSelection)
-        , player(openPlayer)
-        , screen(&widget)
-        , stage(screen.window())
-        , pointing([this] { return sight(); }, &widget)
-        , legend(&widget)
-        , rangeEditor(legend, &widget)
-        , compass(&widget)
-        , transform(openDocument, openSelection, openPlayer, widget, camera)
-        , centre(openDocument, openSelection, &widget)
-        , labels(openDocument, &widget)
-        , gizmo(transform, &widget)
-    {
-        camera.look(PresetView::Iso);
-        pointing.setCtrlTool(std::make_unique<GrabTool>(document, player, hands,
-                                                        [this] { return pointing.pickable; }));
-    }
-
-    double aspect() const
-    {
-        return screen.height() > 0 ? double(screen.width()) / screen.height() : 1.0;
-    }
-    Covered covered() const { return coveredOf(*screen.parentWidget()); }
-    void sceneReplaced();
-    bool sceneChanged(const Edit& edit); // true when it shows in the picture at once
-    void showDesign();
-    void prepare();
-    void place();
-    std::optional<Sight> sight(); // what is seen now
-    void click(Id id, Qt::KeyboardModifiers keys);
-    void fitNow();
-
-    template <typename Change>
-    void draw(Change change) // with the change
-    {
-        change();
-        screen.renderSoon();
-    }
-
-    Document& document;
-    Selection& selection;
-    Player& player;
-    Turntable camera;
-    HandSettings hands;
-    VtkWidget screen;
-    Stage stage;
-    Pointing pointing;
-    Legend legend;
-    RangeEditor rangeEditor;
-    Compass compass;
-    TransformTool transform;
-    CentreMark centre;
-    ProbeLabels labels;
-    GizmoOverlay gizmo;
-
-    std::optional<double> shotRatio; // pixels for one of the view, while a picture is taken
-    bool untouched = true;           // the camera still shows all it should, as nobody has moved it
-    bool wholeScene = false;         // should show: everything, or the fabric and what it carries
-    Chase chase;
-    QPointF pressed;
-    QPointF last;
-    bool dragging = false;
-};
 
 // --- frames and scene ------------------------------------------------------------------------
 
@@ -205,10 +117,12 @@ Viewport::Viewport(Document& document, Selection& selection, Player& player, QWi
 
     connect(&document, &Document::replaced, this, [this] { d->sceneReplaced(); });
     connect(&document, &Document::changed, this, [this](const Edit& edit) {
-        if (d->sceneChanged(edit))
+        if (d->sceneChanged(edit)) {
             d->screen.renderSoon();
-        else // what lies over the picture; the next frame brings the rest
+        } else {
+            d->place(); // what lies over the picture; the next frame brings the rest
             d->screen.update();
+        }
     });
     connect(&selection, &Selection::changed, this, [this] {
         d->stage.setSelected(d->selection.ids());
@@ -395,6 +309,13 @@ void Viewport::fit(const std::vector<Id>& ids)
     emit cameraChanged();
 }
 
+void Viewport::look(const Turntable& camera)
+{
+    d->untouched = false;
+    d->draw([&] { d->camera = camera; });
+    emit cameraChanged();
+}
+
 void Viewport::view(PresetView preset)
 {
     d->camera.look(preset);
@@ -419,86 +340,5 @@ HandSettings& Viewport::hands() { return d->hands; }
 Id Viewport::pick(QPointF place) { return d->pointing.pick(place); }
 
 Pointing& Viewport::pointing() { return d->pointing; }
-
-void Viewport::mousePressEvent(QMouseEvent* event)
-{
-    d->pressed = d->last = event->position();
-    d->dragging = false;
-    d->pointing.press(*event);
-}
-
-void Viewport::mouseMoveEvent(QMouseEvent* event)
-{
-    if (d->pointing.move(*event) || event->buttons() == Qt::NoButton)
-        return;
-    // a hand trembles while it clicks
-    if ((event->position() - d->pressed).manhattanLength() >= QApplication::startDragDistance())
-        d->dragging = true;
-    if (!d->dragging)
-        return;
-    const QPointF step = event->position() - d->last;
-    d->last = event->position();
-    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    const bool turns = event->buttons().testFlag(Qt::LeftButton)
-                       || (d->pointing.hasTool() && event->buttons().testFlag(Qt::RightButton));
-    if (turns && !shift)
-        d->camera.orbit(step.x(), step.y());
-    else
-        d->camera.pan(step.x(), step.y(), height());
-    d->untouched = false;
-    d->screen.renderSoon();
-    emit cameraChanged();
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event)
-{
-    if (d->pointing.release(*event) || d->dragging)
-        return;
-    const Id under = pick(event->position());
-    if (event->button() == Qt::LeftButton)
-        d->click(under, event->modifiers());
-    if (event->button() == Qt::RightButton) {
-        if (under != noId && !std::ranges::binary_search(d->selection.ids(), under))
-            d->click(under, {});
-        emit menuWanted(event->globalPosition().toPoint());
-    }
-}
-
-void Viewport::leaveEvent(QEvent*) { d->pointing.hover({}); }
-
-// Keys belong to the gesture under way before they are anyone's shortcut.
-bool Viewport::event(QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto& key = *static_cast<QKeyEvent*>(event);
-        const bool gives = d->pointing.hasTool() || d->pointing.holds();
-        if ((key.key() == Qt::Key_Escape && gives) || d->pointing.takesKey(key))
-            event->accept();
-    }
-    return QWidget::event(event);
-}
-
-void Viewport::keyPressEvent(QKeyEvent* event)
-{
-    const bool escapes = event->key() == Qt::Key_Escape && d->pointing.escape();
-    if (!escapes && !d->pointing.key(*event))
-        QWidget::keyPressEvent(event);
-}
-
-void Viewport::wheelEvent(QWheelEvent* event)
-{
-    if (d->pointing.wheel(*event))
-        return;
-    const double notches = event->angleDelta().y() / 120.0;
-    const double x = 2.0 * event->position().x() / width() - 1.0;
-    const double y = 1.0 - 2.0 * event->position().y() / height();
-    // a following camera keeps its object in the middle
-    const bool centred = d->chase.isOn();
-    d->camera.zoom(std::pow(zoomPerNotch, notches), centred ? 0.0 : x, centred ? 0.0 : y,
-                   d->aspect());
-    d->untouched = false;
-    d->screen.renderSoon();
-    emit cameraChanged();
-}
 
 } // namespace ripstop

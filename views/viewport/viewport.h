@@ -69,6 +69,7 @@ public:
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
     void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
+    void look(const Turntable& camera); // as from there, once more
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
     void setOrthographic(bool orthographic);
