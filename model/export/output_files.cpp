@@ -32,7 +32,8 @@ Failure notWritten(const fs::path& file, const std::string& why)
 
 std::optional<Failure> close(std::ofstream& out, const fs::path& file)
 {
-    errno = 0;
+    if (out) // or it holds why an earlier write failed
+        errno = 0;
     out.close();
     if (!out)
         return notWritten(file, reason());

@@ -1320,5 +1320,218 @@
         <source>The mesh %1 has no face with an area; choose a file with a surface.</source>
         <translation>Le maillage %1 n’a aucune face avec une aire ; choisir un fichier avec une surface.</translation>
     </message>
+    <!-- of files -->
+    <message>
+        <source>it is a folder or a device</source>
+        <translation>c’est un dossier ou un périphérique</translation>
+    </message>
+    <message>
+        <source>a file has that name</source>
+        <translation>un fichier porte ce nom</translation>
+    </message>
+    <message>
+        <source>there is no room for the shapes of the series</source>
+        <translation>il n’y a pas de place pour les formes de la série</translation>
+    </message>
+    <message>
+        <source>the shapes of the series cannot be read again</source>
+        <translation>les formes de la série ne peuvent pas être relues</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2; make room or choose another folder.</source>
+        <translation>%1 n’a pas été écrit : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2; choose another folder.</source>
+        <translation>%1 n’a pas été écrit : %2 ; choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2; make room or choose another folder.</source>
+        <translation>%1 n’a pas été enregistré : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: there is no folder %2; make it or choose another.</source>
+        <translation>%1 ne peut pas être écrit : le dossier %2 n’existe pas ; le créer ou en choisir un autre.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2; choose another folder.</source>
+        <translation>%1 ne peut pas être écrit : %2 ; choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>%1 is not complete: %2; make room or choose another folder.</source>
+        <translation>%1 n’est pas complet : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder or a device; name a file.</source>
+        <translation>%1 est un dossier ou un périphérique ; nommer un fichier.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder; name a file in it.</source>
+        <translation>%1 est un dossier ; nommer un fichier dedans.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder; name a file.</source>
+        <translation>%1 est un dossier ; nommer un fichier.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist; check the path.</source>
+        <translation>%1 n’existe pas ; vérifier le chemin.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2; choose another target.</source>
+        <translation>Le dossier %1 ne peut pas être créé : %2 ; choisir une autre cible.</translation>
+    </message>
+    <message>
+        <source>There is neither fabric nor a line at this moment to make a mesh of.</source>
+        <translation>Il n’y a à cet instant ni tissu ni ligne dont faire un maillage.</translation>
+    </message>
+    <message>
+        <source>The scene has neither fabric nor lines, so there is nothing to show.</source>
+        <translation>La scène n’a ni tissu ni lignes, il n’y a donc rien à montrer.</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be written: %1</source>
+        <translation>Le maillage ne peut pas être écrit : %1</translation>
+    </message>
+    <message>
+        <source>The panels of the design change after %1 s, and this format knows one mesh only; choose a sequence of files.</source>
+        <translation>Les panneaux du modèle changent après %1 s, et ce format ne connaît qu’un maillage ; choisir une suite de fichiers.</translation>
+    </message>
+    <message>
+        <source>The lines of the design change after %1 s, and this format knows one mesh only; choose a sequence of files.</source>
+        <translation>Les lignes du modèle changent après %1 s, et ce format ne connaît qu’un maillage ; choisir une suite de fichiers.</translation>
+    </message>
+    <message>
+        <source>The scene has no probes, so there is nothing to draw in %1; add a probe first.</source>
+        <translation>La scène n’a pas de sondes, il n’y a donc rien à tracer dans %1 ; ajouter d’abord une sonde.</translation>
+    </message>
+    <message>
+        <source>The scene has no probes, so there is nothing to put into %1; add a probe first.</source>
+        <translation>La scène n’a pas de sondes, il n’y a donc rien à mettre dans %1 ; ajouter d’abord une sonde.</translation>
+    </message>
+    <message>
+        <source>The animation would have %1 MB, and a glTF file holds 4096 at most; choose fewer frames, or a point cache (.pc2).</source>
+        <translation>L’animation ferait %1 Mo, et un fichier glTF en contient 4096 au plus ; choisir moins d’images, ou un cache de points (.pc2).</translation>
+    </message>
+    <message>
+        <source>The export was cancelled; nothing was written.</source>
+        <translation>L’export a été annulé ; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>The number of frames per second must be above 0.</source>
+        <translation>Le nombre d’images par seconde doit être supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>The end of the range must not lie before its start.</source>
+        <translation>La fin de l’intervalle ne doit pas précéder son début.</translation>
+    </message>
+    <message>
+        <source>The range starts at %1, but the run begins only at %2.</source>
+        <translation>L’intervalle commence à %1, mais la simulation ne commence qu’à %2.</translation>
+    </message>
+    <message>
+        <source>The range starts at %1, but the run ends at %2.</source>
+        <translation>L’intervalle commence à %1, mais la simulation finit à %2.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>%1 can no longer be read; open it again.</source>
+        <translation>%1 ne peut plus être lu ; l’ouvrir de nouveau.</translation>
+    </message>
+    <message>
+        <source>%1 is no file; name a recording (*.ripstop-run).</source>
+        <translation>%1 n’est pas un fichier ; nommer un enregistrement (*.ripstop-run).</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check that you may read it.</source>
+        <translation>%1 ne peut pas être ouvert ; vérifier que vous pouvez le lire.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a later version of Ripstop; open it with that.</source>
+        <translation>%1 a été écrit par une version plus récente de Ripstop ; l’ouvrir avec elle.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording of Ripstop (*.ripstop-run).</source>
+        <translation>%1 n’est pas un enregistrement de Ripstop (*.ripstop-run).</translation>
+    </message>
+    <message>
+        <source>One of the recordings holds no frame.</source>
+        <translation>L’un des enregistrements ne contient aucune image.</translation>
+    </message>
+    <message>
+        <source>The recordings have no time in common.</source>
+        <translation>Les enregistrements n’ont aucun instant en commun.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged at this frame; choose another one.</source>
+        <translation>L’enregistrement est abîmé à cette image ; en choisir une autre.</translation>
+    </message>
+    <message>
+        <source>The recording does not fit its design: it is damaged.</source>
+        <translation>L’enregistrement ne va pas avec son modèle : il est abîmé.</translation>
+    </message>
+    <message>
+        <source>A stretch of the recording is damaged; choose another time.</source>
+        <translation>Un tronçon de l’enregistrement est abîmé ; choisir un autre instant.</translation>
+    </message>
+    <message>
+        <source>There is nothing in the recording.</source>
+        <translation>Il n’y a rien dans l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>The run stopped before that: %1</source>
+        <translation>La simulation s’est arrêtée avant : %1</translation>
+    </message>
+    <message>
+        <source>The recording ends here, as %1.</source>
+        <translation>L’enregistrement finit ici, car %1.</translation>
+    </message>
+    <message>
+        <source>there is no folder for temporary files; set TMPDIR to one</source>
+        <translation>il n’y a pas de dossier pour les fichiers temporaires ; en donner un dans TMPDIR</translation>
+    </message>
+    <message>
+        <source>no temporary file can be made in %1: %2</source>
+        <translation>aucun fichier temporaire ne peut être créé dans %1 : %2</translation>
+    </message>
+    <message>
+        <source>the folder for temporary files cannot take more: %1</source>
+        <translation>le dossier des fichiers temporaires est plein : %1</translation>
+    </message>
+    <message>
+        <source>a temporary file cannot be read: %1</source>
+        <translation>un fichier temporaire ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>Name the bundle: a new folder, or a file that ends with .zip.</source>
+        <translation>Nommer le dossier de la simulation : un nouveau dossier, ou un fichier qui finit par .zip.</translation>
+    </message>
+    <message>
+        <source>%1 is a file; name a new folder, or a file that ends with .zip.</source>
+        <translation>%1 est un fichier ; nommer un nouveau dossier, ou un fichier qui finit par .zip.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder with other things in it; name a new one.</source>
+        <translation>%1 est un dossier qui contient autre chose ; en nommer un nouveau.</translation>
+    </message>
+    <message>
+        <source>No folder can be made beside %1: %2; make room or choose another folder.</source>
+        <translation>Aucun dossier ne peut être créé à côté de %1 : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be copied into the bundle: %2.</source>
+        <translation>%1 ne peut pas être copié dans le dossier de la simulation : %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was flown: a bundle needs one time step at least.</source>
+        <translation>Rien n’a été simulé : un dossier de la simulation demande un pas de temps au moins.</translation>
+    </message>
+    <message>
+        <source>The run cannot be kept whole: %1</source>
+        <translation>La simulation ne peut pas être gardée entière : %1</translation>
+    </message>
 </context>
 </TS>

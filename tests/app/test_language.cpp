@@ -262,6 +262,10 @@ private slots:
             "once.",
             "Une traction doit passer 20 liaisons pour traverser le réseau\u202f; le solveur "
             "direct l’y porte d’un coup.");
+        row("/a/kite.pvd was not written: there is no room for the shapes of the series; make room "
+            "or choose another folder.",
+            "/a/kite.pvd n’a pas été écrit\u00a0: il n’y a pas de place pour les formes de la "
+            "série\u202f; faire de la place ou choisir un autre dossier.");
         row("Take 12.5 substeps", "Prendre 12,5 sous-pas");
         row("Part kite has canopy pressure and no panels to hold the air: add panels, or set its "
             "canopyPressure to 0.",
