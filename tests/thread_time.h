@@ -13,4 +13,11 @@ inline double threadTime()
     return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
 }
 
+// How much longer the same work may take in this build.
+#ifdef __SANITIZE_THREAD__
+inline constexpr double slowdown = 10.0; // 5 to 15, as the manual of the thread sanitizer says
+#else
+inline constexpr double slowdown = 1.0;
+#endif
+
 } // namespace ripstop

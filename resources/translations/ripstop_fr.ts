@@ -2971,6 +2971,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>no link has a width</source>
+        <translation>aucune liaison n’a de largeur</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>nothing tears here</source>
+        <translation>rien ne se déchire ici</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>peak %1</source>
         <translation>pic %1</translation>
     </message>

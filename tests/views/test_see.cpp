@@ -75,6 +75,9 @@ private slots:
         const QuantityValues values = valuesOf(now, ColorBy::Stress, look);
         QCOMPARE(values.link, (std::vector<double>{1500.0, 0.0}));
         QCOMPARE(peakOf(now, values).id, 21U);
+        QVERIFY(values.isKnown);
+        look.linkWidth = {0.0, 0.0};
+        QVERIFY(!valuesOf(now, ColorBy::Stress, look).isKnown);
     }
 
     // What flies free is turned and shifted as a whole, and its ghost with it; deformed, the ghost

@@ -69,6 +69,11 @@ QCustomPlot* makePlot(QWidget& chart)
     return plot;
 }
 
+QString withUnit(const QString& name, const QString& unit)
+{
+    return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
+}
+
 void styleAxis(QCPAxis& axis, const QWidget& chart)
 {
     const QColor ink = inkOf(chart);

@@ -1,6 +1,8 @@
 // How charts look in the colours and the font of the window.
 #pragma once
 
+#include <QString>
+
 #include <vector>
 
 class QCPAbstractPlottable;
@@ -13,6 +15,8 @@ class QWidget;
 namespace ripstop {
 
 QCustomPlot* makePlot(QWidget& chart); // that fills the chart
+
+QString withUnit(const QString& name, const QString& unit); // "height (m)"
 
 void styleAxis(QCPAxis& axis, const QWidget& chart);
 void styleLegend(QCPLegend& legend, const QWidget& chart);

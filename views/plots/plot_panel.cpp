@@ -7,6 +7,7 @@
 #include "document/recordings.h"
 #include "document/words.h"
 #include "icons/swatch.h"
+#include "plots/chart_style.h"
 #include "plots/curve_color.h"
 #include "plots/plot_output.h"
 
@@ -228,9 +229,7 @@ QString PlotPanel::acrossOf(const Plot& plot) const
     const Probe* across = findItem<Probe>(m_document.scene(), plot.against);
     if (!across)
         return {};
-    const QString unit = unitOf(plot.against);
-    const QString name = QString::fromStdString(across->name);
-    return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
+    return withUnit(QString::fromStdString(across->name), unitOf(plot.against));
 }
 
 QString PlotPanel::unitOf(Id id) const

@@ -1,6 +1,7 @@
 #include "plots/plot_view.h"
 
 #include "icons/icon.h"
+#include "plots/chart_style.h"
 #include "plots/curve_views.h"
 
 #include <QEvent>
@@ -24,11 +25,6 @@ bool shareAUnit(const std::vector<Curve>& curves)
 {
     return std::ranges::all_of(curves,
                                [&](const Curve& one) { return one.unit == curves.front().unit; });
-}
-
-QString withUnit(const QString& name, const QString& unit)
-{
-    return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
 }
 
 } // namespace

@@ -17,6 +17,7 @@ struct Caption
 {
     QString quantity; // empty: no legend
     QString unit;
+    QString unknown = {}; // instead of the peak, when nothing has what it is measured by
 };
 
 Caption captionOf(ColorBy colorBy)
@@ -33,9 +34,9 @@ Caption captionOf(ColorBy colorBy)
     case ColorBy::PanelLoad:
         return {Legend::tr("Panel load"), QStringLiteral("N/m\u00b2")};
     case ColorBy::TearLoad:
-        return {Legend::tr("Of tear limit"), QStringLiteral("%")};
+        return {Legend::tr("Of tear limit"), QStringLiteral("%"), Legend::tr("nothing tears here")};
     case ColorBy::Stress:
-        return {Legend::tr("Fabric stress"), QStringLiteral("N/m")};
+        return {Legend::tr("Fabric stress"), QStringLiteral("N/m"), Legend::tr("no link has a width")};
     }
     return {};
 }
@@ -68,13 +69,14 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
     const bool isShare = colorBy == ColorBy::Strain || colorBy == ColorBy::TearLoad;
     m_shown = isShare ? 100.0 : 1.0; // per cent
     const ValueRange scaled{range.low * m_shown, range.high * m_shown};
-    const auto [quantity, unit] = captionOf(colorBy);
+    const auto [quantity, unit, unknown] = captionOf(colorBy);
     const QString title =
         quantity.isEmpty() ? QString() : QStringLiteral("%1, %2").arg(quantity, unit);
     if (title == m_title && scaled == m_range && &colors == m_colors)
         return;
     m_title = title;
     m_unit = unit;
+    m_unknown = unknown;
     m_range = scaled;
     m_colors = &colors;
     setVisible(!m_title.isEmpty());
@@ -85,20 +87,24 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
         widest = std::max(widest, metrics.horizontalAdvance(mark.text));
     const int content =
         std::max({barWidth + gap + widest, metrics.horizontalAdvance(m_title),
+                  metrics.horizontalAdvance(m_unknown),
                   metrics.horizontalAdvance(tr("peak %1").arg(QStringLiteral("0000.00")))});
     resize(content + 2 * inset,
            barHeight + 2 * (metrics.height() + gap) + metrics.ascent() + 2 * inset);
     update();
 }
 
-void Legend::setPeak(const Peak& peak)
+void Legend::setPeak(const std::optional<Peak>& peak)
 {
-    m_peak = peak;
+    m_peak = peak.value_or(Peak{});
+    m_isKnown = peak.has_value();
     update();
 }
 
 QString Legend::peakText() const
 {
+    if (!m_isKnown)
+        return m_unknown;
     return m_peak.id == 0 ? QString()
                           : tr("peak %1").arg(locale().toString(m_peak.value * m_shown, 'g', 4));
 }

@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 namespace ripstop {
 
 // The scale of colours: name, unit and round numbers beside a bar, the largest value of the moment
@@ -21,7 +23,8 @@ public:
 
     void setTheme(const Theme& theme);
     void setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors);
-    void setPeak(const Peak& peak); // the largest value of the moment, in SI units
+    // The largest value of the moment, in SI units; nothing when there is nothing to measure.
+    void setPeak(const std::optional<Peak>& peak);
 
     QString title() const { return m_title; }
     QString unit() const { return m_unit; }
@@ -56,6 +59,8 @@ private:
     ValueRange m_range; // as shown: strain in per cent
     QString m_title;
     QString m_unit;
+    QString m_unknown; // said instead of the peak
+    bool m_isKnown = true;
     double m_shown = 1.0; // what values are multiplied by
     Peak m_peak;
 };

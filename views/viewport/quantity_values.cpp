@@ -72,6 +72,9 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
         const std::size_t count = std::min(look.linkTear.size(), frame.strain.size());
         for (std::size_t i = 0; i < count; ++i)
             loads.push_back(tearLoad(frame, i, look.linkTear[i]));
+        values.isKnown = std::ranges::any_of(look.linkTear, [](const TearBound& bound) {
+            return bound.rule != TearRule::Never;
+        });
         takeLinks(frame, loads, values);
         break;
     }
@@ -80,6 +83,8 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
         for (std::size_t i = 0; i < std::min(look.linkWidth.size(), stresses.size()); ++i)
             if (look.linkWidth[i] > 0.0)
                 stresses[i] = frame.tension[i] / look.linkWidth[i];
+        values.isKnown =
+            std::ranges::any_of(look.linkWidth, [](double width) { return width > 0.0; });
         takeLinks(frame, stresses, values);
         break;
     }

@@ -18,6 +18,7 @@ struct QuantityValues
     std::vector<double> particle; // [particles]
     std::vector<double> link;     // [links]
     std::vector<double> panel;    // [panels]
+    bool isKnown = true;          // false when nothing has what the quantity is measured by
 };
 
 // Strain (1) and tension (N) belong to links; a particle gets the largest of the links that end

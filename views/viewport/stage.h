@@ -70,6 +70,7 @@ public:
     const Theme& theme() const { return m_theme; }
     ColorBy colorBy() const { return m_colorBy; }
     Peak peak() const { return m_frame ? peakOf(*m_frame, m_values) : Peak{}; }
+    bool isKnown() const { return m_values.isKnown; } // what the view is coloured by
     ValueRange range() const { return fixedRange().value_or(m_range.range()); }
     const ColorMap& colors() const;
 

@@ -55,7 +55,7 @@ void Viewport::Private::prepare()
     compass.setWind(stage.windAtDesign(document.scene()));
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
     if (!legend.isHidden())
-        legend.setPeak(stage.peak());
+        legend.setPeak(stage.isKnown() ? std::optional(stage.peak()) : std::nullopt);
     place();
 }
 
