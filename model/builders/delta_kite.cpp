@@ -163,7 +163,7 @@ Result<Scene> buildDeltaKite(const Parameters& p)
     addGroup(scene, "rigidity", kite.stiffeners);
     addGroup(scene, "hand end", line.hand);
     addHandControls(scene, line.hand);
-    addKiteProbes(scene, network.finish("delta_kite", p), kite.tow, line);
+    addKiteProbes(scene, p, network.finish("delta_kite", p), kite.tow, line);
     return scene;
 }
 

@@ -120,7 +120,7 @@ Scene flownFlatKite(const Parameters& p, const FlatKite& kite)
         addGroup(scene, "tail nodes", tail);
     addGroup(scene, "hand end", line.hand);
     addHandControls(scene, line.hand);
-    addKiteProbes(scene, network.finish(kite.builder, p), tow, line);
+    addKiteProbes(scene, p, network.finish(kite.builder, p), tow, line);
     return scene;
 }
 

@@ -93,15 +93,30 @@ void addHandControls(Scene& scene, const std::vector<Id>& hand)
     addItem(scene, control);
 }
 
-void addKiteProbes(Scene& scene, Id kite, Id tow, const FlyingLine& line)
+void addKiteProbes(Scene& scene, const Parameters& p, Id kite, Id tow, const FlyingLine& line)
 {
     const Id hand = line.hand.back();
     addProbe(scene, "height", Quantity::PositionY, tow);
-    addProbe(scene, "line angle", Quantity::Elevation, tow, hand);
+    const Id angle = addProbe(scene, "line angle", Quantity::Elevation, tow, hand);
     addProbe(scene, "distance", Quantity::Distance, tow, hand);
-    addProbe(scene, "line tension", Quantity::Tension, line.firstRod);
+    const Id pull = addProbe(scene, "line tension", Quantity::Tension, line.firstRod);
     addProbe(scene, "speed", Quantity::Speed, tow);
     addProbe(scene, "max strain", Quantity::MaxStrain, kite);
+    if (!(p.at("gusts") > 0.0))
+        return;
+
+    Plot plot; // of all probes
+    plot.name = "flight";
+    addItem(scene, plot);
+    plot.probes = {pull};
+    plot.seconds = 0.0; // the whole run
+    plot.name = "spectrum of the pull";
+    plot.axis = PlotAxis::Frequency;
+    addItem(scene, plot);
+    plot.name = "pull over line angle";
+    plot.axis = PlotAxis::Probe;
+    plot.against = angle;
+    addItem(scene, plot);
 }
 
 } // namespace ripstop

@@ -58,7 +58,8 @@ FlyingLine addFlyingLine(Network& network, const Parameters& p, const LineMateri
                          Id tow);
 
 void addHandControls(Scene& scene, const std::vector<Id>& hand);
-void addKiteProbes(Scene& scene, Id kite, Id tow, const FlyingLine& line);
+// And plots of what gusts do to it, when there are some.
+void addKiteProbes(Scene& scene, const Parameters& p, Id kite, Id tow, const FlyingLine& line);
 
 inline constexpr const char* kiteNotes =
     "Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.";
