@@ -211,6 +211,9 @@ void ExportDialog::layOut()
 
     auto* layout = new QVBoxLayout(this);
     m_form->setContentsMargins({});
+    for (QLabel* label : m_fields->findChildren<QLabel*>())
+        if (label->buddy()) // an underlined letter breaks the kerning, which the hint forgets
+            label->setMinimumWidth(label->sizeHint().width() + 4);
     layout->addWidget(m_fields);
     layout->addWidget(m_message);
     layout->addStretch();
@@ -283,6 +286,7 @@ void ExportDialog::chooseFormat()
     if (!m_target->text().endsWith(chosen.ending) || m_target->text().isEmpty())
         m_target->setText(m_stem + chosen.ending);
     m_note->setText(chosen.note);
+    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // the longest has two
     m_form->setRowVisible(m_source, chosen.isFlown() && m_recording);
     for (QWidget* field : {m_from, m_fps})
         m_form->setRowVisible(field, chosen.isSeries());
@@ -296,13 +300,29 @@ void ExportDialog::chooseFormat()
     showPreview();
 }
 
+// Why nothing can be written as the fields stand; empty when it can.
+QString ExportDialog::whyNot() const
+{
+    if (const FilmFormat* film = choice().film())
+        if (const QString why = whyNoFilm(*film); !why.isEmpty())
+            return why;
+    if (choice().isSeries() && m_to->value() <= m_from->value())
+        return tr("The series ends before it begins: make To later than From.");
+    const QFileInfo file(target());
+    if (!file.dir().exists())
+        return tr("There is no folder %1; choose another.")
+            .arg(QDir::toNativeSeparators(file.path()));
+    return {};
+}
+
 void ExportDialog::showPreview()
 {
     if (m_work.valid())
         return;
-    if (const FilmFormat* film = choice().film())
-        if (const QString why = whyNoFilm(*film); !why.isEmpty())
-            return m_message->setText(why);
+    const QString why = whyNot();
+    m_go->setEnabled(why.isEmpty());
+    if (!why.isEmpty())
+        return m_message->setText(why);
     QString text = previewOf(choice(), target(), range(), m_now.get(),
                              QSize(m_width->value(), m_height->value()));
     if (choice().isFlown())
@@ -326,15 +346,13 @@ void ExportDialog::browse()
 
 void ExportDialog::start()
 {
-    if (m_work.valid() || !mayWrite())
+    showPreview(); // folders come and go
+    if (m_work.valid() || !m_go->isEnabled() || !mayWrite())
         return;
     if (!choice().isFlown()) {
         const QString failure = writeNow();
         return failure.isEmpty() ? accept() : end(failure);
     }
-    if (choice().isSeries() && m_to->value() <= m_from->value())
-        return end(tr("The series ends before it begins: make To later than From."));
-
     m_cancelled = false;
     m_done = 0.0;
     m_progress->show();
@@ -428,6 +446,15 @@ bool ExportDialog::mayWrite()
     return QMessageBox::question(this, tr("Replace what is there?"), question) == QMessageBox::Yes;
 }
 
+void ExportDialog::choose(const QString& ending)
+{
+    for (std::size_t i = 0; i < m_choices.size(); ++i)
+        if (m_choices[i].ending == ending)
+            m_format->setCurrentIndex(int(i));
+}
+
+QString ExportDialog::ending() const { return choice().ending; }
+
 void ExportDialog::watch()
 {
     m_progress->setValue(int(1000 * m_done));
@@ -435,6 +462,7 @@ void ExportDialog::watch()
         return;
     m_watch.stop();
     const QString failure = m_work.get();
+    emit ended();
     if (failure.isEmpty())
         accept(); // also when it was done before it saw that it should stop
     else

@@ -42,7 +42,7 @@ public:
     {
         const Scene& scene;
         std::shared_ptr<const Frame> now; // on the screen
-        // The run that is looked back at, or null; and the part of it that is played again and
+        // The run that is in the timeline, or null; and the part of it that is played again and
         // again.
         std::shared_ptr<const Recording> recording = nullptr;
         std::optional<std::pair<double, double>> range = std::nullopt; // s
@@ -56,6 +56,13 @@ public:
     QString target() const;
 
     void reject() override; // first cancels what runs
+
+    // Of the choices, by its ending; what is not there is not chosen.
+    void choose(const QString& ending);
+    QString ending() const;
+
+signals:
+    void ended(); // what it wrote, or was told not to
 
 private:
     // What a thread needs to know of the fields.
@@ -74,6 +81,7 @@ private:
     void chooseFormat();
     void chooseSource();
     void showPreview();
+    QString whyNot() const;
     void browse();
     void start();
     bool mayWrite();               // asks before it replaces a file

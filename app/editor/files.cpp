@@ -214,16 +214,20 @@ void Files::exportRun(const Recordings& recordings)
             look.transparent});
     };
     ExportDialog::Matter matter{m_document.scene(), m_player.frame()};
-    if (recordings.isLookingBack()) {
-        matter.recording = recordings.current();
+    if (const auto& recording = recordings.current(); recording && recording->frameCount() > 0) {
+        matter.recording = recording;
         if (const auto& loop = recordings.loop())
             matter.range.emplace(loop->from, loop->to);
     }
     ExportDialog dialog(matter, suggestedFile(""), draw,
                         m_viewport.size() * m_viewport.devicePixelRatioF(), &m_window);
+    connect(&dialog, &ExportDialog::ended, this, [this] {
+        if (m_player.frame())
+            m_viewport.show(m_player.frame()); // a film has left its last picture
+    });
+    dialog.choose(m_exported);
     const int answer = dialog.exec();
-    if (m_player.frame())
-        m_viewport.show(m_player.frame()); // a film has left its last picture
+    m_exported = dialog.ending();
     if (answer == QDialog::Accepted)
         emit said(tr("Exported %1").arg(QDir::toNativeSeparators(dialog.target())));
 }

@@ -68,6 +68,7 @@ private:
     Viewport& m_viewport;
     QWidget& m_window;
     QDateTime m_seenOnDisk; // of the file, when it was last asked about
+    QString m_exported;     // ending of what was exported last
 };
 
 } // namespace ripstop

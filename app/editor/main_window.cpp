@@ -2,6 +2,7 @@
 
 #include "document/autosave.h"
 #include "document/document.h"
+#include "document/event_words.h"
 #include "document/gauge.h"
 #include "document/player.h"
 #include "document/recordings.h"
@@ -233,14 +234,16 @@ void MainWindow::buildStatusBar()
 void MainWindow::connectParts()
 {
     connect(m_files, &Files::opened, this, &MainWindow::showScene);
-    connect(&m_viewport->transformTool(), &TransformTool::said, this,
-            [this](const QString& message) { statusBar()->showMessage(message, 8000); });
-    connect(m_files, &Files::said, this,
-            [this](const QString& message) { statusBar()->showMessage(message, 8000); });
-    connect(m_runFiles, &RunFiles::said, this,
-            [this](const QString& message) { statusBar()->showMessage(message, 8000); });
-    connect(m_recordings, &Recordings::failed, this,
-            [this](const QString& why) { statusBar()->showMessage(why, 15000); });
+    const auto say = [this](const QString& message) { statusBar()->showMessage(message, 8000); };
+    connect(&m_viewport->transformTool(), &TransformTool::said, this, say);
+    connect(m_files, &Files::said, this, say);
+    connect(m_runFiles, &RunFiles::said, this, say);
+    connect(m_plots, &PlotPanel::said, this, say);
+    connect(m_recordings, &Recordings::said, this, say);
+    connect(m_recordings, &Recordings::reached, this, [this, say](const RunEvent& one, int more) {
+        say(describe(one, m_document.scene(), more));
+    });
+    connect(m_recordings, &Recordings::failed, this, say);
     connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
     m_plots->markEventsOf(*m_recordings);
     connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear);

@@ -1,5 +1,7 @@
 #include "export/output_files.h"
 
+#include "io/whole_file.h"
+
 #include <cerrno>
 #include <ranges>
 #include <system_error>
@@ -71,6 +73,8 @@ Result<std::ofstream> OutputFiles::open(const fs::path& target)
 {
     if (isTaken(target))
         return Failure{target.string() + " is a folder or a device; name a file."};
+    if (auto failure = unwritable(target))
+        return *failure;
     const fs::path written = nameFor(target);
     errno = 0;
     std::ofstream out(written, std::ios::binary | std::ios::trunc);

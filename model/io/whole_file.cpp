@@ -36,6 +36,20 @@ bool isSpecial(const fs::path& file)
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+fs::path folderOf(const fs::path& file)
+{
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+std::optional<Failure> whyNoFolder(const fs::path& file)
+{
+    std::error_code error;
+    if (fs::is_directory(folderOf(file), error))
+        return std::nullopt;
+    return Failure{file.string() + " cannot be written: there is no folder "
+                   + folderOf(file).string() + "; make it or choose another."};
+}
+
 Failure notSaved(const fs::path& file, const std::string& why)
 {
     return Failure{file.string() + " was not saved: " + why
@@ -98,11 +112,10 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
 
 std::optional<Failure> unwritable(const fs::path& file)
 {
+    if (auto failure = whyNoFolder(file))
+        return failure;
     std::error_code error;
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error))
-        return Failure{file.string() + " cannot be written: there is no folder " + folder.string()
-                       + "; make it or choose another."};
+    const fs::path folder = folderOf(file);
     if (fs::is_directory(file, error))
         return Failure{file.string() + " is a folder; name a file in it."};
     errno = 0;
@@ -136,6 +149,8 @@ std::optional<Failure> replaceFile(const fs::path& file, const WriteInto& write,
     };
     if (fs::is_directory(target, error))
         return failed("it is a folder");
+    if (auto failure = whyNoFolder(target))
+        return failure;
 
     errno = 0;
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);

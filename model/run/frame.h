@@ -124,6 +124,7 @@ struct Frame
     std::vector<Vec3> panelLoad;          // [panels] N
     std::vector<std::uint8_t> gone;       // [panels]
     Vec3 gust = Vec3::Zero();             // m/s, of all gusts together, the same everywhere
+    Vec3 wind = Vec3::Zero();             // m/s, gusts included, in the middle of the particles
     std::vector<Vec3> colliderPosition;   // [colliders] m
     std::vector<double> inputCommand;     // [inputs] m
     std::vector<double> inputValue;       // [inputs] m
@@ -138,6 +139,15 @@ struct Frame
     bool underWay = false;               // the run has left the design
     std::string stopped;                 // why the simulation cannot go on; empty when it can
     std::uint32_t culprit = 0;           // id of the element that stopped it
+};
+
+// What the probes read at an instant of which there is no frame.
+struct ProbeSample
+{
+    std::uint64_t run = 0;
+    std::shared_ptr<const Layout> layout;
+    double time = 0.0;         // s
+    std::vector<double> probe; // [probes] in the unit of the probe
 };
 
 } // namespace ripstop

@@ -65,12 +65,12 @@ private:
     bool m_playing = false;
 };
 
-// What depends on the clock is nowhere but in the frames of a run that somebody watches.
-void readClock(Frame& frame, const System& system)
+// What depends on the clock is nowhere but in what somebody watches.
+void readClock(std::vector<double>& probe, double realTimeRatio, const System& system)
 {
     for (std::size_t i = 0; i < system.probes.size(); ++i)
         if (system.probes[i].quantity == Quantity::StepsPerSecond)
-            frame.probe[i] = frame.realTimeRatio / system.timeStep;
+            probe[i] = realTimeRatio / system.timeStep;
 }
 
 } // namespace
@@ -141,6 +141,12 @@ void Runner::settle(std::optional<SettleGoal> goal)
     wake();
 }
 
+std::vector<ProbeSample> Runner::takeSamples()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_samples, {});
+}
+
 std::vector<std::shared_ptr<Recording>> Runner::takeRecordings()
 {
     const std::lock_guard lock(m_mutex);
@@ -177,10 +183,18 @@ void Runner::run(const std::stop_token& stop)
         if (settler)
             frame->settling = settler->progress();
         frame->realTimeRatio = pace.update(frame->time);
-        readClock(*frame, simulation->system());
+        readClock(frame->probe, frame->realTimeRatio, simulation->system());
         m_frames.put(std::move(frame));
         framed = Clock::now();
         fresh = false;
+    };
+    const auto sample = [&] {
+        if (simulation->system().probes.empty())
+            return;
+        ProbeSample read = simulation->sample();
+        readClock(read.probe, pace.update(read.time), simulation->system());
+        const std::lock_guard lock(m_mutex);
+        m_samples.push_back(std::move(read));
     };
 
     while (!stop.stop_requested()) {
@@ -247,6 +261,8 @@ void Runner::run(const std::stop_token& stop)
             const bool settled = settling && settler->isOver();
             if (asked || settled || simulation->trouble() || Clock::now() - framed > 15ms)
                 show();
+            else
+                sample();
             continue;
         }
         if (fresh && (!timetable.isPlaying() || timetable.left() > 2ms))

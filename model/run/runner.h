@@ -46,6 +46,10 @@ public:
     // The newest frame, or null when there is none since the last call.
     [[nodiscard]] std::shared_ptr<const Frame> takeFrame() { return m_frames.take(); }
 
+    // What the probes read in the steps between the frames, in order; all since the last call.
+    // Frames leave out what nobody would see, these do not.
+    [[nodiscard]] std::vector<ProbeSample> takeSamples();
+
     // Bytes that each run from now on may keep of itself in memory; 0 keeps nothing.
     void setRecordingMemory(std::size_t bytes) { m_recordingMemory = bytes; }
 
@@ -72,6 +76,7 @@ private:
     std::mutex m_mutex;
     bool m_woken = false;                                 // guarded by m_mutex
     std::vector<std::shared_ptr<Recording>> m_recordings; // the same
+    std::vector<ProbeSample> m_samples;                   // the same
     std::condition_variable_any m_wake;
     std::jthread m_thread; // last: stops and joins before the rest is destroyed
 };

@@ -12,6 +12,8 @@
 #include "sim/tear_opening.h"
 #include "sim/wind.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -61,6 +63,15 @@ std::shared_ptr<const Layout> layoutOf(const System& system,
     for (const ProbeSpec& probe : system.probes)
         layout->probes.push_back({probe.key, probe.name, probe.unit, probe.plotted});
     return layout;
+}
+
+Vec3 middleOf(std::span<const Vec3> places)
+{
+    Eigen::AlignedBox3d box;
+    for (const Vec3& place : places)
+        if (place.allFinite())
+            box.extend(place);
+    return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
 }
 
 } // namespace
@@ -384,18 +395,17 @@ std::shared_ptr<Frame> Simulation::frame() const
         frame->torn.push_back(isTorn(link, m_state));
     frame->gone = m_state.panelGone;
     frame->gust = commonWind(system(), m_state) - system().wind;
+    frame->wind = windAt(system(), m_state, middleOf(frame->position));
     for (std::size_t i = 0; i < system().obstacles.size(); ++i)
         frame->colliderPosition.push_back(obstaclePosition(system(), m_state, i, m_state.time));
     frame->inputCommand = m_state.inputCommand;
     frame->inputValue = m_state.inputValue;
 
-    const bool follows = m_state.step == m_lastGood.step + 1
-                         && m_state.velocity.size() == m_lastGood.velocity.size();
-    Readings readings(system(), m_state, follows ? &m_lastGood : nullptr);
-    frame->strain = readings.strain();
-    frame->tension = readings.tension();
-    frame->panelLoad = readings.panelLoad();
-    frame->probe = m_probes.read(readings);
+    Readings instant = readings();
+    frame->strain = instant.strain();
+    frame->tension = instant.tension();
+    frame->panelLoad = instant.panelLoad();
+    frame->probe = m_probes.read(instant);
 
     for (const State::Tear& tear : m_state.tears)
         frame->tears.push_back(
@@ -407,6 +417,20 @@ std::shared_ptr<Frame> Simulation::frame() const
         frame->culprit = m_trouble->particle;
     }
     return frame;
+}
+
+ProbeSample Simulation::sample() const
+{
+    refreshLayout();
+    Readings instant = readings();
+    return {system().run, m_layout, m_state.time, m_probes.read(instant)};
+}
+
+Readings Simulation::readings() const
+{
+    const bool follows = m_state.step == m_lastGood.step + 1
+                         && m_state.velocity.size() == m_lastGood.velocity.size();
+    return {system(), m_state, follows ? &m_lastGood : nullptr};
 }
 
 void Simulation::fillHands(Frame& frame) const

@@ -73,6 +73,7 @@ public:
     const std::optional<Trouble>& trouble() const { return m_trouble; }
 
     std::shared_ptr<Frame> frame() const; // a new one, the caller's own
+    ProbeSample sample() const;           // its probes alone
 
 private:
     void apply(const Patch& patch);
@@ -87,6 +88,7 @@ private:
     void cut(const std::shared_ptr<const Cut>& cut);
     void stopMotion();
     void note(HandNote::What what);
+    Readings readings() const;
     void fillHands(Frame& frame) const;
     void followTears(std::size_t before);
     void refreshLayout() const;

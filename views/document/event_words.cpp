@@ -52,10 +52,11 @@ QString what(const RunEvent& event, const Scene& scene)
 
 } // namespace
 
-QString describe(const RunEvent& event, const Scene& scene)
+QString describe(const RunEvent& event, const Scene& scene, int more)
 {
-    return EventWords::tr("%1 s: %2")
-        .arg(QLocale().toString(event.time, 'f', 3), what(event, scene));
+    const QString one = EventWords::tr("%1 s: %2")
+                            .arg(QLocale().toString(event.time, 'f', 3), what(event, scene));
+    return more == 0 ? one : EventWords::tr("%1, and %2 more in this step").arg(one).arg(more);
 }
 
 QColor eventColor(RunEvent::Kind kind, const QPalette& palette)

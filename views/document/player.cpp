@@ -4,6 +4,7 @@
 #include "document/words.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -309,13 +310,30 @@ void Player::takeCompiled(const Compiled& outcome)
     giveOrders();
 }
 
+// Those that came after the frame was made wait for the next one.
+void Player::passSamples(const Frame& frame)
+{
+    const auto isLater = [&](const ProbeSample& sample) {
+        return sample.run == frame.run && sample.time >= frame.time;
+    };
+    const auto later = std::ranges::find_if(m_samples, isLater);
+    std::vector<ProbeSample> waiting(std::make_move_iterator(later),
+                                     std::make_move_iterator(m_samples.end()));
+    m_samples.erase(later, m_samples.end());
+    for (const ProbeSample& sample : std::exchange(m_samples, std::move(waiting)))
+        if (sample.run == frame.run)
+            emit sampled(sample);
+}
+
 void Player::takeFrame()
 {
     for (const std::shared_ptr<Recording>& recording : m_runner.takeRecordings())
         emit recordingBegan(recording);
     auto frame = m_runner.takeFrame();
+    std::ranges::move(m_runner.takeSamples(), std::back_inserter(m_samples));
     if (!frame || frame->run != m_run)
         return; // of a run that is over
+    passSamples(*frame);
     const bool wasStuck = std::exchange(m_stuck, !frame->stopped.empty());
     m_frame = std::move(frame);
 

@@ -71,6 +71,8 @@ public:
     bool isSettling() const { return m_settling; }
 
 signals:
+    // Of the run that is shown, before the frame that comes after it.
+    void sampled(const ripstop::ProbeSample& sample);
     void frameReady(const std::shared_ptr<const ripstop::Frame>& frame);
     void stateChanged();                               // playing, speed or problem
     void stopped(const QString& why, quint32 culprit); // the simulation cannot go on
@@ -95,6 +97,7 @@ private:
     void post();
     void takeCompiled(const Compiled& outcome);
     void takeFrame();
+    void passSamples(const Frame& frame);
     void order(Orders orders);
     void giveOrders();
     bool refuse(); // says why nothing can be played, if so
@@ -106,6 +109,7 @@ private:
     Follower m_follower;
     std::shared_ptr<const Frame> m_frame;   // the newest
     std::shared_ptr<const Frame> m_past;    // that is looked at
+    std::vector<ProbeSample> m_samples;     // not passed on yet
     std::shared_ptr<const Moment> m_moment; // that the next system begins with
     Commands m_commands;
     HandCommands m_hands;

@@ -178,20 +178,23 @@ bool Recordings::toEvent(Way way)
     if (!m_current || m_current->frameCount() == 0)
         return false;
     const std::int64_t here = m_current->stepOf(m_frame);
-    std::optional<std::int64_t> found;
-    for (const RunEvent& event : m_current->events()) {
-        const std::int64_t there = m_current->stepOf(m_current->frameOfStep(event.step));
-        if (way == Way::Forward ? there > here : there < here) {
-            found = there;
-            if (way == Way::Forward)
-                break;
-        }
-    }
-    if (found) {
-        pause();
-        seek(m_current->frameOfStep(*found));
-    }
-    return found.has_value();
+    const auto frameOf = [this](const RunEvent& event) {
+        return m_current->frameOfStep(event.step); // frames leave out steps
+    };
+    const std::vector<RunEvent> events = m_current->events();
+    const auto isBehind = [&](const RunEvent& event) {
+        const std::int64_t there = m_current->stepOf(frameOf(event));
+        return way == Way::Forward ? there <= here : there < here;
+    };
+    auto found = std::ranges::partition_point(events, isBehind);
+    if (way == Way::Forward ? found == events.end() : found == events.begin())
+        return false;
+    if (way == Way::Back)
+        --found;
+    pause();
+    seek(frameOf(*found));
+    emit reached(*found, int(std::ranges::count(events, frameOf(*found), frameOf)) - 1);
+    return true;
 }
 
 bool Recordings::toBookmark(Way way)
@@ -263,6 +266,7 @@ void Recordings::play()
     if (m_loop && (m_time < m_loop->from || m_time >= m_loop->to))
         m_time = m_loop->from;
     m_tick.start();
+    m_clock.start();
     seekTime(m_time);
     emit stateChanged();
 }
@@ -290,7 +294,7 @@ void Recordings::setLoop(std::optional<Range> range)
 void Recordings::tick()
 {
     const double last = m_current->timeOf(m_current->frameCount() - 1);
-    m_time += m_speed * tickInterval / 1000.0;
+    m_time += m_speed * double(m_clock.restart()) / 1000.0; // ticks are late where drawing is slow
     if (m_loop && m_time > m_loop->to)
         m_time = m_loop->from;
     const std::size_t frame = m_current->frameAt(m_time);
@@ -352,10 +356,13 @@ void Recordings::takeMoment()
     if (!begin)
         return;
     m_computing = false;
-    if (begin->moment)
+    if (begin->moment) {
         m_player.continueFrom(begin->moment);
-    else
+        emit said(tr("Play goes on from %1 s with the design as it is now, as a run of its own.")
+                      .arg(secondsText(begin->moment->state.time)));
+    } else {
         m_origin.clear();
+    }
     if (!begin->moment && !m_cancelled)
         emit failed(spoken(begin->failure));
     emit stateChanged();

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include <atomic>
@@ -85,6 +86,9 @@ signals:
     void moved();        // where one looks
     void stateChanged(); // playing, speed, loop, computing
     void failed(const QString& why);
+    void said(const QString& words); // what has been done, for the status bar
+    // An event has been jumped to; so many more are in the same step.
+    void reached(const ripstop::RunEvent& event, int more);
     void ghostShown(const std::shared_ptr<const ripstop::Frame>& frame); // null: none
 
 private:
@@ -134,6 +138,7 @@ private:
     std::shared_ptr<Recording> m_live; // of the run of the player
     QString m_origin;                  // of the branch that is about to begin
     QTimer m_watch;
+    QElapsedTimer m_clock; // since the last tick
     QTimer m_tick;
     double m_speed = 1.0;
     double m_time = 0.0; // s, of the playback

@@ -6,6 +6,7 @@
 namespace ripstop {
 namespace {
 
+constexpr std::size_t mostValues = 2'400'000; // of all probes: 60 of them over 10 min at 60 Hz
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 void dropEverySecond(std::vector<double>& values)
@@ -20,30 +21,40 @@ void dropEverySecond(std::vector<double>& values)
 
 void History::add(const Frame& frame)
 {
-    if (frame.run != m_run || (!m_time.empty() && frame.time < m_time.back()))
-        startOver(frame);
-    if (frame.layout != m_layout)
-        matchColumns(*frame.layout);
-    m_layout = frame.layout;
-
+    take(frame.run, frame.layout, frame.time, frame.probe);
     m_tears.clear();
     for (const Tear& tear : frame.tears)
         if (tear.time >= m_since)
             m_tears.push_back(tear.time);
+}
+
+void History::add(const ProbeSample& sample)
+{
+    take(sample.run, sample.layout, sample.time, sample.probe);
+}
+
+void History::take(std::uint64_t run, const std::shared_ptr<const Layout>& layout, double time,
+                   const std::vector<double>& probe)
+{
+    if (run != m_run || (!m_time.empty() && time < m_time.back()))
+        startOver(run);
+    if (layout != m_layout)
+        matchColumns(*layout);
+    m_layout = layout;
 
     // the same instant again, after an edit: what the probes read now replaces it
-    const bool again = !m_time.empty() && frame.time == m_time.back();
+    const bool again = !m_time.empty() && time == m_time.back();
     if (!again && m_passed++ % m_stride != 0)
         return;
     if (again)
         ++m_revision;
     else
-        m_time.push_back(frame.time);
+        m_time.push_back(time);
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
         m_columns[i].values.resize(m_time.size(), nothing);
-        m_columns[i].values.back() = frame.probe[i];
+        m_columns[i].values.back() = probe[i];
     }
-    if (m_time.size() >= m_most)
+    if (m_time.size() >= m_most || m_time.size() * m_columns.size() >= mostValues)
         thin();
 }
 
@@ -78,9 +89,9 @@ std::size_t History::nearest(double time) const
     return *after - time < time - m_time[index - 1] ? index : index - 1;
 }
 
-void History::startOver(const Frame& frame)
+void History::startOver(std::uint64_t run)
 {
-    m_run = frame.run;
+    m_run = run;
     m_layout.reset();
     m_columns.clear();
     clear();

@@ -1,8 +1,8 @@
 // What the probes have read since the run began.
 //
-// Memory is bounded: when `most` samples are held, a quarter of an hour and more of what is drawn
-// while it flies, every second one is dropped and from then on only every second frame is taken,
-// and so on. A long run is kept whole, in coarser steps; its recording has all of it.
+// Memory is bounded: when `most` samples are held, seven minutes at 240 steps a second, every second
+// one is dropped and from then on only every second one is taken, and so on; sooner where there are
+// many probes. A long run is kept whole, in coarser steps; its recording has all of it.
 #pragma once
 
 #include "run/frame.h"
@@ -26,6 +26,7 @@ public:
     // Frames of one run come in order of time; one of another run starts over. A probe that was
     // added in the middle of the run has read nothing (NaN) before.
     void add(const Frame& frame);
+    void add(const ProbeSample& sample); // between two frames
     void clear(); // forgets what was until now; the run goes on
 
     std::span<const double> time() const { return m_time; }      // [samples] s, ascending
@@ -48,7 +49,9 @@ private:
         std::vector<double> values; // [samples]
     };
 
-    void startOver(const Frame& frame);
+    void take(std::uint64_t run, const std::shared_ptr<const Layout>& layout, double time,
+              const std::vector<double>& probe);
+    void startOver(std::uint64_t run);
     void matchColumns(const Layout& layout);
     void thin();
 
@@ -59,8 +62,8 @@ private:
     std::vector<Column> m_columns; // in the order of m_layout->probes
     std::vector<double> m_tears;
     double m_since = 0.0;     // s; tears before are forgotten
-    std::size_t m_stride = 1; // frames for each sample
-    std::size_t m_passed = 0; // frames since the last sample
+    std::size_t m_stride = 1; // of what is given, for each sample that is kept
+    std::size_t m_passed = 0; // given so far
     int m_revision = 0;
 };
 

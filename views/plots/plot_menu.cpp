@@ -169,7 +169,9 @@ void PlotPanel::saveCsv()
     const bool opened = file.open(QIODevice::WriteOnly);
     if (opened)
         writeCsv(file);
-    if (!opened || !file.commit())
+    if (opened && file.commit())
+        emit said(tr("Saved %1").arg(QDir::toNativeSeparators(name)));
+    else
         QMessageBox::warning(this, tr("Save the curves"),
                              tr("%1 cannot be written: %2.").arg(name, file.errorString()));
 }
@@ -179,7 +181,11 @@ void PlotPanel::savePicture()
     const QString name =
         QFileDialog::getSaveFileName(this, tr("Save the picture"), suggestedFile(".png"),
                                      tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"));
-    if (!name.isEmpty() && !ripstop::savePicture(view().plotInSight(), name))
+    if (name.isEmpty())
+        return;
+    if (ripstop::savePicture(view().plotInSight(), name))
+        emit said(tr("Saved %1").arg(QDir::toNativeSeparators(name)));
+    else
         QMessageBox::warning(this, tr("Save the picture"), tr("%1 cannot be written.").arg(name));
 }
 

@@ -82,6 +82,7 @@ PlotPanel::PlotPanel(Document& document, Player& player, QWidget* parent)
         forgetEarlier();
         refresh();
     });
+    connect(&player, &Player::sampled, this, &PlotPanel::takeSample);
     connect(&player, &Player::frameReady, this, &PlotPanel::take);
     connect(m_list, &QTreeWidget::itemChanged, this, &PlotPanel::tick);
     rebuildViews();
@@ -253,6 +254,13 @@ void PlotPanel::choose(int number)
 }
 
 // --- frames and drawing ----------------------------------------------------------------------
+
+void PlotPanel::takeSample(const ProbeSample& sample)
+{
+    if (sample.run != m_history.run())
+        keepRun();
+    m_history.add(sample);
+}
 
 void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
 {

@@ -52,6 +52,9 @@ public:
     // The curves that the chosen panel draws: a header with units, a row for each sample.
     void writeCsv(QIODevice& device, char separator = ',') const;
 
+signals:
+    void said(const QString& words); // for the status bar
+
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -67,6 +70,7 @@ private:
     bool isDrawn(const Entry& probe) const; // in the chosen panel
     const Plot& plotOf(std::size_t view) const;
     QString acrossOf(const Plot& plot) const;
+    void takeSample(const ProbeSample& sample);
     void take(const std::shared_ptr<const Frame>& frame);
     void showPast(const Frame& frame);
     void draw();

@@ -2,6 +2,9 @@
 
 #include <vtkRenderer.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace ripstop {
 
 GhostLayer::GhostLayer(Of of)
@@ -43,6 +46,18 @@ void GhostLayer::rebuild(const Picture& picture)
     const QColor& color = m_of == Of::Run ? run : design;
     setColor(*m_panelActor->GetProperty(), color);
     setColor(*m_linkActor->GetProperty(), color);
+
+    std::vector<std::uint32_t> hidden;
+    const Layout& layout = picture.layout();
+    for (std::size_t i = 0; i < layout.links.size(); ++i)
+        if (!picture.look.linkShown[i])
+            hidden.push_back(layout.links[i].id);
+    for (std::size_t i = 0; i < layout.panelId.size(); ++i)
+        if (!picture.look.panelShown[i])
+            hidden.push_back(layout.panelId[i]);
+    std::ranges::sort(hidden);
+    if (std::exchange(m_hidden, std::move(hidden)) != m_hidden && m_frame)
+        build();
 }
 
 void GhostLayer::show(std::shared_ptr<const Frame> frame)
@@ -64,13 +79,16 @@ void GhostLayer::show(std::shared_ptr<const Frame> frame)
 void GhostLayer::build()
 {
     const Layout& layout = *m_frame->layout;
+    const auto isHidden = [this](std::uint32_t id) {
+        return std::ranges::binary_search(m_hidden, id);
+    };
     std::vector<std::array<int, 3>> panels;
     for (std::size_t i = 0; i < layout.panelCorners.size(); ++i)
-        if (!m_frame->gone[i])
+        if (!m_frame->gone[i] && !isHidden(layout.panelId[i]))
             panels.push_back(layout.panelCorners[i]);
     std::vector<std::array<int, 2>> links;
     for (std::size_t i = 0; i < layout.links.size(); ++i)
-        if (!m_frame->torn[i])
+        if (!m_frame->torn[i] && !isHidden(layout.links[i].id))
             links.push_back({layout.links[i].a, layout.links[i].b});
     m_panels->SetPolys(cellsOf<3>(panels));
     m_links->SetLines(cellsOf<2>(links));

@@ -11,7 +11,7 @@
 namespace ripstop {
 
 // Another run at the same time, or the design, as a pale shape that one sees through. It has a
-// layout of its own.
+// layout of its own; what is hidden in the picture is hidden in it.
 class GhostLayer final : public Layer
 {
 public:
@@ -30,6 +30,7 @@ private:
 
     Of m_of;
     std::shared_ptr<const Frame> m_frame; // whose network is drawn
+    std::vector<std::uint32_t> m_hidden;  // links and panels, ascending
     vtkNew<vtkPoints> m_points;
     vtkNew<vtkPolyData> m_panels;
     vtkNew<vtkPolyData> m_links;

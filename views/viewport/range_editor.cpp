@@ -72,10 +72,10 @@ std::optional<ValueRange> RangeEditor::typed()
     ValueRange range;
     for (const auto& [line, value] :
          {std::pair{m_low, &range.low}, std::pair{m_high, &range.high}}) {
-        const Typed one = typedNumber(line->text().toStdString(), m_legend.unit().toStdString());
-        if (!one.number || one.number->sort != TypedNumber::Sort::Absolute) {
-            complain(line, one.complaint.empty() ? tr("Type a number.")
-                                                 : tr("This %1.").arg(spoken(one.complaint)));
+        const Typed one = typedValue(line->text().toStdString(), m_legend.unit().toStdString());
+        if (!one.number) {
+            complain(line, (line == m_low ? tr("The lowest %1.") : tr("The highest %1."))
+                               .arg(spoken(one.complaint)));
             return std::nullopt;
         }
         *value = one.number->number;

@@ -1,5 +1,9 @@
 #include "viewport/scene_frame.h"
 
+#include "scene/wind.h"
+
+#include <Eigen/Geometry>
+
 #include <unordered_map>
 
 namespace ripstop {
@@ -66,6 +70,10 @@ std::shared_ptr<const Frame> sceneFrame(const Scene& scene)
     frame->panelLoad.assign(layout->panelId.size(), Vec3::Zero());
     frame->gone.assign(layout->panelId.size(), 0);
     frame->layout = std::move(layout);
+    Eigen::AlignedBox3d box;
+    for (const Vec3& place : frame->position)
+        box.extend(place);
+    frame->wind = meanWindAt(scene, box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center()));
     return frame;
 }
 

@@ -1,6 +1,5 @@
 #include "viewport/stage.h"
 
-#include "scene/wind.h"
 #include "viewport/design_ghost.h"
 #include "viewport/element_places.h"
 #include "viewport/scene_frame.h"
@@ -131,12 +130,6 @@ void Stage::takeDesign(const Scene& scene)
     if (!m_design)
         m_design = sceneFrame(scene);
     m_designGhost.show(designGhost(m_design, *m_frame));
-}
-
-Vec3 Stage::windAtDesign(const Scene& scene) const
-{
-    const Vec3 place = m_bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_bounds.center());
-    return meanWindAt(scene, place) + (m_frame ? m_frame->gust : Vec3(Vec3::Zero()));
 }
 
 const ColorMap& Stage::colors() const

@@ -63,7 +63,6 @@ public:
     // none.
     std::vector<Vec3> subjectPoints() const;
     std::vector<Vec3> pointsOf(const Scene& scene, const std::vector<Id>& ids) const;
-    Vec3 windAtDesign(const Scene& scene) const; // m/s, in the middle of what is shown
     const Look& look() const { return m_look; }
     const std::vector<ColliderBody>& colliders() const { return m_bodies; }
     const Eigen::AlignedBox3d& bounds() const { return m_bounds; }

@@ -52,7 +52,7 @@ void Viewport::Private::prepare()
 {
     stage.setPixelRatio(shotRatio.value_or(screen.devicePixelRatioF()));
     stage.prepare(document.scene());
-    compass.setWind(stage.windAtDesign(document.scene()));
+    compass.setWind(stage.frame() ? stage.frame()->wind : Vec3::Zero());
     legend.setScale(stage.colorBy(), stage.range(), stage.colors());
     if (!legend.isHidden())
         legend.setPeak(stage.isKnown() ? std::optional(stage.peak()) : std::nullopt);
