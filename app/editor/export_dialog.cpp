@@ -150,7 +150,8 @@ void ExportDialog::layOut()
         m_source->addItem(tr("The run as it was recorded"));
     m_source->addItem(tr("Simulated anew from the start of the scene"));
     m_fps->setRange(0.1, 10000.0);
-    m_fps->setValue(25.0);
+    const double steps = 1.0 / m_scene.settings.timeStep; // a second
+    m_fps->setValue(steps / std::max(1.0, std::round(steps / 25.0))); // a frame every so many steps
     m_fps->setSuffix(tr(" per s"));
     m_fps->setToolTip(tr("Frames per second: of simulated time for meshes and tables, of the film "
                          "for films."));

@@ -92,7 +92,7 @@ bool RunFiles::mayShow(const Recording& recording, const QString& file)
     if (!m_document.scene().items.empty()) {
         QMessageBox box(QMessageBox::Question, tr("A recording of another design"),
                         tr("%1 is of another design than the one that is open. Open that design, "
-                           "too? The runs of this session are then left.")
+                           "too? The runs that are not saved are then lost.")
                             .arg(QFileInfo(file).fileName()),
                         QMessageBox::Cancel, &m_window);
         QPushButton* open = box.addButton(tr("&Open its design"), QMessageBox::AcceptRole);

@@ -1460,6 +1460,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
+        <source>%1, and %2 more in this step</source>
+        <translation>%1, et %2 de plus dans ce pas</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
         <source>a control was moved</source>
         <translation>une commande a été déplacée</translation>
     </message>
@@ -1737,6 +1742,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="export_dialog.cpp"/>
         <source>The series ends before it begins: make To later than From.</source>
         <translation>La série finit avant de commencer : choisir À après De.</translation>
+    </message>
+    <message>
+        <location filename="export_dialog.cpp"/>
+        <source>There is no folder %1; choose another.</source>
+        <translation>Il n’y a pas de dossier %1 ; en choisir un autre.</translation>
     </message>
     <message>
         <location filename="export_dialog.cpp"/>
@@ -4010,23 +4020,28 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="range_editor.cpp"/>
+        <source>The highest %1.</source>
+        <translation>La plus haute %1.</translation>
+    </message>
+    <message>
+        <location filename="range_editor.cpp"/>
         <source>The highest has to be above the lowest.</source>
         <translation>La plus haute doit être au-dessus de la plus basse.</translation>
     </message>
     <message>
         <location filename="range_editor.cpp"/>
-        <source>This %1.</source>
-        <translation>Ceci %1.</translation>
-    </message>
-    <message>
-        <location filename="range_editor.cpp"/>
-        <source>Type a number.</source>
-        <translation>Saisissez un nombre.</translation>
+        <source>The lowest %1.</source>
+        <translation>La plus basse %1.</translation>
     </message>
     <message>
         <location filename="recordings.cpp"/>
         <source>%1 s of %2</source>
         <translation>%1 s de %2</translation>
+    </message>
+    <message>
+        <location filename="recordings.cpp"/>
+        <source>Play goes on from %1 s with the design as it is now, as a run of its own.</source>
+        <translation>La lecture reprend à %1 s avec le modèle tel qu’il est maintenant, comme une simulation à part.</translation>
     </message>
     <message>
         <location filename="recordings.cpp"/>
@@ -4318,8 +4333,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_files.cpp"/>
-        <source>%1 is of another design than the one that is open. Open that design, too? The runs of this session are then left.</source>
-        <translation>%1 est d’un autre modèle que celui qui est ouvert. Ouvrir ce modèle aussi ? Les simulations de cette session sont alors quittées.</translation>
+        <source>%1 is of another design than the one that is open. Open that design, too? The runs that are not saved are then lost.</source>
+        <translation>%1 est d’un autre modèle que celui qui est ouvert. Ouvrir aussi ce modèle ? Les simulations non enregistrées sont alors perdues.</translation>
     </message>
     <message>
         <location filename="run_files.cpp"/>

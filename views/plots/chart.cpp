@@ -15,24 +15,13 @@
 namespace ripstop {
 namespace {
 
+const QString cursorLayer = QStringLiteral("cursor");
 constexpr double atFirst = 5.0;    // s, in sight when it begins
 constexpr int stripHeight = 100;   // px, at least, with its legend
 constexpr std::size_t many = 12;   // curves, above which fine lines are drawn faster
 constexpr int nearMark = 4;        // px, of the mouse
 constexpr int lastStripExtra = 28; // px, for the numbers of the time axis
-constexpr double headroom = 0.08;  // of the values, above and below
 constexpr double roomy = 0.55;     // values that fill less of their axis are fitted anew
-constexpr double flat = 1e-4;      // of its size: less change than this is shown as no change
-
-// The range that the values should fill: some air around them, and never nothing.
-QCPRange around(const QCPRange& values)
-{
-    const double size = std::max(std::abs(values.lower), std::abs(values.upper));
-    const double least = size > 0.0 ? flat * size : 1.0;
-    const double span = std::max(values.size(), least);
-    const double half = (0.5 + headroom) * span;
-    return {values.center() - half, values.center() + half};
-}
 
 } // namespace
 
@@ -41,6 +30,8 @@ Chart::Chart(QWidget* parent)
     , m_plot(makePlot(*this))
 {
     m_plot->setNoAntialiasingOnDrag(true);
+    m_plot->addLayer(cursorLayer);
+    m_plot->layer(cursorLayer)->setMode(QCPLayer::lmBuffered);
     m_plot->setAutoAddPlottableToLegend(false);          // each strip has a legend of its own
     m_plot->setContextMenuPolicy(Qt::CustomContextMenu); // it lets no click through to the panel
     connect(m_plot, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
@@ -135,6 +126,7 @@ void Chart::addStrip(const QString& unit)
     }
     strip.cursor = m_plot->addGraph(strip.time, whole);
     strip.cursor->setLineStyle(QCPGraph::lsImpulse);
+    strip.cursor->setLayer(cursorLayer);
     drawCursor(strip);
 
     connect(strip.time, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &Chart::takeTime);
@@ -208,6 +200,7 @@ void Chart::scale(Strip& strip) const
                                                            : new QCPAxisTicker);
     ticker->setTickCount(4);
     strip.values->setTicker(ticker);
+    strip.values->setNumberPrecision(logarithmic ? 3 : 6); // 80, not 8e+01
 }
 
 // --- drawing ---------------------------------------------------------------------------------
@@ -283,19 +276,31 @@ void Chart::fillMarks()
 
 void Chart::setCursor(std::optional<double> time)
 {
-    if (std::exchange(m_cursor, time) == time)
-        return;
+    if (std::exchange(m_cursor, time) != time)
+        drawCursors();
+}
+
+void Chart::setHover(std::optional<double> time)
+{
+    if (std::exchange(m_hover, time) != time)
+        drawCursors();
+}
+
+// Over the curves, which are not drawn again for it.
+void Chart::drawCursors()
+{
     for (const Strip& strip : m_strips)
         drawCursor(strip);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    m_plot->layer(cursorLayer)->replot();
 }
 
 void Chart::drawCursor(const Strip& strip) const
 {
-    if (m_cursor)
-        strip.cursor->setData({*m_cursor}, {1.0}, true);
-    else
-        strip.cursor->setData({}, {}, true);
+    QVector<double> times;
+    for (const auto& time : {m_cursor, m_hover})
+        if (time)
+            times.push_back(*time);
+    strip.cursor->setData(times, QVector<double>(times.size(), 1.0));
 }
 
 QCPRange Chart::timeToShow() const
@@ -325,7 +330,7 @@ QCPRange Chart::fitted(const Strip& strip) const
         constexpr double room = 1.3; // times
         return {values.lower / room, values.upper * room};
     }
-    const QCPRange wanted = around(values);
+    const QCPRange wanted = withAir(values);
     const QCPRange shown = strip.values->range();
     const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
                       && wanted.size() > roomy * shown.size();

@@ -61,7 +61,9 @@ public:
     void setMarks(std::vector<Mark> marks);                  // those of tears come with the history
     void setPlot(const Plot& plot); // how much of the run, logarithmic, the range of values
 
-    void setCursor(std::optional<double> time); // s; a line there, or none
+    // s; lines where one looks back to and where the mouse is, in any of the charts.
+    void setCursor(std::optional<double> time);
+    void setHover(std::optional<double> time);
 
     void follow(); // as after a double click
     bool follows() const { return m_following; }
@@ -116,6 +118,7 @@ private:
     void fill();
     void fill(Strip& strip);
     void fillMarks();
+    void drawCursors();
     void drawCursor(const Strip& strip) const;
     QCPRange timeToShow() const; // the time to show
     void fitValues(Strip& strip);
@@ -134,6 +137,7 @@ private:
     Plot m_settings;
     const History* m_history = nullptr; // that was drawn last
     std::optional<double> m_cursor;     // s
+    std::optional<double> m_hover;      // s
     bool m_following = true;
     bool m_setting = false; // ranges change by program, not by hand
 };

@@ -8,6 +8,7 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ripstop {
@@ -122,6 +123,16 @@ void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curv
         return;
     legend.addItem(new MoreNames(
         legend, QCoreApplication::translate("Chart", "and %1 more").arg(curves.size() - shown)));
+}
+
+QCPRange withAir(const QCPRange& values)
+{
+    constexpr double headroom = 0.08; // of the values, above and below
+    constexpr double flat = 1e-4;     // of its size: less change than this is shown as no change
+    const double size = std::max(std::abs(values.lower), std::abs(values.upper));
+    const double least = size > 0.0 ? flat * size : 1.0;
+    const double half = (0.5 + headroom) * std::max(values.size(), least);
+    return {values.center() - half, values.center() + half};
 }
 
 void tighten(QCPAxisRect& rect) { rect.setMinimumMargins({2, 3, 8, 2}); }

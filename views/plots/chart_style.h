@@ -9,6 +9,7 @@ class QCPAbstractPlottable;
 class QCPAxis;
 class QCPAxisRect;
 class QCPLegend;
+class QCPRange;
 class QCustomPlot;
 class QWidget;
 
@@ -24,6 +25,9 @@ void styleLegend(QCPLegend& legend, const QWidget& chart);
 // than these rows the last name says how many are left out.
 void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curves, int width,
                int rows);
+
+// What an axis shows of such values: some air around them, and never nothing.
+QCPRange withAir(const QCPRange& values);
 
 // Little room around the axes: the numbers take what they need.
 void tighten(QCPAxisRect& rect);

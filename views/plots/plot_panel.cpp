@@ -196,6 +196,8 @@ PlotView* PlotPanel::newView()
     connect(view, &PlotView::drawWanted, this, &PlotPanel::drawSoon);
     connect(&view->chart(), &Chart::hovered, this, [this](std::optional<double> time) {
         m_hovered = time;
+        for (PlotView* one : m_views)
+            one->chart().setHover(time);
         showValues();
     });
     view->show();

@@ -88,8 +88,8 @@ void XyChart::setLogarithmic(bool logarithmic)
     axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     axis.setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
                                : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
-    axis.setNumberFormat(logarithmic ? QStringLiteral("eb") : QStringLiteral("gb"));
-    axis.setNumberPrecision(logarithmic ? 0 : 6);
+    axis.setNumberFormat(QStringLiteral("gb"));
+    axis.setNumberPrecision(logarithmic ? 3 : 6);
     m_held = false;
     fit();
 }
@@ -114,12 +114,8 @@ void XyChart::fit()
             any = true;
         }
         if (any) {
-            constexpr double headroom = 1.08;
-            m_plot->xAxis->setRange(x);
-            m_plot->yAxis->setRange(y);
-            m_plot->xAxis->scaleRange(headroom);
-            if (!m_logarithmic)
-                m_plot->yAxis->scaleRange(headroom);
+            m_plot->xAxis->setRange(withAir(x));
+            m_plot->yAxis->setRange(m_logarithmic ? y : withAir(y));
         }
         const QCPRange range = m_plot->yAxis->range();
         const QCPRange asked(m_low.value_or(range.lower), m_high.value_or(range.upper));

@@ -94,7 +94,7 @@ void Timeline::layOut()
     m_runs->setAccessibleName(tr("Run"));
     m_runs->setToolTip(tr("The runs that are kept"));
     m_runs->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_runs->setMinimumContentsLength(9);
+    m_runs->setMinimumContentsLength(13);
     m_speed->setObjectName(QStringLiteral("playbackSpeed"));
     m_speed->setAccessibleName(tr("Speed of playing back"));
     m_speed->setToolTip(tr("Recorded seconds per second of the clock"));
