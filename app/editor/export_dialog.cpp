@@ -212,9 +212,10 @@ void ExportDialog::layOut()
 
     auto* layout = new QVBoxLayout(this);
     m_form->setContentsMargins({});
-    for (QLabel* label : m_fields->findChildren<QLabel*>())
-        if (label->buddy()) // an underlined letter breaks the kerning, which the hint forgets
-            label->setMinimumWidth(label->sizeHint().width() + 4);
+    for (int row = 0; row < m_form->rowCount(); ++row)
+        if (const QLayoutItem* label = m_form->itemAt(row, QFormLayout::LabelRole))
+            // an underlined letter breaks the kerning, which the hint forgets
+            label->widget()->setMinimumWidth(label->sizeHint().width() + 4);
     layout->addWidget(m_fields);
     layout->addWidget(m_message);
     layout->addStretch();

@@ -178,12 +178,18 @@ void Runner::run(const std::stop_token& stop)
     std::optional<Settler> settler;
     Recorder recorder;
 
+    const auto keepSample = [&](ProbeSample read) {
+        const std::lock_guard lock(m_mutex);
+        m_samples.push_back(std::move(read));
+    };
     const auto show = [&] {
         auto frame = simulation->frame();
         if (settler)
             frame->settling = settler->progress();
         frame->realTimeRatio = pace.update(frame->time);
         readClock(frame->probe, frame->realTimeRatio, simulation->system());
+        if (!frame->probe.empty()) // a frame may go unseen, what the probes read may not
+            keepSample({frame->run, frame->layout, frame->time, frame->probe});
         m_frames.put(std::move(frame));
         framed = Clock::now();
         fresh = false;
@@ -193,8 +199,7 @@ void Runner::run(const std::stop_token& stop)
             return;
         ProbeSample read = simulation->sample();
         readClock(read.probe, pace.update(read.time), simulation->system());
-        const std::lock_guard lock(m_mutex);
-        m_samples.push_back(std::move(read));
+        keepSample(std::move(read));
     };
 
     while (!stop.stop_requested()) {

@@ -46,8 +46,8 @@ public:
     // The newest frame, or null when there is none since the last call.
     [[nodiscard]] std::shared_ptr<const Frame> takeFrame() { return m_frames.take(); }
 
-    // What the probes read in the steps between the frames, in order; all since the last call.
-    // Frames leave out what nobody would see, these do not.
+    // What the probes read after each step and edit, in order; all since the last call. Frames
+    // leave out what nobody would see, and one that nobody took is lost; these are not.
     [[nodiscard]] std::vector<ProbeSample> takeSamples();
 
     // Bytes that each run from now on may keep of itself in memory; 0 keeps nothing.

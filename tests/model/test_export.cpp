@@ -362,7 +362,7 @@ private slots:
         // clang-format off
         QTest::newRow("unknown extension")   << "kite.abc"           << 0.0  << 1.0 << 25.0 << ".obj, .ply";
         QTest::newRow("no extension")        << "kite"               << 0.0  << 1.0 << 25.0 << ".pvd";
-        QTest::newRow("OBJ into nowhere")    << "missing/kite.obj"   << 0.0  << 0.1 << 25.0 << "No such file";
+        QTest::newRow("OBJ into nowhere")    << "missing/kite.obj"   << 0.0  << 0.1 << 25.0 << "there is no folder";
         QTest::newRow("PLY where none may")  << "/proc/kite.ply"     << 0.0  << 0.1 << 25.0 << "/proc/kite.ply";
         QTest::newRow("series into nowhere") << "missing/kite.pvd"   << 0.0  << 0.1 << 25.0 << "missing/kite";
         QTest::newRow("glTF into nowhere")   << "missing/kite.glb"   << 0.0  << 0.1 << 25.0 << "missing/kite.glb";

@@ -309,18 +309,22 @@ private slots:
     void savesNowhere_data()
     {
         QTest::addColumn<QString>("path");
-        QTest::newRow("a folder that is missing") << "/nowhere/at all/wing.ripstop.json";
-        QTest::newRow("a folder that nobody can write to") << "/proc/wing.ripstop.json";
-        QTest::newRow("a folder instead of a file") << SOURCE_DIR;
+        QTest::addColumn<QString>("why");
+        QTest::newRow("a folder that is missing")
+            << "/nowhere/at all/wing.ripstop.json" << "there is no folder /nowhere/at all; make it";
+        QTest::newRow("a folder that nobody can write to")
+            << "/proc/wing.ripstop.json" << "was not saved: ";
+        QTest::newRow("a folder instead of a file") << SOURCE_DIR << "was not saved: ";
     }
 
     void savesNowhere()
     {
         QFETCH(QString, path);
+        QFETCH(QString, why);
         const std::optional<Failure> failure = saveScene(oneOfEach(), path.toStdString());
         QVERIFY(failure);
-        QVERIFY2(failure->message.starts_with(path.toStdString() + " was not saved"),
-                 failure->message.c_str());
+        const QString told = QString::fromStdString(failure->message);
+        QVERIFY2(told.startsWith(path + ' ') && told.contains(why), qPrintable(told));
     }
 
     void longWorkAsksBefore()

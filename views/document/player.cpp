@@ -310,18 +310,18 @@ void Player::takeCompiled(const Compiled& outcome)
     giveOrders();
 }
 
-// Those that came after the frame was made wait for the next one.
+// Those that came after the frame was made wait for the next one; its own it tells itself.
 void Player::passSamples(const Frame& frame)
 {
     const auto isLater = [&](const ProbeSample& sample) {
-        return sample.run == frame.run && sample.time >= frame.time;
+        return sample.run == frame.run && sample.time > frame.time;
     };
     const auto later = std::ranges::find_if(m_samples, isLater);
     std::vector<ProbeSample> waiting(std::make_move_iterator(later),
                                      std::make_move_iterator(m_samples.end()));
     m_samples.erase(later, m_samples.end());
     for (const ProbeSample& sample : std::exchange(m_samples, std::move(waiting)))
-        if (sample.run == frame.run)
+        if (sample.run == frame.run && sample.time < frame.time)
             emit sampled(sample);
 }
 
