@@ -75,8 +75,8 @@ void addCompare(CLI::App& app, Command& chosen)
     CLI::App* command = app.add_subcommand(
         "compare", "Tell how far the particles of two recordings are apart, over time.");
     const auto options = std::make_shared<Options>();
-    command->add_option("A", options->a, "Recording, *.ripstop-run")->required();
-    command->add_option("B", options->b, "Another one, of the same particles")->required();
+    command->add_option("FIRST", options->a, "Recording, *.ripstop-run")->required();
+    command->add_option("SECOND", options->b, "Another one, of the same particles")->required();
     command->add_option("--interval", options->interval, "Between rows, s; 0 is every frame")
         ->check(numberBetween(0.0, 1e9))
         ->type_name("S");

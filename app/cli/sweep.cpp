@@ -32,6 +32,7 @@ struct Options
     std::vector<std::string> sweeps; // "PATH=VALUES"
     std::vector<std::string> assignments;
     double seconds = 0.0; // s
+    double from = 0.0;    // s, of what means and extremes are over
     std::string output;   // empty for standard output
     std::string controls;
     int threads = 1;
@@ -54,10 +55,10 @@ struct Reading
     double most = -least;
     std::int64_t count = 0;
 
-    void take(double value)
+    void take(double value, bool counts)
     {
         last = value;
-        if (!std::isfinite(value))
+        if (!counts || !std::isfinite(value))
             return;
         sum += value;
         least = std::min(least, value);
@@ -105,15 +106,15 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
     Simulation simulation(*system, sweep.options.threads);
     ControlPlayer controls(sweep.controls[order.scene]);
     const double timeStep = (*system)->timeStep;
-    auto frame = simulation.frame();
-    row.probes = frame->layout->probes;
+    row.probes = simulation.sample().layout->probes;
     row.readings.resize(row.probes.size());
     const auto read = [&] {
         if (row.probes.empty())
             return;
-        frame = simulation.frame();
+        const ProbeSample sample = simulation.sample();
+        const bool counts = hasReached(sample.time, sweep.options.from, timeStep);
         for (std::size_t i = 0; i < row.readings.size(); ++i)
-            row.readings[i].take(frame->probe[i]);
+            row.readings[i].take(sample.probe[i], counts);
     };
     read();
     while (!hasReached(simulation.state().time, sweep.options.seconds, timeStep)) {
@@ -158,7 +159,13 @@ std::string header(const Sweep& sweep, const std::vector<Layout::Probe>& probes)
 {
     std::string text = "# Ripstop " RIPSTOP_VERSION "; each run until ";
     appendNumber(text, sweep.options.seconds);
-    text += " s\nscene";
+    text += " s";
+    if (sweep.options.from > 0.0) {
+        text += "; means and extremes from ";
+        appendNumber(text, sweep.options.from);
+        text += " s on";
+    }
+    text += "\nscene";
     for (const SweepAxis& axis : sweep.axes)
         text += ',' + csvCell(axis.path);
     text += ",time (s),steps,hash,torn links,stopped";
@@ -374,6 +381,12 @@ void addSweep(CLI::App& app, Command& chosen)
         ->check(numberBetween(0.0, 1e9))
         ->type_name("T");
     command
+        ->add_option("--from", options->from,
+                     "Simulated time, s, from which means and extremes are taken: what comes "
+                     "before, as a start that has to die away, does not count")
+        ->check(numberBetween(0.0, 1e9))
+        ->type_name("T");
+    command
         ->add_option("-o,--output", options->output, "The table, CSV; on standard output without")
         ->type_name("FILE");
     addSetOption(*command, options->assignments);
@@ -398,7 +411,8 @@ void addSweep(CLI::App& app, Command& chosen)
         "\n"
         "A row for each run: what was set, time and steps that it came to, the hash of its last\n"
         "state, links that tore, and the final, mean, least and largest value of each probe over\n"
-        "all steps. A run that stops early says so in its row, and the others go on; the exit "
+        "all steps, or those after --from. A run that stops early says so in its row, and the "
+        "others go on; the exit "
         "code\n"
         "is 3 then. The file is whole at any time and grows while runs end; Ctrl-C keeps the rows\n"
         "of runs that are done.");

@@ -14,15 +14,16 @@ struct Colors
     const char* base;
     const char* alternate;
     const char* text;
-    const char* faint;
+    const char* note;  // what is beside the point, and read all the same: 4.5 : 1 on the window
+    const char* faint; // what cannot be used now
     const char* button;
     const char* highlight;
     const char* link;
 };
 
-constexpr Colors light{"#f3f4f6", "#ffffff", "#f0f2f5", "#1d232b",
+constexpr Colors light{"#f3f4f6", "#ffffff", "#f0f2f5", "#1d232b", "#636b76",
                        "#8a929c", "#e9ebee", "#2f6fb5", "#1f5fa6"};
-constexpr Colors dark{"#2a2e34", "#212429", "#272b31", "#e4e7ea",
+constexpr Colors dark{"#2a2e34", "#212429", "#272b31", "#e4e7ea", "#a0a8b2",
                       "#868e98", "#363b42", "#3d7fc4", "#7fb4ea"};
 
 QPalette paletteOf(const Colors& colors)
@@ -33,7 +34,7 @@ QPalette paletteOf(const Colors& colors)
     palette.setColor(QPalette::Base, colors.base);
     palette.setColor(QPalette::AlternateBase, colors.alternate);
     palette.setColor(QPalette::Text, colors.text);
-    palette.setColor(QPalette::PlaceholderText, colors.faint);
+    palette.setColor(QPalette::PlaceholderText, colors.note);
     palette.setColor(QPalette::Button, colors.button);
     palette.setColor(QPalette::ButtonText, colors.text);
     palette.setColor(QPalette::ToolTipBase, colors.base);

@@ -85,6 +85,12 @@ enum class Quantity {
     Heading,
     Momentum,
     EnergyChange,
+    WorkOfAir,
+    WorkOfHands,
+    WorkOfDamping,
+    WorkOfContact,
+    WorkOfTearing,
+    EnergyResidual,
     Formula,
     StepsPerSecond // of the clock, while it runs in the window
 };
@@ -129,7 +135,7 @@ template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<ControlKind>{"move", "weight_shift"};
 // clang-format off
 template <>
-inline constexpr std::array<std::string_view, 46> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 52> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
@@ -138,7 +144,9 @@ inline constexpr std::array<std::string_view, 46> choiceNames<Quantity>{
     "airspeed",         "mean_strain",    "high_strain",      "length",      "area",
     "reaction",         "lift",           "drag",             "lift_to_drag", "drag_area",
     "pressure_x",       "pressure_y",     "pressure_z",       "angle_of_attack", "pitch",
-    "roll",             "heading",        "momentum",         "energy_change", "formula",       "steps_per_second"};
+    "roll",             "heading",        "momentum",         "energy_change",
+    "work_of_air",      "work_of_hands",  "work_of_damping",  "work_of_contact", "work_of_tearing",
+    "energy_residual",  "formula",        "steps_per_second"};
 // clang-format on
 template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<PlotAxis>{"time", "probe",

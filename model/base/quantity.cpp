@@ -53,6 +53,12 @@ constexpr std::array table{
     QuantityRow{Quantity::Heading,         "deg", Of::Particles, 2, "Where the nose points, from +x towards +z."},
     QuantityRow{Quantity::Momentum,        "kg m/s", Of::Particles, 1, "Of all that can move, its length."},
     QuantityRow{Quantity::EnergyChange,    "J", Of::Whole, 1, "Total energy less that of the start: what air, hands and the solver have brought or taken."},
+    QuantityRow{Quantity::WorkOfAir,       "J", Of::Whole, 1, "What the air has brought (above 0) or taken."},
+    QuantityRow{Quantity::WorkOfHands,     "J", Of::Whole, 1, "What hands and controls have brought or taken."},
+    QuantityRow{Quantity::WorkOfDamping,   "J", Of::Whole, 1, "What dampers and viscosity have taken, at most 0."},
+    QuantityRow{Quantity::WorkOfContact,   "J", Of::Whole, 1, "What impacts and friction have taken; what moves may bring some."},
+    QuantityRow{Quantity::WorkOfTearing,   "J", Of::Whole, 1, "What torn links held and took along, at most 0."},
+    QuantityRow{Quantity::EnergyResidual,  "J", Of::Whole, 1, "Energy change that no work explains: what the solver has made (above 0) or lost."},
     QuantityRow{Quantity::Formula,         "", Of::Probes, 1, "A number made of what other probes read."},
     QuantityRow{Quantity::StepsPerSecond,  "1/s", Of::Whole, 1, "Time steps for each second of the clock, lately: only while it runs in the window, and nothing in files."},
 };

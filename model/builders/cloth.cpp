@@ -44,6 +44,7 @@ constexpr Parameter parameters[]{
     {"wind",      "m/s",    0,    -50, 50, false, "Speed of the wind, across the sheet when it is hung by corners and along it when by an edge.", "Air"},
     {"lift_slope", "1/rad", 2,    0, 8,    false, "Normal force coefficient of the fabric in the wind."},
     {"friction",  "",       0.02, 0, 0.5,  false, "Coefficient of the air's force along the fabric."},
+    {"balance",   "",       0,    0, 1,    true,  "1 adds probes that tell where the energy comes from and where it goes, and a plot of them.", "Measuring"},
 };
 // clang-format on
 
@@ -90,6 +91,21 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     materials.shear = add("shear", "#5c96b8", p.at("shear"));
     materials.bend = add("bend", "#a8c5d6", p.at("bend"));
     return materials;
+}
+
+void addBalance(Scene& scene)
+{
+    Plot plot;
+    plot.name = "energy balance";
+    plot.seconds = 0.0; // the whole run
+    plot.probes = {addProbe(scene, "energy change", Quantity::EnergyChange),
+                   addProbe(scene, "work of air", Quantity::WorkOfAir),
+                   addProbe(scene, "work of hands", Quantity::WorkOfHands),
+                   addProbe(scene, "work of damping", Quantity::WorkOfDamping),
+                   addProbe(scene, "work of contact", Quantity::WorkOfContact),
+                   addProbe(scene, "work of tearing", Quantity::WorkOfTearing),
+                   addProbe(scene, "energy residual", Quantity::EnergyResidual)};
+    addItem(scene, plot);
 }
 
 class Sheet
@@ -323,6 +339,8 @@ Result<Scene> buildCloth(const Parameters& p)
     addProbe(scene, "max strain", Quantity::MaxStrain, part);
     addProbe(scene, "torn", Quantity::TornLinks, part);
     addProbe(scene, "energy", Quantity::TotalEnergy);
+    if (p.at("balance") > 0.0)
+        addBalance(scene);
 
     // stiff or light cloth needs shorter substeps; a fifth to spare
     if (const std::optional<StepLimit> limit = stepLimit(scene))

@@ -37,9 +37,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view firstLine = "RIPSTOP-RUN 2\n";
-constexpr std::string_view firstLineBefore = "RIPSTOP-RUN 1\n"; // events named no collider
-static_assert(firstLine.size() == firstLineBefore.size());
+constexpr std::string_view firstLine = "RIPSTOP-RUN 3\n";
+constexpr std::string_view firstLine2 =
+    "RIPSTOP-RUN 2\n"; // frames had no work: chunkOf() sees that
+constexpr std::string_view firstLine1 = "RIPSTOP-RUN 1\n"; // and events named no collider
+static_assert(firstLine.size() == firstLine1.size() && firstLine.size() == firstLine2.size());
 
 struct EventBefore
 {
@@ -227,7 +229,7 @@ private:
 class Reader
 {
 public:
-    enum class Version { Before, Now };
+    enum class Version { First, Now };
     Reader(std::shared_ptr<RunFile> file, Version version, std::uint64_t size, const fs::path& path)
         : m_file(std::move(file))
         , m_version(version)
@@ -377,14 +379,14 @@ Result<OpenedRecording> openRecording(const fs::path& file, const Progress& prog
     if (error || !open->isOpen())
         return Failure{file.string() + " cannot be opened; check that you may read it."};
     const std::string start = open->read(0, firstLine.size());
-    if (start != firstLine && start != firstLineBefore) {
+    if (start != firstLine && start != firstLine2 && start != firstLine1) {
         const bool newer = start.starts_with(firstLine.substr(0, firstLine.find(' ') + 1));
         return Failure{file.string()
                        + (newer ? " was written by a later version of Ripstop; open it with that."
                                 : " is not a recording of Ripstop (*.ripstop-run).")};
     }
 
-    const auto version = start == firstLine ? Reader::Version::Now : Reader::Version::Before;
+    const auto version = start == firstLine1 ? Reader::Version::First : Reader::Version::Now;
     Reader reader(open, version, size, file);
     OpenedRecording opened;
     std::optional<std::string> wrong;

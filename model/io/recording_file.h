@@ -1,4 +1,4 @@
-// Files of recordings, *.ripstop-run: a line "RIPSTOP-RUN 2", then blocks, each with its kind, its
+// Files of recordings, *.ripstop-run: a line "RIPSTOP-RUN 3", then blocks, each with its kind, its
 // length and a checksum (little-endian):
 //
 //     about     names and bookmarks

@@ -154,6 +154,18 @@ double Readings::value(const ProbeSpec& probe)
         return energy().total();
     case Quantity::EnergyChange:
         return energy().total() - energies(system, system.start).total();
+    case Quantity::WorkOfAir:
+        return m_state.work.air;
+    case Quantity::WorkOfHands:
+        return m_state.work.hands;
+    case Quantity::WorkOfDamping:
+        return m_state.work.damping;
+    case Quantity::WorkOfContact:
+        return m_state.work.contact;
+    case Quantity::WorkOfTearing:
+        return m_state.work.tearing;
+    case Quantity::EnergyResidual:
+        return m_state.work.residual;
     case Quantity::TornLinks:
         return tornCount(probe, system, state);
     case Quantity::CanopyPressure:

@@ -10,7 +10,8 @@ template <typename A>
 void visit(A& archive, Of<A, KeptFrame>& frame)
 {
     auto& [step, substep, time, substeps, tears, broken, inputCommand, inputValue, hands, carried,
-           gusts, canopies, way, velocity, tension] = frame;
+           gusts, canopies, work, way, velocity, tension] = frame;
+    (void)work; // after all else: version 2 of the file had none
     archive(step, substep, time, substeps, tears, broken, inputCommand, inputValue, hands, carried,
             gusts, canopies, way, velocity, tension);
 }
@@ -49,6 +50,16 @@ bool isSound(const RunChunk& chunk)
            && std::all_of(chunk.frames.begin(), chunk.frames.end(), isSoundFrame);
 }
 
+// Into a chunk that has just been read: nobody else has its parts yet, and they were not made
+// const.
+//   works  [1 + frames]  of the start and of each frame
+void addWork(const RunChunk& chunk, const std::vector<Work>& works)
+{
+    const_cast<State&>(*chunk.start).work = works.front();
+    for (std::size_t i = 0; i < chunk.frames.size(); ++i)
+        const_cast<KeptFrame&>(*chunk.frames[i]).work = works[i + 1];
+}
+
 } // namespace
 
 KeptFrame kept(const State& state, RunChunk& chunk)
@@ -77,6 +88,7 @@ KeptFrame kept(const State& state, RunChunk& chunk)
                     .carried = state.carried,
                     .gusts = state.gusts,
                     .canopies = state.canopies,
+                    .work = state.work,
                     .way = {},
                     .velocity = {},
                     .tension = {}};
@@ -103,6 +115,7 @@ State stateOf(const RunChunk& chunk, const KeptFrame& frame)
     state.carried = frame.carried;
     state.gusts = frame.gusts;
     state.canopies = frame.canopies;
+    state.work = frame.work;
     const Broken& broken = chunk.broken[frame.broken];
     state.springTorn = broken.springs;
     state.rodTorn = broken.rods;
@@ -131,8 +144,11 @@ std::size_t bytesIn(const State& state)
 
 std::string bytesOf(const RunChunk& chunk, std::string room)
 {
+    std::vector<Work> works{chunk.start->work};
+    for (const auto& frame : chunk.frames)
+        works.push_back(frame->work);
     ByteWriter writer(std::move(room));
-    writer(chunk);
+    writer(chunk, works);
     return writer.take();
 }
 
@@ -140,9 +156,16 @@ std::optional<RunChunk> chunkOf(std::string_view bytes)
 {
     ByteReader reader(bytes);
     RunChunk chunk;
+    std::vector<Work> works;
     reader(chunk);
-    if (!reader.ok() || !reader.atEnd() || !chunk.start || !isSound(chunk))
+    const bool knowsWork = !reader.atEnd();
+    if (knowsWork)
+        reader(works);
+    if (!reader.ok() || !reader.atEnd() || !chunk.start || !isSound(chunk)
+        || (knowsWork && works.size() != chunk.frames.size() + 1))
         return std::nullopt;
+    if (knowsWork)
+        addWork(chunk, works);
     return chunk;
 }
 

@@ -29,6 +29,7 @@ struct KeptFrame
     std::vector<Vec3> carried;
     std::vector<GustState> gusts;
     std::vector<CanopyAir> canopies;
+    Work work;
     std::vector<float> way;      // [3 particles] m, from the exact state
     std::vector<float> velocity; // [3 particles] m/s
     std::vector<float> tension;  // [rods] N

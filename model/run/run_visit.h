@@ -137,11 +137,19 @@ void visit(A& archive, Of<A, State::Tear>& tear)
 }
 
 template <typename A>
+void visit(A& archive, Of<A, Work>& work)
+{
+    auto& [air, hands, damping, contact, tearing, residual] = work;
+    archive(air, hands, damping, contact, tearing, residual);
+}
+
+template <typename A>
 void visit(A& archive, Of<A, State>& state)
 {
     auto& [time, step, substep, substeps, driftSubstep, position, velocity, drift, inputCommand,
            inputValue, hands, carried, gusts, canopies, springTorn, rodTorn, panelGone, rodTension,
-           tears, splits, tearHolds] = state;
+           tears, splits, tearHolds, work] = state;
+    (void)work; // beside it, in run_chunk.cpp
     archive(time, step, substep, substeps, driftSubstep, position, velocity, drift, inputCommand,
             inputValue, hands, carried, gusts, canopies, springTorn, rodTorn, panelGone, rodTension,
             tears, splits, tearHolds);

@@ -359,7 +359,13 @@ bool Simulation::step()
     m_atStart = false;
     m_lastGood = m_state;
     const std::size_t tears = m_state.tears.size();
+    const bool keepsLedger = wantsLedger(system());
+    m_stepper.watch(keepsLedger ? &m_ledger : nullptr);
+    if (keepsLedger)
+        m_ledger.begin(system(), m_state, substep());
     const int substeps = m_stepper.step(system(), m_state);
+    if (keepsLedger)
+        m_ledger.end(system(), m_state);
     m_trouble = findTrouble(system(), m_lastGood, m_state, substeps);
     if (m_trouble)
         std::swap(m_state, m_lastGood);
@@ -433,6 +439,11 @@ Readings Simulation::readings() const
     return {system(), m_state, follows ? &m_lastGood : nullptr};
 }
 
+double Simulation::substep() const
+{
+    return system().timeStep / m_stepper.substepsOf(system(), m_state);
+}
+
 void Simulation::fillHands(Frame& frame) const
 {
     const Hands& hands = m_state.hands;
@@ -443,8 +454,7 @@ void Simulation::fillHands(Frame& frame) const
     if (!hands.pull)
         return;
     const HeldGrip held = findGrip(system(), hands.pull->grip);
-    const double h = system().timeStep / m_stepper.substepsOf(system(), m_state);
-    const HandForce force = handForce(system(), m_state, *hands.pull, held, h);
+    const HandForce force = handForce(system(), m_state, *hands.pull, held, substep());
     if (held.holds())
         frame.held = HeldPoint{force.point, hands.pull->to, force.force.norm(), force.stiffness};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compile/live_system.h"
+#include "measure/energy_ledger.h"
 #include "run/frame.h"
 #include "run/probe_reader.h"
 #include "run/run_input.h"
@@ -89,6 +90,7 @@ private:
     void stopMotion();
     void note(HandNote::What what);
     Readings readings() const;
+    double substep() const; // s, of the next step
     void fillHands(Frame& frame) const;
     void followTears(std::size_t before);
     void refreshLayout() const;
@@ -108,6 +110,7 @@ private:
     int m_halts = 0;
     std::vector<RunInput>* m_inputs = nullptr;
     Stepper m_stepper;
+    EnergyLedger m_ledger;
     std::optional<Trouble> m_trouble;
 };
 

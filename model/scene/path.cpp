@@ -103,8 +103,10 @@ Result<Place> findPlace(const Scene& scene, std::string_view path)
     std::vector<std::string_view> keys;
     for (const Property& property : propertiesOf(target->kind))
         keys.push_back(property.key);
-    return Failure{"a " + std::string(kindName(target->kind)) + " has no property " + quoted(key)
-                   + suggestion(key, keys)};
+    const std::string kind(kindName(target->kind)); // of which there are several, or "settings"
+    return Failure{
+        (kind.ends_with('s') ? kind + " have no property " : "a " + kind + " has no property ")
+        + quoted(key) + suggestion(key, keys)};
 }
 
 Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name)

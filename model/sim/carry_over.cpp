@@ -140,6 +140,7 @@ State carryOver(const System& from, const State& state, const System& to, State 
     carried.splits = state.splits;
     carried.hands = state.hands;
     carried.carried = state.carried;
+    carried.work = state.work;
 
     const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);

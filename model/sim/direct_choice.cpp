@@ -259,42 +259,78 @@ std::vector<Candidate> riggings(const System& system)
     return found;
 }
 
-// Networks as a whole, when they are small enough and slow.
+// Networks as a whole: what rods join without passing a pin.
+class Networks
+{
+public:
+    explicit Networks(const System& system)
+        : m_system(system)
+        , m_network(system, freeParticles(system), [](int) { return true; })
+        , m_rods(std::size_t(m_network.count()))
+        , m_masses(m_rods.size())
+    {
+        for (int i = 0; i < int(system.inverseMass.size()); ++i)
+            if (m_network[i] >= 0)
+                m_masses[std::size_t(m_network[i])].push_back(1.0
+                                                              / system.inverseMass[std::size_t(i)]);
+        for (int r = 0; r < int(system.rods.size()); ++r)
+            if (ofRod(r) >= 0)
+                m_rods[std::size_t(ofRod(r))].push_back(r);
+    }
+    std::size_t count() const { return m_rods.size(); }
+    int operator[](int particle) const { return m_network[particle]; }
+    int ofRod(int rod) const
+    {
+        const Rod& r = m_system.rods[std::size_t(rod)];
+        return std::max(m_network[r.a], m_network[r.b]);
+    }
+    const std::vector<int>& rods(std::size_t n) const { return m_rods[n]; }
+    const std::vector<double>& masses(std::size_t n) const { return m_masses[n]; }
+
+    // Whether an iteration of all of it is worth its time.
+    bool isSmall(std::size_t n) const
+    {
+        DirectSolver trial;
+        if (int(m_masses[n].size()) <= mostParticles)
+            trial.prepare(m_system, m_rods[n]);
+        return !trial.rods().empty() && trial.products() <= mostProducts;
+    }
+
+private:
+    static std::vector<std::uint8_t> freeParticles(const System& system)
+    {
+        std::vector<std::uint8_t> free(system.inverseMass.size());
+        std::transform(system.inverseMass.begin(), system.inverseMass.end(), free.begin(),
+                       [](double w) { return std::uint8_t(w > 0.0); });
+        return free;
+    }
+
+    const System& m_system;
+    Groups m_network;
+    std::vector<std::vector<int>> m_rods;      // [networks]
+    std::vector<std::vector<double>> m_masses; // [networks] kg, of what is free
+};
+
+// Those that are small enough and slow.
 std::vector<Candidate> frames(const System& system, std::span<const Candidate> rigged)
 {
-    std::vector<std::uint8_t> free(system.inverseMass.size());
-    std::transform(system.inverseMass.begin(), system.inverseMass.end(), free.begin(),
-                   [](double w) { return std::uint8_t(w > 0.0); });
-    const Groups network(system, free, [](int) { return true; });
-    const auto networkOf = [&](int rod) {
-        const Rod& r = system.rods[std::size_t(rod)];
-        return std::max(network[r.a], network[r.b]);
-    };
-
-    std::vector<Candidate> found(std::size_t(network.count()));
-    std::vector<std::vector<double>> masses(found.size());
-    for (int i = 0; i < int(free.size()); ++i)
-        if (free[std::size_t(i)])
-            masses[std::size_t(network[i])].push_back(1.0 / system.inverseMass[std::size_t(i)]);
-    for (int r = 0; r < int(system.rods.size()); ++r)
-        if (networkOf(r) >= 0)
-            found[std::size_t(networkOf(r))].rods.push_back(r);
+    const Networks networks(system);
+    std::vector<Candidate> found(networks.count());
     for (const Candidate& rigging : rigged) {
         if (rigging.rods.empty()) // its rods went with a rigging that it is tied to
             continue;
-        double& sweeps = found[std::size_t(networkOf(rigging.rods[0]))].sweeps;
+        double& sweeps = found[std::size_t(networks.ofRod(rigging.rods[0]))].sweeps;
         sweeps = std::max(sweeps, rigging.sweeps);
     }
-    for (std::size_t g = 0; g < found.size(); ++g) {
-        found[g].particles = int(masses[g].size());
-        const double heaviest = *std::max_element(masses[g].begin(), masses[g].end());
-        if (heaviest >= heavyLoad * median(masses[g]))
-            found[g].sweeps = std::max(found[g].sweeps, manySweeps);
-        DirectSolver trial;
-        if (found[g].particles <= mostParticles && found[g].sweeps >= manySweeps)
-            trial.prepare(system, found[g].rods);
-        if (trial.rods().empty() || trial.products() > mostProducts)
-            found[g].sweeps = 0.0;
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        const std::vector<double>& masses = networks.masses(n);
+        found[n].rods = networks.rods(n);
+        found[n].particles = int(masses.size());
+        const double heaviest = *std::max_element(masses.begin(), masses.end());
+        if (heaviest >= heavyLoad * median(masses))
+            found[n].sweeps = std::max(found[n].sweeps, manySweeps);
+        if (found[n].sweeps < manySweeps || !networks.isSmall(n))
+            found[n].sweeps = 0.0;
     }
     return found;
 }
@@ -327,14 +363,20 @@ std::vector<int> rodsForDirect(const System& system)
     return rods;
 }
 
-std::vector<std::uint8_t> directChoice(const System& system)
+std::vector<int> rodsOfSmallFabric(const System& system)
 {
-    std::vector<std::uint8_t> direct;
-    for (const int rod : rodsForDirect(system)) {
-        direct.resize(system.rods.size(), 0);
-        direct[std::size_t(rod)] = 1;
-    }
-    return direct;
+    const Networks networks(system);
+    std::vector<std::uint8_t> hasPanels(networks.count(), 0);
+    for (const FabricPanel& panel : system.panels)
+        for (const int corner : panel.corner)
+            if (networks[corner] >= 0)
+                hasPanels[std::size_t(networks[corner])] = 1;
+    std::vector<int> rods;
+    for (std::size_t n = 0; n < networks.count(); ++n)
+        if (hasPanels[n] && networks.isSmall(n))
+            rods.insert(rods.end(), networks.rods(n).begin(), networks.rods(n).end());
+    std::sort(rods.begin(), rods.end());
+    return rods;
 }
 
 } // namespace ripstop

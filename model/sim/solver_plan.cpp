@@ -2,6 +2,7 @@
 
 #include "base/joined_sets.h"
 #include "base/portable_math.h"
+#include "sim/air_step.h"
 #include "sim/bend_force.h"
 #include "sim/direct_choice.h"
 #include "sim/guides.h"
@@ -111,11 +112,16 @@ std::string text(const char* pattern, auto... values)
     return buffer;
 }
 
+int substepsWithin(double timeStep, double limit, double spare)
+{
+    return std::clamp(int(std::ceil(std::min(spare * timeStep / limit, double(mostSubsteps)))), 1,
+                      mostSubsteps);
+}
+
 // A twentieth to spare.
 int substepsForBends(const System& system)
 {
-    const double needed = 1.05 * system.timeStep / bendStepLimit(system);
-    return std::clamp(int(std::ceil(needed)), 1, mostSubsteps);
+    return substepsWithin(system.timeStep, bendStepLimit(system), 1.05);
 }
 
 } // namespace
@@ -131,25 +137,28 @@ SolverPlan planFor(const System& system)
         plan.reason = "there are no rods" + bends;
         return plan;
     }
-    Worst worst = worstRod(system, {});
-    const double many = manySubsteps * system.timeStep / 0.01;
+    const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
     std::string block;
+    const auto solveDirectly = [&](const std::vector<int>& rods, const std::string& why) {
+        plan.direct.resize(system.rods.size(), 0);
+        for (const int rod : rods)
+            plan.direct[std::size_t(rod)] = 1;
+        block += text("%d rods are solved directly, since ", int(rods.size())) + why + "; ";
+    };
+    if (mayHaveBlocks)
+        if (const std::vector<int> rods = rodsOfSmallFabric(system); !rods.empty())
+            solveDirectly(rods, "they hold fabric that is small enough for it");
+    Worst worst = worstRod(system, plan.direct);
+    const double many = manySubsteps * system.timeStep / 0.01;
     // A heavy load on light lines stretches them little in a step, but the sweeps give back more
     // than they took: it bounces higher and higher.
-    if ((worst.substeps > many || worst.hangsHeavy) && system.inverseMass.size() <= mostForBlocks) {
-        plan.direct = directChoice(system);
-        const auto count = std::count(plan.direct.begin(), plan.direct.end(), 1);
-        if (count > 0) {
-            block = worst.substeps > many
-                        ? text("%d rods are solved directly, since their load would need %.0f "
-                               "substeps; ",
-                               int(count), worst.substeps)
-                        : text("%d rods are solved directly, since their load is far heavier than "
-                               "what holds it; ",
-                               int(count));
+    if ((worst.substeps > many || worst.hangsHeavy) && mayHaveBlocks)
+        if (const std::vector<int> rods = rodsForDirect(system); !rods.empty()) {
+            solveDirectly(rods, worst.substeps > many
+                                    ? text("their load would need %.0f substeps", worst.substeps)
+                                    : "their load is far heavier than what holds it");
             worst = worstRod(system, plan.direct);
         }
-    }
     plan.substeps =
         std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), plan.substeps);
     const bool all = !plan.direct.empty() && worst.rod < 0;
@@ -182,6 +191,11 @@ double largestRodStrain(const System& system, const State& state,
             largest = std::max(largest, -strain);
     }
     return largest;
+}
+
+int substepsForAir(const System& system, const State& state)
+{
+    return substepsWithin(system.timeStep, airStepLimit(system, state), 1.5);
 }
 
 // The strain falls with about the 1.5th power of the number of substeps.

@@ -10,7 +10,8 @@
 //     n = 1.5 T sqrt(F (wa + wb) / (e L))
 //
 // substeps of the step T; 1.5 is what square cloths of 10 to 100 particles a side need. Where n is
-// above 100 in 10 ms, and a direct block (direct_choice.h) can have such rods, it gets them.
+// above 100 in 10 ms, and a direct block (direct_choice.h) can have such rods, it gets them; small
+// kites and gliders go there as a whole.
 //
 // Bends (bend_force.h) are forces and bound the substep themselves.
 //
@@ -68,6 +69,11 @@ SolverPlan planFor(const System& system);
 //   restLength  [rods]  m
 double largestRodStrain(const System& system, const State& state,
                         std::span<const double> restLength);
+
+// Fewest substeps for what the air takes from the fabric, as it is in `state`, with a half to spare
+// for what it does in the next few steps. Rods that are solved directly say nothing of it by their
+// strain.
+int substepsForAir(const System& system, const State& state);
 
 // Substeps of the next step, given those of the last and the strain that they left.
 int adaptedSubsteps(const System& system, int substeps, double strain);

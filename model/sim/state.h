@@ -44,6 +44,20 @@ struct TearHold
     friend bool operator==(const TearHold&, const TearHold&) = default;
 };
 
+// Work since the start, J, on particles that are free; kept while a probe asks for it
+// (measure/energy_ledger.h).
+struct Work
+{
+    double air = 0.0;
+    double hands = 0.0;    // of hands and controls
+    double damping = 0.0;  // of dampers and viscosity
+    double contact = 0.0;  // with obstacles and of fabric with itself
+    double tearing = 0.0;  // what torn links held
+    double residual = 0.0; // that the solver made
+
+    friend bool operator==(const Work&, const Work&) = default;
+};
+
 // What changes while a system runs. Copying a State is a checkpoint.
 struct State
 {
@@ -87,6 +101,8 @@ struct State
 
     std::vector<Split> splits; // in order of time; the system is one that was split by them
     std::vector<TearHold> tearHolds;
+
+    Work work;
 
     friend bool operator==(const State&, const State&) = default;
 };

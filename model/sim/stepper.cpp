@@ -113,14 +113,21 @@ int Stepper::substepsOf(const System& system, const State& state) const
         m_planFor.isOf(system) ? std::max(m_plan.least, system.substeps) : system.substeps;
     if (state.substeps > 0)
         return std::max(state.substeps, least);
-    return m_planFor.isOf(system) ? m_plan.substeps : system.substeps;
+    return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForAir(system, state))
+                                  : system.substeps;
+}
+
+// Sweeps show by their strain when the air asks for more substeps.
+int Stepper::substepsForAir(const System& system, const State& state) const
+{
+    return m_plan.direct.empty() ? 1 : ripstop::substepsForAir(system, state);
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
-    state.substeps =
-        std::max(adaptedSubsteps(system, substeps, largestRodStrain(system, state, m_restLength)),
-                 m_plan.least);
+    const double strain = largestRodStrain(system, state, m_restLength);
+    state.substeps = std::max(
+        {adaptedSubsteps(system, substeps, strain), m_plan.least, substepsForAir(system, state)});
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -166,9 +173,13 @@ void Stepper::substep(RodTask& task, State& state)
     }
     move(ParticlePass::FollowRods, system, state, h);
     m_clock.lap(StepStage::Motion);
+    if (m_watch)
+        m_watch->beforeContact(system, state);
     if (!system.fabricLayer.empty())
         m_fabric.resolve(system, state);
     resolveContacts(system, state, m_before, m_placed, h, m_crew, m_touches);
+    if (m_watch)
+        m_watch->afterContact(system, state);
     keepOnGuides(system, m_before, state);
     m_clock.lap(StepStage::Contact);
     if (m_judgesLinks)
@@ -177,6 +188,8 @@ void Stepper::substep(RodTask& task, State& state)
     const bool drifts =
         system.integrator == Integrator::Verlet || system.integrator == Integrator::VelocityVerlet;
     state.driftSubstep = drifts ? h : 0.0;
+    if (m_watch)
+        m_watch->afterSubstep(system, state, h);
 }
 
 void Stepper::fillAccelerations(const System& system, const State& state, double h)

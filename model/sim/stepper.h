@@ -15,6 +15,16 @@
 
 namespace ripstop {
 
+// Looks at the state within a step, and changes nothing.
+class SubstepWatch
+{
+public:
+    virtual ~SubstepWatch() = default;
+    virtual void beforeContact(const System& system, const State& state) = 0;
+    virtual void afterContact(const System& system, const State& state) = 0;
+    virtual void afterSubstep(const System& system, const State& state, double h) = 0; // h in s
+};
+
 // Advances a State by one time step of its System. It holds scratch arrays only: two steppers
 // given the same system and state do exactly the same, whatever their number of threads.
 class Stepper
@@ -29,6 +39,9 @@ public:
 
     // Adds what each stage of the steps from now on takes; null stops that.
     void keepTimes(StepTimes* times) { m_clock.giveTo(times); }
+
+    // Lets somebody look at the steps from now on; null stops that.
+    void watch(SubstepWatch* watch) { m_watch = watch; }
 
     // Which obstacles each particle met in the last step, as touchOf() has it; empty without any.
     std::span<const std::uint32_t> touches() const { return m_touches; }
@@ -50,6 +63,7 @@ private:
     void noteSpringEnds(const System& system);
     RodTask rodTask(const System& system, State& state, double h) const;
     void adapt(const System& system, State& state, int substeps);
+    int substepsForAir(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
     void move(ParticlePass pass, const System& system, State& state, double h);
     void noteRodLengths(const System& system, const State& state);
@@ -57,6 +71,7 @@ private:
 
     Crew m_crew;
     StepClock m_clock;
+    SubstepWatch* m_watch = nullptr;
     RodSolver m_rods;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;

@@ -169,10 +169,10 @@ auto fieldsOf(S& state)
 {
     auto& [time, step, substep, substeps, driftSubstep, position, velocity, drift, inputCommand,
            inputValue, hands, carried, gusts, canopies, springTorn, rodTorn, panelGone, rodTension,
-           tears, splits, tearHolds] = state;
+           tears, splits, tearHolds, work] = state;
     return std::tie(time, step, substep, substeps, driftSubstep, position, velocity, drift,
                     inputCommand, inputValue, hands, carried, gusts, canopies, springTorn, rodTorn,
-                    panelGone, rodTension, tears, splits, tearHolds);
+                    panelGone, rodTension, tears, splits, tearHolds, work);
 }
 
 // Arrays are emptied and keep their memory; anything else starts as `fresh` does.

@@ -663,6 +663,10 @@
         <translation>il n’y a pas de tiges ; la flexion demande au moins %1</translation>
     </message>
     <message>
+        <source>%1 rods are solved directly, since they hold fabric that is small enough for it; %2</source>
+        <translation>%1 tiges sont résolues directement, car la voile qu’elles tiennent est assez petite pour cela ; %2</translation>
+    </message>
+    <message>
         <source>%1 rods are solved directly, since their load would need %2 substeps; %3</source>
         <translation>%1 tiges sont résolues directement, car leur charge demanderait %2 sous-pas ; %3</translation>
     </message>

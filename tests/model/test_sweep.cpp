@@ -99,6 +99,20 @@ private slots:
         }
     }
 
+    // What comes before --from does not count: from 0.3 s to 0.5 s the mean of y0 - g t^2 / 2 is
+    // y0 - g (0.5^3 - 0.3^3) / (6 x 0.2), and it is highest at 0.3 s.
+    void aStartDiesAway()
+    {
+        Folder folder;
+        const Outcome outcome =
+            call({"sweep", folder.file, "--seconds", "0.5", "--from", "0.3", "-o", folder.output});
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.error));
+        const QStringList row = folder.table().at(1);
+        QVERIFY(std::abs(row[6].toDouble() - 3.75) < 0.03);
+        QVERIFY(std::abs(row[7].toDouble() - (5.0 - 10.0 * 0.098 / 1.2)) < 0.03);
+        QVERIFY(std::abs(row[9].toDouble() - 4.55) < 0.03);
+    }
+
     // The same bits as by run, and the same table for any number of jobs.
     void agreesWithRun()
     {

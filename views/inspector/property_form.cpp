@@ -1,6 +1,7 @@
 #include "inspector/property_form.h"
 
 #include "document/words.h"
+#include "icons/complaint.h"
 #include "icons/icon.h"
 #include "inspector/slider_shelf.h"
 #include "inspector/usage_watch.h"
@@ -109,17 +110,8 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     const QString tip = tipOf(property);
 
     auto* label = new ScrubLabel(labelOf(property));
-    auto* complaint = new QLabel;
-    complaint->setWordWrap(true);
-    complaint->hide();
-    QPalette red = complaint->palette();
-    red.setColor(QPalette::WindowText, QColor(0xd6, 0x3b, 0x3b));
-    complaint->setPalette(red);
-
-    const auto complain = [complaint](const QString& sentence) {
-        complaint->setText(sentence);
-        complaint->setVisible(!sentence.isEmpty());
-    };
+    auto* complaint = new Complaint;
+    const auto complain = [complaint](const QString& sentence) { complaint->tell(sentence); };
     Field field = makeField({m_subject, property, *label, complain});
     for (QWidget* focus : field.focus)
         if (focus) {

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/words.h"
+#include "icons/complaint.h"
 #include "icons/icon.h"
 #include "inspector/scrub_label.h"
 #include "inspector/tuning.h"
@@ -31,22 +32,14 @@ TuningRow::TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidg
     , m_slider(std::move(slider))
     , m_label(new ScrubLabel({}))
     , m_note(new QLabel)
-    , m_complaint(new QLabel)
+    , m_complaint(new Complaint)
 {
     const Property& property = *m_slider.property;
     m_subject.set(property.kind, m_slider.ids);
     m_label->setTextFormat(Qt::PlainText);
     m_note->setWordWrap(true);
     m_note->setForegroundRole(QPalette::PlaceholderText);
-    m_complaint->setWordWrap(true);
-    QPalette red = m_complaint->palette();
-    red.setColor(QPalette::WindowText, QColor(0xd6, 0x3b, 0x3b));
-    m_complaint->setPalette(red);
-    m_complaint->hide();
-    const auto complain = [this](const QString& sentence) {
-        m_complaint->setText(sentence);
-        m_complaint->setVisible(!sentence.isEmpty());
-    };
+    const auto complain = [this](const QString& sentence) { m_complaint->tell(sentence); };
     m_field = makeField({m_subject, property, *m_label, complain, false});
     m_label->setBuddy(m_field.focus[0]);
     for (QWidget* focus : m_field.focus)
@@ -141,10 +134,7 @@ ValueEdit* TuningRow::endEdit(double SliderRange::*end, const QString& name)
                          ? tr("Left end of the slider; type another one. A logarithmic slider that "
                               "begins below 1 gives 0 there.")
                          : tr("Right end of the slider; type another one."));
-    connect(edit, &ValueEdit::complained, this, [this](const QString& sentence) {
-        m_complaint->setText(sentence);
-        m_complaint->setVisible(!sentence.isEmpty());
-    });
+    connect(edit, &ValueEdit::complained, m_complaint, &Complaint::tell);
     connect(edit, &ValueEdit::committed, this, [this, rangeOf](const QString& text) {
         QString complaint;
         const SliderRange range = rangeOf(text, complaint);

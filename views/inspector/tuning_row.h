@@ -11,6 +11,7 @@ class QToolButton;
 
 namespace ripstop {
 
+class Complaint;
 class UsageWatch;
 class ValueEdit;
 
@@ -44,7 +45,7 @@ private:
     Slider m_slider;
     ScrubLabel* m_label;
     QLabel* m_note;
-    QLabel* m_complaint;
+    Complaint* m_complaint;
     Field m_field;
     QSlider* m_bar = nullptr; // of what has a range
     ValueEdit* m_low = nullptr;

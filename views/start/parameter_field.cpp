@@ -1,6 +1,7 @@
 #include "start/parameter_field.h"
 
 #include "document/words.h"
+#include "icons/complaint.h"
 #include "scene/typed_number.h"
 
 #include <QCheckBox>
@@ -216,10 +217,8 @@ QString ParameterField::refusal() const
 void ParameterField::mark()
 {
     QPalette colors;
-    if (!isInRange()) {
-        const bool dark = palette().color(QPalette::Base).lightness() < 128;
-        colors.setColor(QPalette::Text, dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb3, 0x26, 0x1e));
-    }
+    if (!isInRange())
+        colors.setColor(QPalette::Text, wrongColor(colors));
     m_number->setPalette(colors);
 }
 

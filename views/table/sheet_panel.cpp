@@ -3,6 +3,7 @@
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "icons/complaint.h"
 #include "table/cell_editor.h"
 
 #include <QAction>
@@ -48,7 +49,7 @@ SheetPanel::SheetPanel(Document& document, Selection& selection, std::function<G
     , m_filter(new QLineEdit)
     , m_onlySelected(new QCheckBox(tr("Only s&elected")))
     , m_count(new QLabel)
-    , m_complaint(new QLabel)
+    , m_complaint(new Complaint)
     , m_table(new QTableView)
 {
     for (const auto& [sheet, name] : {std::pair(SheetOf::Particles, tr("Particles")),
@@ -66,11 +67,6 @@ SheetPanel::SheetPanel(Document& document, Selection& selection, std::function<G
                             "1 g, strain > 5 %, material = ripstop."));
     m_onlySelected->setToolTip(tr("Only the rows of what is selected in the design."));
     m_count->setForegroundRole(QPalette::PlaceholderText);
-    m_complaint->setWordWrap(true);
-    m_complaint->hide();
-    QPalette red = m_complaint->palette();
-    red.setColor(QPalette::WindowText, QColor(0xd6, 0x3b, 0x3b));
-    m_complaint->setPalette(red);
 
     m_table->setModel(&m_model);
     m_table->setItemDelegate(new CellEditor(m_model, m_table));
@@ -183,8 +179,7 @@ void SheetPanel::describe()
 
 void SheetPanel::complain(const QString& sentence)
 {
-    m_complaint->setText(sentence);
-    m_complaint->setVisible(!sentence.isEmpty());
+    m_complaint->tell(sentence);
 }
 
 // Of the header and what stands in the first rows.

@@ -16,6 +16,7 @@ class QTableView;
 
 namespace ripstop {
 
+class Complaint;
 class Document;
 class Selection;
 
@@ -59,7 +60,7 @@ private:
     QLineEdit* m_filter;
     QCheckBox* m_onlySelected;
     QLabel* m_count;
-    QLabel* m_complaint;
+    Complaint* m_complaint;
     QTableView* m_table;
     QTimer m_soon;         // the filter is looked at when typing pauses
     bool m_isStale = true; // the rows, while the panel is hidden

@@ -54,7 +54,7 @@ Timeline::Timeline(Recordings& recordings, QWidget* parent)
     , m_speed(new QComboBox)
     , m_loop(button("loop", "loop", tr("Loop"), tr("Play a range again and again")))
     , m_bookmark(button("bookmark", "bookmark", tr("Bookmark"),
-                        tr("Mark this moment, or go to one that is marked")))
+                        tr("Bookmark this moment, or go to one that has a bookmark")))
     , m_compare(button("compareRuns", "compare", tr("Compare"),
                        tr("Show another run at the same time as a ghost")))
     , m_continue(button("continueHere", "branch", tr("Continue from here"),
@@ -193,7 +193,7 @@ void Timeline::fillBookmarks()
 {
     QMenu* menu = m_bookmark->menu();
     menu->clear();
-    menu->addAction(tr("&Mark this moment\u2026"), this, &Timeline::askForBookmark);
+    menu->addAction(tr("Book&mark this moment\u2026"), this, &Timeline::askForBookmark);
     const auto& recording = m_recordings.current();
     if (!recording || recording->bookmarks().empty())
         return;
@@ -206,7 +206,7 @@ void Timeline::fillBookmarks()
                                  QString::fromStdString(bookmark.name)),
                         this, [this, time = bookmark.time] { m_recordings.seekTime(time); });
     menu->addSeparator();
-    removal = menu->addMenu(tr("&Remove a mark"));
+    removal = menu->addMenu(tr("&Remove a bookmark"));
     for (std::size_t i = 0; i < bookmarks.size(); ++i)
         removal->addAction(QString::fromStdString(bookmarks[i].name), this,
                            [this, i] { m_recordings.removeBookmark(i); });
@@ -229,11 +229,12 @@ void Timeline::fillCompare()
                            "or open a recording"))
             ->setEnabled(false);
     menu->addSeparator();
-    if (m_recordings.ghost())
+    QAction* difference =
         menu->addAction(tr("&Plot the difference"), this, &Timeline::plotDifference);
     QAction* none =
         menu->addAction(tr("&No ghost"), this, [this] { m_recordings.setGhost(nullptr); });
-    none->setEnabled(m_recordings.ghost() != nullptr);
+    for (QAction* ofGhost : {difference, none})
+        ofGhost->setEnabled(m_recordings.ghost() != nullptr);
 }
 
 void Timeline::askWhatToCompare() { m_compare->showMenu(); }
@@ -251,7 +252,7 @@ void Timeline::askForBookmark()
     bool given = false;
     const QString name =
         QInputDialog::getText(
-            this, tr("Mark this moment"), tr("Name of the mark:"), QLineEdit::Normal,
+            this, tr("Bookmark this moment"), tr("Name of the bookmark:"), QLineEdit::Normal,
             tr("%1 s").arg(QLocale().toString(m_recordings.time(), 'f', 2)), &given)
             .trimmed();
     if (given && !name.isEmpty())

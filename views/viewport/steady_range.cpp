@@ -1,36 +1,48 @@
 #include "viewport/steady_range.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace ripstop {
 namespace {
 
-constexpr double kept = 0.995;      // share of the values that the range holds
-constexpr double far = 0.35;        // values below this share of the range ask for a smaller one
+constexpr double let = 0.005;       // share of the values that the range lets go
+constexpr double far = 0.6;         // values below this share of the range ask for a smaller one
 constexpr int patience = 120;       // frames, about 2 s
 constexpr double negligible = 1e-9; // rounding noise of a network at rest, in any unit
 constexpr double pressed = 0.1;     // share of the bound below zero that counts as compression
 
-double quantile(std::vector<double>& values, double share)
+// What all but so many values stay below, or above when `before` says so.
+template <typename Before>
+double allBut(std::size_t few, std::vector<double>& values, Before before)
 {
-    const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
+    const auto place = values.begin() + std::ptrdiff_t(few);
+    std::nth_element(values.begin(), place, values.end(), before);
     return *place;
 }
 
-} // namespace
-
-double roundedUp(double value)
+template <std::size_t n>
+double roundedUp(double value, const std::array<double, n>& steps)
 {
     if (!(value > 0.0) || !std::isfinite(value))
         return 0.0;
     const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 5.0})
+    for (const double step : steps)
         if (value <= step * power * (1.0 + 1e-12))
             return step * power;
     return 10.0 * power;
 }
+
+double boundOf(double value)
+{
+    return roundedUp(value, std::array{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0});
+}
+
+} // namespace
+
+double roundedUp(double value) { return roundedUp(value, std::array{1.0, 2.0, 5.0}); }
 
 void SteadyRange::take(std::span<const double> values, bool mayBeNegative)
 {
@@ -41,8 +53,9 @@ void SteadyRange::take(std::span<const double> values, bool mayBeNegative)
     if (m_scratch.empty())
         return;
 
-    const double top = std::max(0.0, quantile(m_scratch, kept));
-    const double bottom = mayBeNegative ? std::min(0.0, quantile(m_scratch, 1.0 - kept)) : 0.0;
+    const auto few = std::size_t(let * double(m_scratch.size()));
+    const double top = std::max(0.0, allBut(few, m_scratch, std::greater()));
+    const double bottom = mayBeNegative ? std::min(0.0, allBut(few, m_scratch, std::less())) : 0.0;
     const double needed = std::max(top, -bottom);
     if (needed < negligible)
         return;
@@ -51,12 +64,12 @@ void SteadyRange::take(std::span<const double> values, bool mayBeNegative)
         m_symmetric = true;
     const double reach = m_symmetric ? needed : top;
     if (reach > m_bound) {
-        m_bound = roundedUp(reach);
+        m_bound = boundOf(reach);
         m_calm = 0;
     } else if (reach > far * m_bound) {
         m_calm = 0;
     } else if (++m_calm > patience) {
-        m_bound = roundedUp(reach);
+        m_bound = boundOf(reach);
         m_calm = 0;
     }
 }

@@ -1,8 +1,9 @@
 // A range of colours that follows the values without flicker.
 //
-// Its ends are round numbers (1, 2 or 5 times a power of ten). It widens at once when values
-// leave it, and narrows only after they have stayed far inside for a while. The few largest
-// values are let go: one link about to tear would otherwise paint all others alike.
+// Its ends are short numbers, at most half again as far as the values go. It widens at once when
+// values leave it, and narrows only after they have stayed far inside for a while. Of many values
+// the largest few are let go, one of 200: a link about to tear would otherwise paint all others
+// alike.
 #pragma once
 
 #include <span>

@@ -1,9 +1,11 @@
 #include "viewport/tool_strip.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QPainter>
 #include <QToolButton>
-#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ripstop {
 namespace {
@@ -11,33 +13,77 @@ namespace {
 constexpr int inset = 4;     // pixels
 constexpr int iconSide = 20; // pixels
 constexpr int rounding = 8;  // pixels
+constexpr int between = 2;   // pixels, of two buttons
 constexpr int gap = 3;       // pixels, on either side of a line between groups
 
 } // namespace
 
-ToolStrip::ToolStrip(QWidget* parent)
-    : QFrame(parent)
-    , m_column(new QVBoxLayout(this))
+ToolStrip::ToolStrip(QWidget* view)
+    : QFrame(view)
 {
-    m_column->setContentsMargins(inset, inset, inset, inset);
-    m_column->setSpacing(2);
     setCursor(Qt::ArrowCursor);
+    view->installEventFilter(this);
 }
 
 void ToolStrip::addGroup(const QList<QAction*>& actions)
 {
-    if (m_column->count() > 0) {
-        m_column->addSpacing(2 * gap);
-    }
+    QList<QToolButton*> group;
     for (QAction* action : actions) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(action);
         button->setIconSize(QSize(iconSide, iconSide));
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::NoFocus); // keys stay with the view
-        m_column->addWidget(button);
+        group.push_back(button);
     }
-    adjustSize();
+    m_groups.push_back(group);
+    arrange();
+}
+
+bool ToolStrip::eventFilter(QObject*, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        arrange();
+    return false;
+}
+
+void ToolStrip::moveEvent(QMoveEvent* event)
+{
+    QFrame::moveEvent(event);
+    arrange();
+}
+
+void ToolStrip::arrange()
+{
+    const int room = parentWidget()->height() - 2 * y() - inset;
+    int left = inset, top = inset, right = inset, bottom = inset;
+    const auto startColumn = [&] {
+        left = right + between;
+        top = inset;
+    };
+    m_lines.clear();
+    for (const QList<QToolButton*>& group : m_groups) {
+        int tall = 0;
+        for (const QToolButton* button : group)
+            tall += button->sizeHint().height() + between;
+        if (top > inset && top + 2 * gap + tall > room) {
+            startColumn();
+        } else if (top > inset) {
+            m_lines.push_back({left, top + gap - 1, right - left, 1});
+            top += 2 * gap;
+        }
+        for (QToolButton* button : group) {
+            const QSize size = button->sizeHint();
+            if (top > inset && top + size.height() > room)
+                startColumn();
+            button->setGeometry({{left, top}, size});
+            right = std::max(right, left + size.width());
+            bottom = std::max(bottom, top + size.height());
+            top += size.height() + between;
+        }
+    }
+    resize(right + inset, bottom + inset);
+    update();
 }
 
 void ToolStrip::paintEvent(QPaintEvent*)
@@ -52,10 +98,8 @@ void ToolStrip::paintEvent(QPaintEvent*)
 
     QColor line = palette().color(QPalette::WindowText);
     line.setAlphaF(0.25F);
-    for (int i = 0; i < m_column->count(); ++i)
-        if (QLayoutItem* item = m_column->itemAt(i); item->spacerItem())
-            painter.fillRect(rounding, item->geometry().center().y(), width() - 2 * rounding, 1,
-                             line);
+    for (const QRect& place : m_lines)
+        painter.fillRect(place, line);
 }
 
 } // namespace ripstop

@@ -3,26 +3,32 @@
 #include <QFrame>
 
 class QAction;
-class QVBoxLayout;
+class QToolButton;
 
 namespace ripstop {
 
-// The tools of the view and what they take, in a column over its corner.
+// The tools of the view and what they take, in a column over its corner; in a low view the groups
+// that have no room below stand beside.
 class ToolStrip final : public QFrame
 {
     Q_OBJECT
 
 public:
-    explicit ToolStrip(QWidget* parent = nullptr);
+    explicit ToolStrip(QWidget* view);
 
-    // Below what is there already, with a line between.
+    // After what is there already, with a line between.
     void addGroup(const QList<QAction*>& actions);
 
 protected:
+    bool eventFilter(QObject* view, QEvent* event) override;
+    void moveEvent(QMoveEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QVBoxLayout* m_column;
+    void arrange();
+
+    QList<QList<QToolButton*>> m_groups;
+    QList<QRect> m_lines; // between them
 };
 
 } // namespace ripstop

@@ -1,0 +1,69 @@
+// Where energy comes from and where it goes: the work of all that is not the design itself, and
+// what is left over when that is taken from the change of its energy.
+//
+// Whatever pushes a particle with the impulse J in a substep changes its kinetic energy by J.v, v
+// the mean of its velocities at both ends; summed over all impulses this is exact. So for a force
+// that is F0 at the start of a substep of h and F1 at its end the work is h (F0 + F1).v / 2, that
+// of contact J.v, that of what is moved by hand, and pushes back with F, -F.x along its way x. A
+// link that tears takes along what it held. What the balance leaves,
+//
+//     residual = change of kinetic, potential and elastic energy - work,
+//
+// is what integrator and projection have made (above 0) or lost: the drift of energy that Hairer,
+// Lubich and Wanner 2006, chapter IX, judge integrators by, for systems that are driven and damped.
+//
+// Limits: rods pull at what is moved with their mean tension over the step, bending is not asked
+// about, and neither is a control that moves what is not pinned. Energy that an edit brings is no
+// part of it.
+#pragma once
+
+#include "sim/hand_pull.h"
+#include "sim/stepper.h"
+
+#include <vector>
+
+namespace ripstop {
+
+// A ledger makes each substep about as long again as the air on the fabric does.
+bool wantsLedger(const System& system); // a probe reads it
+
+// Follows one step and adds to State::work; it holds scratch arrays only.
+class EnergyLedger final : public SubstepWatch
+{
+public:
+    void begin(const System& system, const State& state, double h); // a step with substeps of h, s
+    void end(const System& system, State& state);                   // after it
+
+    void beforeContact(const System& system, const State& state) override;
+    void afterContact(const System& system, const State& state) override;
+    void afterSubstep(const System& system, const State& state, double h) override;
+
+private:
+    struct Instant
+    {
+        std::vector<Vec3> position; // [particles] m
+        std::vector<Vec3> velocity; // [particles] m/s
+        std::vector<Vec3> air;      // [particles] N, of panels and lines
+        double damping = 0.0;       // W, of dampers in springs, at most 0
+    };
+
+    void look(const System& system, const State& state, Instant& instant) const;
+    void addHandPull(const System& system, const State& state, double h);
+    double workOnSprings(const System& system, const State& state) const;
+    double workOnRods(const System& system, const State& state) const;
+
+    Instant m_before; // at the start of the substep
+    Instant m_after;
+    std::vector<Vec3> m_beforeContact;   // [particles] m/s
+    std::vector<Vec3> m_contact;         // [particles] N s in this substep, or empty
+    std::vector<PaddedVec3> m_stepStart; // [particles] m
+    std::vector<double> m_restLength;    // [rods] m, at the start of the step
+    HeldGrip m_grip;
+    Vec3 m_held = Vec3::Zero(); // m, in the grip at the start of the substep
+    Vec3 m_pull = Vec3::Zero(); // N, on it
+    std::size_t m_tears = 0;    // before the step
+    double m_energy = 0.0;      // J, the same
+    Work m_work;                // in the step
+};
+
+} // namespace ripstop

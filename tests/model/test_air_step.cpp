@@ -1,0 +1,81 @@
+// How long a substep may be for what the air takes from fabric.
+#include "model/systems.h"
+
+#include "sim/air_step.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ripstop;
+
+namespace {
+
+// A triangle of 2 m^2 in the plane y = 0, of three equal masses.
+System panel(AirLaw law, double mass, const Vec3& wind)
+{
+    System system = emptySystem(1e-3);
+    system.wind = wind;
+    for (const Vec3& place : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 0, 2)})
+        addParticle(system, place, mass / 3.0);
+    addPanel(system, 0, 1, 2, law, 1.7);
+    finish(system);
+    return system;
+}
+
+} // namespace
+
+class TestAirStep : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // Head on, both laws press with rho C A W^2 / 2, which falls by rho C A W for each m/s that the
+    // panel gives way; a step of h overshoots twice when that times h is 2 m.
+    void headOn_data()
+    {
+        QTest::addColumn<AirLaw>("law");
+        QTest::newRow("linear normal") << AirLaw::LinearNormal;
+        QTest::newRow("paper") << AirLaw::Paper;
+    }
+    void headOn()
+    {
+        QFETCH(AirLaw, law);
+        const double mass = 0.1, speed = 8.0;
+        const System system = panel(law, mass, {0.0, -speed, 0.0});
+        const double expected = 2.0 * mass / (system.airDensity * 1.7 * 2.0 * speed);
+        const double limit = airStepLimit(system, system.start);
+        QVERIFY2(isNear(limit, expected, 1e-9), told(limit, expected));
+    }
+
+    // Along the wind, F = rho C A |w| (n.w) n / 2 falls by half as much.
+    void alongTheWind()
+    {
+        const double mass = 0.1, speed = 8.0;
+        const System system = panel(AirLaw::LinearNormal, mass, {speed, 0.0, 0.0});
+        const double expected = 4.0 * mass / (system.airDensity * 1.7 * 2.0 * speed);
+        const double limit = airStepLimit(system, system.start);
+        QVERIFY2(isNear(limit, expected, 1e-4 * expected), told(limit, expected));
+    }
+
+    // What moves with the wind meets none; what is pinned, gone or not there asks for nothing.
+    void nothingToTake()
+    {
+        const Vec3 wind(0.0, -8.0, 0.0);
+        System system = panel(AirLaw::LinearNormal, 0.1, wind);
+        State state = system.start;
+        for (PaddedVec3& velocity : state.velocity)
+            velocity = wind;
+        QVERIFY(airStepLimit(system, state) > 100.0 * airStepLimit(system, system.start));
+        state = system.start;
+        state.panelGone[0] = 1;
+        QVERIFY(std::isinf(airStepLimit(system, state)));
+        for (double& w : system.inverseMass)
+            w = 0.0;
+        QVERIFY(std::isinf(airStepLimit(system, system.start)));
+        QVERIFY(std::isinf(airStepLimit(System(), State())));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAirStep)
+#include "test_air_step.moc"

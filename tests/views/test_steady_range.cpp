@@ -1,0 +1,85 @@
+// The range of the colours: close to the values, and calm.
+#include "viewport/steady_range.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace ripstop;
+
+class TestSteadyRange : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // Whatever the values, at most a third of the colours is unused and nothing is out of range.
+    void isSnug()
+    {
+        for (double largest = 1.001e-3; largest < 2e3; largest *= 1.07) {
+            SteadyRange range;
+            range.take(std::vector{0.0, 0.3 * largest, largest}, false);
+            QCOMPARE(range.range().low, 0.0);
+            QVERIFY(range.range().high >= largest);
+            QVERIFY(range.range().high <= 1.5 * largest);
+        }
+    }
+
+    // Of few values none is let go, of many the largest of each two hundred.
+    void letsFewGo()
+    {
+        SteadyRange few;
+        std::vector<double> values(50, 1.0);
+        values.back() = 9.0;
+        few.take(values, false);
+        QCOMPARE(few.range().high, 10.0);
+
+        SteadyRange many;
+        values.assign(400, 1.0);
+        values[17] = values[200] = 50.0;
+        many.take(values, false);
+        QCOMPARE(many.range().high, 1.0);
+    }
+
+    // What is pressed as well as pulled is seen on both sides of zero.
+    void becomesSymmetric()
+    {
+        SteadyRange range;
+        range.take(std::vector{-0.05, 1.0}, true); // hardly
+        QCOMPARE(range.range(), (ValueRange{0.0, 1.0}));
+        range.take(std::vector{-0.5, 1.0}, true);
+        QCOMPARE(range.range(), (ValueRange{-1.0, 1.0}));
+        range.take(std::vector{-2.9, 1.0}, true);
+        QCOMPARE(range.range(), (ValueRange{-3.0, 3.0}));
+    }
+
+    // It widens at once and narrows late; values that swing by a third move nothing.
+    void isCalm()
+    {
+        SteadyRange range;
+        range.take(std::vector{9.0}, false);
+        for (int frame = 0; frame < 1000; ++frame) {
+            range.take(std::vector{frame % 2 ? 9.0 : 6.1}, false);
+            QCOMPARE(range.range().high, 10.0);
+        }
+        for (int frame = 0; frame < 100; ++frame)
+            range.take(std::vector{1.4}, false);
+        QCOMPARE(range.range().high, 10.0);
+        for (int frame = 0; frame < 100; ++frame)
+            range.take(std::vector{1.4}, false);
+        QCOMPARE(range.range().high, 1.5);
+        range.take(std::vector{1.6}, false);
+        QCOMPARE(range.range().high, 2.0);
+    }
+
+    // Noise of a network at rest is nothing to paint.
+    void ignoresNoise()
+    {
+        SteadyRange range;
+        range.take(std::vector{1e-12, -1e-12}, true);
+        QCOMPARE(range.range(), (ValueRange{0.0, 1.0}));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSteadyRange)
+#include "test_steady_range.moc"
