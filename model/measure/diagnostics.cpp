@@ -64,6 +64,13 @@ double kineticEnergy(const System& system, const State& state)
 
 Energies energies(const System& system, const State& state)
 {
+    std::vector<double> restLength(system.rods.size());
+    fillRestLengths(system, state, restLength);
+    return energies(system, state, restLength);
+}
+
+Energies energies(const System& system, const State& state, std::span<const double> restLength)
+{
     Energies sum;
     sum.kinetic = kineticEnergy(system, state);
     for (std::size_t i = 0; i < state.position.size(); ++i) {
@@ -71,8 +78,6 @@ Energies energies(const System& system, const State& state)
             continue;
         sum.potential -= system.mass[i] * system.gravity.dot(state.position[i]);
     }
-    std::vector<double> restLength(system.rods.size());
-    fillRestLengths(system, state, restLength);
     for (const LinkPlace& link : system.links) {
         if (isTorn(link, state))
             continue;

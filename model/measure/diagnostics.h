@@ -17,6 +17,11 @@ struct Energies
 };
 
 Energies energies(const System& system, const State& state);
+
+// The same without memory of its own.
+//   restLength  [rods]  m, of now
+Energies energies(const System& system, const State& state, std::span<const double> restLength);
+
 double kineticEnergy(const System& system, const State& state); // J, of free particles
 
 Vec3 centerOfMass(const System& system, std::span<const PaddedVec3> position); // m, pins included

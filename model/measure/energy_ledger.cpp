@@ -1,7 +1,10 @@
 #include "measure/energy_ledger.h"
 
 #include "measure/diagnostics.h"
+#include "sim/canopy_air.h"
 #include "sim/inputs.h"
+#include "sim/line_drag.h"
+#include "sim/panel_load.h"
 #include "sim/spring_force.h"
 
 #include <algorithm>
@@ -10,20 +13,6 @@ namespace ripstop {
 namespace {
 
 std::size_t at(int index) { return std::size_t(index); }
-
-void gatherAir(const System& system, const State& state, std::vector<Vec3>& force)
-{
-    force.assign(state.position.size(), Vec3::Zero());
-    const std::vector<Vec3> loads = panelLoads(system, state);
-    for (std::size_t i = 0; i < loads.size(); ++i)
-        for (const int corner : system.panels[i].corner)
-            force[at(corner)] += loads[i] / 3.0;
-    const std::vector<Vec3> drags = lineDrags(system, state);
-    for (std::size_t i = 0; i < drags.size(); ++i) {
-        force[at(system.dragLines[i].a)] += drags[i] / 2.0;
-        force[at(system.dragLines[i].b)] += drags[i] / 2.0;
-    }
-}
 
 Vec3 unit(const Vec3& separation)
 {
@@ -40,14 +29,34 @@ bool wantsLedger(const System& system)
     });
 }
 
+// N on each particle, of panels and lines.
+void EnergyLedger::gatherAir(const System& system, const State& state, std::vector<Vec3>& force)
+{
+    m_loads.resize(system.panels.size());
+    m_drags.resize(system.dragLines.size());
+    fillPanelLoads(system, state, m_alone, m_loads);
+    m_wings.add(system, state, m_loads);
+    addCanopyLoads(system, state, m_alone, m_loads);
+    fillLineDrags(system, state, m_alone, m_drags);
+    force.assign(state.position.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < m_loads.size(); ++i)
+        for (const int corner : system.panels[i].corner)
+            force[at(corner)] += m_loads[i] / 3.0;
+    for (std::size_t i = 0; i < m_drags.size(); ++i) {
+        force[at(system.dragLines[i].a)] += m_drags[i] / 2.0;
+        force[at(system.dragLines[i].b)] += m_drags[i] / 2.0;
+    }
+}
+
 void EnergyLedger::begin(const System& system, const State& state, double h)
 {
     m_work = {};
     m_tears = state.tears.size();
-    m_energy = energies(system, state).total();
     m_stepStart = state.position;
     m_restLength.resize(system.rods.size());
+    m_restLengthAfter.resize(system.rods.size());
     fillRestLengths(system, state, m_restLength);
+    m_energy = energies(system, state, m_restLength).total();
     m_contact.clear();
     look(system, state, m_before);
     if (const auto& pull = state.hands.pull) {
@@ -59,7 +68,7 @@ void EnergyLedger::begin(const System& system, const State& state, double h)
     }
 }
 
-void EnergyLedger::look(const System& system, const State& state, Instant& instant) const
+void EnergyLedger::look(const System& system, const State& state, Instant& instant)
 {
     instant.position.assign(state.position.begin(), state.position.end());
     instant.velocity.assign(state.velocity.begin(), state.velocity.end());
@@ -143,8 +152,6 @@ void EnergyLedger::addHandPull(const System& system, const State& state, double 
 // J, by what moves their pinned ends and changes their lengths.
 double EnergyLedger::workOnRods(const System& system, const State& state) const
 {
-    std::vector<double> restLength(system.rods.size());
-    fillRestLengths(system, state, restLength);
     double work = 0.0;
     for (std::size_t i = 0; i < system.rods.size(); ++i) {
         const Rod& rod = system.rods[i];
@@ -156,7 +163,8 @@ double EnergyLedger::workOnRods(const System& system, const State& state) const
         };
         const Vec3 along = unit(unit(m_stepStart[b] - m_stepStart[a])
                                 + unit(state.position[b] - state.position[a]));
-        const double longer = along.dot(wayOf(b) - wayOf(a)) - (restLength[i] - m_restLength[i]);
+        const double longer =
+            along.dot(wayOf(b) - wayOf(a)) - (m_restLengthAfter[i] - m_restLength[i]);
         work += state.rodTension[i] * longer;
     }
     return work;
@@ -164,10 +172,11 @@ double EnergyLedger::workOnRods(const System& system, const State& state) const
 
 void EnergyLedger::end(const System& system, State& state)
 {
+    fillRestLengths(system, state, m_restLengthAfter);
     m_work.hands += workOnRods(system, state);
     for (std::size_t i = m_tears; i < state.tears.size(); ++i)
         m_work.tearing -= state.tears[i].energy;
-    const double change = energies(system, state).total() - m_energy;
+    const double change = energies(system, state, m_restLengthAfter).total() - m_energy;
     m_work.residual =
         change - (m_work.air + m_work.hands + m_work.damping + m_work.contact + m_work.tearing);
     state.work.air += m_work.air;

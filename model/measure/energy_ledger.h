@@ -19,6 +19,7 @@
 
 #include "sim/hand_pull.h"
 #include "sim/stepper.h"
+#include "sim/wing_load.h"
 
 #include <vector>
 
@@ -47,17 +48,23 @@ private:
         double damping = 0.0;       // W, of dampers in springs, at most 0
     };
 
-    void look(const System& system, const State& state, Instant& instant) const;
+    void gatherAir(const System& system, const State& state, std::vector<Vec3>& force);
+    void look(const System& system, const State& state, Instant& instant);
     void addHandPull(const System& system, const State& state, double h);
     double workOnSprings(const System& system, const State& state) const;
     double workOnRods(const System& system, const State& state) const;
 
-    Instant m_before; // at the start of the substep
+    Crew m_alone{1};
+    WingLoads m_wings;
+    std::vector<PaddedVec3> m_loads; // [panels] N
+    std::vector<PaddedVec3> m_drags; // [dragLines] N
+    Instant m_before;                // at the start of the substep
     Instant m_after;
     std::vector<Vec3> m_beforeContact;   // [particles] m/s
     std::vector<Vec3> m_contact;         // [particles] N s in this substep, or empty
     std::vector<PaddedVec3> m_stepStart; // [particles] m
     std::vector<double> m_restLength;    // [rods] m, at the start of the step
+    std::vector<double> m_restLengthAfter;
     HeldGrip m_grip;
     Vec3 m_held = Vec3::Zero(); // m, in the grip at the start of the substep
     Vec3 m_pull = Vec3::Zero(); // N, on it

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace ripstop {
 namespace {
@@ -39,9 +38,9 @@ double dampingOf(const System& system, const State& state, const FabricPanel& pa
 
 } // namespace
 
-double airStepLimit(const System& system, const State& state)
+double airStepLimit(const System& system, const State& state, std::vector<double>& rate)
 {
-    std::vector<double> rate(state.position.size(), 0.0); // 1/s
+    rate.assign(state.position.size(), 0.0); // 1/s
     for (std::size_t i = 0; i < system.panels.size(); ++i) {
         if (state.panelGone[i])
             continue;

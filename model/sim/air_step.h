@@ -3,6 +3,8 @@
 
 #include "sim/system.h"
 
+#include <vector>
+
 namespace ripstop {
 
 // The longest substep, s, that is sure to be stable for the fabric as it is in `state`; infinite
@@ -10,6 +12,7 @@ namespace ripstop {
 // normal. A corner has a third of the load and makes a third of the mean, so that the rate of
 // damping at a particle of mass m is at most s = sum of c / (3 m) over its panels (Gershgorin), and
 // explicit damping is stable for h s < 2.
-double airStepLimit(const System& system, const State& state);
+//   rate  scratch
+double airStepLimit(const System& system, const State& state, std::vector<double>& rate);
 
 } // namespace ripstop

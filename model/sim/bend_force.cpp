@@ -85,20 +85,20 @@ void fillBends(const System& system, const State& state, Crew& crew, std::span<P
 
 double bendingEnergy(const System& system, const State& state)
 {
-    std::vector<Vec3> turn;
-    for (const Bend& bend : system.bends)
-        turn.push_back(isGone(system, state, bend) ? Vec3(Vec3::Zero())
-                                                   : sum(bend, state.position));
+    const auto turnOf = [&](const Bend& bend) {
+        return isGone(system, state, bend) ? Vec3(Vec3::Zero()) : Vec3(sum(bend, state.position));
+    };
     double energy = 0.0;
-    for (std::size_t i = 0; i < turn.size(); ++i) {
-        const Bend& bend = system.bends[i];
+    for (const Bend& bend : system.bends) {
         if (isGone(system, state, bend))
             continue;
-        const double own = turn[i].norm() - bend.restTurn;
+        const Vec3 turn = turnOf(bend);
+        const double own = turn.norm() - bend.restTurn;
         energy += 0.5 * bend.stiffness * own * own;
         for (std::size_t k = 0; k < 4; ++k)
             if (bend.beside[k] >= 0)
-                energy += 0.5 * bend.coupling[k] * turn[i].dot(turn[std::size_t(bend.beside[k])]);
+                energy += 0.5 * bend.coupling[k]
+                          * turn.dot(turnOf(system.bends[std::size_t(bend.beside[k])]));
     }
     return energy;
 }

@@ -193,9 +193,9 @@ double largestRodStrain(const System& system, const State& state,
     return largest;
 }
 
-int substepsForAir(const System& system, const State& state)
+int substepsForAir(const System& system, const State& state, std::vector<double>& scratch)
 {
-    return substepsWithin(system.timeStep, airStepLimit(system, state), 1.5);
+    return substepsWithin(system.timeStep, airStepLimit(system, state, scratch), 1.5);
 }
 
 // The strain falls with about the 1.5th power of the number of substeps.

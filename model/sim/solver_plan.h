@@ -73,7 +73,7 @@ double largestRodStrain(const System& system, const State& state,
 // Fewest substeps for what the air takes from the fabric, as it is in `state`, with a half to spare
 // for what it does in the next few steps. Rods that are solved directly say nothing of it by their
 // strain.
-int substepsForAir(const System& system, const State& state);
+int substepsForAir(const System& system, const State& state, std::vector<double>& scratch);
 
 // Substeps of the next step, given those of the last and the strain that they left.
 int adaptedSubsteps(const System& system, int substeps, double strain);

@@ -120,7 +120,7 @@ int Stepper::substepsOf(const System& system, const State& state) const
 // Sweeps show by their strain when the air asks for more substeps.
 int Stepper::substepsForAir(const System& system, const State& state) const
 {
-    return m_plan.direct.empty() ? 1 : ripstop::substepsForAir(system, state);
+    return m_plan.direct.empty() ? 1 : ripstop::substepsForAir(system, state, m_airRate);
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)

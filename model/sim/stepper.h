@@ -92,6 +92,7 @@ private:
     std::vector<std::uint32_t> m_touches;    // [particles] in this step, or empty
     std::vector<double> m_restLength;        // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;         // [rods] m, before projection
+    mutable std::vector<double> m_airRate;   // scratch of substepsForAir()
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
     std::size_t m_tears = 0;           // before this time step
     std::uint64_t m_serial = 0;        // of the system that m_restLength is of

@@ -5118,6 +5118,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>1 adds probes that tell where the energy comes from and where it goes, and a plot of them.</source>
+        <translation>1 ajoute des sondes qui disent d’où vient l’énergie et où elle va, et une courbe de celles-ci.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>1 adds rods between second neighbours.</source>
         <translation>1 ajoute des tiges entre deuxièmes voisines.</translation>
     </message>
@@ -5648,6 +5653,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Balance</source>
+        <translation>Bilan</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Bays across.</source>
         <translation>Travées en largeur.</translation>
     </message>
@@ -5935,6 +5945,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Cloth</source>
         <translation>Toile</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cloth falls in a wind, wraps a sphere and swings. The plot shows where its energy comes from and where it goes; the residual is what the solver made of it.</source>
+        <translation>Une étoffe tombe dans le vent, enveloppe une sphère et se balance. La courbe montre d’où vient son énergie et où elle va ; le résidu est ce que le solveur en a fait.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6313,8 +6328,23 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Energy balance</source>
+        <translation>Bilan d’énergie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Energy change</source>
         <translation>Variation d’énergie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Energy change that no work explains: what the solver has made (above 0) or lost.</source>
+        <translation>Variation d’énergie qu’aucun travail n’explique : ce que le solveur a créé (au-dessus de 0) ou perdu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Energy residual</source>
+        <translation>Résidu d’énergie</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7560,6 +7590,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Mean width of the tail and its ribbons, which the wind drags.</source>
         <translation>Largeur moyenne de la queue et de ses rubans, que le vent freine.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Measuring</source>
+        <translation>Mesures</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9308,6 +9343,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>What dampers and viscosity have taken, at most 0.</source>
+        <translation>Ce que les amortisseurs et la viscosité ont pris, au plus 0.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What hands and controls have brought or taken.</source>
+        <translation>Ce que les mains et les commandes ont apporté ou pris.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>What holds the pinned particles against links, air and weight.</source>
         <translation>Ce qui tient les particules fixées contre liaisons, air et poids.</translation>
     </message>
@@ -9315,6 +9360,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What holds the sheet: 0 two corners, 1 the left edge like a flag, 2 nothing, 3 the left and the right edge, of which the right one can be drawn away, 4 the left edge clamped, 5 rings along a rail, of which the last one can be drawn.</source>
         <translation>Ce qui tient la toile : 0 deux coins, 1 le bord gauche comme un drapeau, 2 rien, 3 les bords gauche et droit, dont le droit peut être tiré, 4 le bord gauche encastré, 5 des anneaux le long d’un rail, dont le dernier peut être tiré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What impacts and friction have taken; what moves may bring some.</source>
+        <translation>Ce que les chocs et le frottement ont pris ; ce qui bouge peut en apporter.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9335,6 +9385,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What panels do beside a link that tears: they vanish with it, or the mesh splits, so that each panel stays whole on its side.</source>
         <translation>Ce que font les panneaux à côté d’une liaison qui rompt : ils disparaissent avec elle, ou le maillage se fend, et chaque panneau reste entier de son côté.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the air has brought (above 0) or taken.</source>
+        <translation>Ce que l’air a apporté (au-dessus de 0) ou pris.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9370,6 +9425,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What this scene is, in one line.</source>
         <translation>Ce qu’est cette scène, en une ligne.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What torn links held and took along, at most 0.</source>
+        <translation>Ce que les liens déchirés tenaient et ont emporté, au plus 0.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9558,6 +9618,31 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Work of air</source>
+        <translation>Travail de l’air</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Work of contact</source>
+        <translation>Travail du contact</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Work of damping</source>
+        <translation>Travail de l’amortissement</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Work of hands</source>
+        <translation>Travail des mains</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Work of tearing</source>
+        <translation>Travail de la déchirure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>a canopy</source>
         <translation>une voilure</translation>
     </message>
@@ -9638,8 +9723,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline.cpp"/>
-        <source>%1 s · frame %2 of %3</source>
-        <translation>%1 s · image %2 sur %3</translation>
+        <source>%1 · frame %2 of %3</source>
+        <translation>%1 · image %2 sur %3</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -9663,7 +9748,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline.cpp"/>
-        <source>&amp;Remove a mark</source>
+        <source>&amp;Remove a bookmark</source>
         <translation>&amp;Retirer un repère</translation>
     </message>
     <message>
@@ -9703,6 +9788,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline.cpp"/>
+        <source>Bookmark this moment</source>
+        <translation>Poser un repère à cet instant</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
+        <source>Bookmark this moment, or go to one that has a bookmark</source>
+        <translation>Poser un repère à cet instant, ou aller à un repère</translation>
+    </message>
+    <message>
+        <location filename="timeline.cpp"/>
         <source>Compare</source>
         <translation>Comparer</translation>
     </message>
@@ -9738,18 +9833,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline.cpp"/>
-        <source>Mark this moment</source>
-        <translation>Marquer ce moment</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
-        <source>Mark this moment, or go to one that is marked</source>
-        <translation>Marquer ce moment, ou aller à un moment marqué</translation>
-    </message>
-    <message>
-        <location filename="timeline.cpp"/>
-        <source>Name of the mark:</source>
-        <translation>Nom du repère :</translation>
+        <source>Name of the bookmark:</source>
+        <translation>Nom du repère :</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -9868,11 +9953,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
-        <source>&amp;Mark this moment…</source>
-        <translation>&amp;Marquer ce moment…</translation>
-    </message>
-    <message>
-        <location filename="timeline_rows.cpp"/>
         <source>&amp;Next event</source>
         <translation>É&amp;vénement suivant</translation>
     </message>
@@ -9915,6 +9995,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="timeline_rows.cpp"/>
         <source>Begin a new run at this moment, with the design as it is now. The run that is shown is kept.</source>
         <translation>Commencer une nouvelle simulation à ce moment, avec le modèle tel qu’il est maintenant. Celle qui est montrée est gardée.</translation>
+    </message>
+    <message>
+        <location filename="timeline_rows.cpp"/>
+        <source>Book&amp;mark this moment…</source>
+        <translation>&amp;Poser un repère ici…</translation>
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
@@ -9963,7 +10048,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
-        <source>Next mar&amp;k</source>
+        <source>Next boo&amp;kmark</source>
         <translation>Repère &amp;suivant</translation>
     </message>
     <message>
@@ -9993,7 +10078,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
-        <source>Previous ma&amp;rk</source>
+        <source>Previous bookm&amp;ark</source>
         <translation>Repère préc&amp;édent</translation>
     </message>
     <message>

@@ -130,11 +130,14 @@ void Timeline::layOut()
 // In a narrow window the words go first.
 void Timeline::resizeEvent(QResizeEvent* event)
 {
-    const bool isWide = width() >= 50 * fontMetrics().averageCharWidth() + 500;
+    const auto style = isWide() ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
     for (QToolButton* worded : {m_continue, m_live})
-        worded->setToolButtonStyle(isWide ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+        worded->setToolButtonStyle(style);
+    refresh();
     QWidget::resizeEvent(event);
 }
+
+bool Timeline::isWide() const { return width() >= 50 * fontMetrics().averageCharWidth() + 500; }
 
 void Timeline::connectButtons()
 {
@@ -314,15 +317,16 @@ void Timeline::refresh()
         return m_where->setText({});
     const auto size = recording->size();
     const QString trouble = spoken(recording->trouble());
-    m_where->setText(tr("%1 s \u00b7 frame %2 of %3")
-                         .arg(QLocale().toString(m_recordings.time(), 'f', 3))
-                         .arg(QLocale().toString(qulonglong(m_recordings.frame() + 1)))
-                         .arg(QLocale().toString(qulonglong(count)))
+    const QString time = tr("%1 s").arg(QLocale().toString(m_recordings.time(), 'f', 3));
+    const QString where = tr("%1 \u00b7 frame %2 of %3")
+                              .arg(time)
+                              .arg(QLocale().toString(qulonglong(m_recordings.frame() + 1)))
+                              .arg(QLocale().toString(qulonglong(count)));
+    m_where->setText((isWide() ? where : time)
                      + (trouble.isEmpty() ? QString() : tr(" \u00b7 full")));
-    m_where->setToolTip(
-        trouble.isEmpty()
-            ? tr("In memory: %1, on disk: %2").arg(sizeText(size.memory), sizeText(size.disk))
-            : trouble);
+    const QString kept =
+        tr("In memory: %1, on disk: %2").arg(sizeText(size.memory), sizeText(size.disk));
+    m_where->setToolTip(where + '\n' + (trouble.isEmpty() ? kept : trouble));
 }
 
 } // namespace ripstop

@@ -33,6 +33,7 @@ private:
     QToolButton* button(const char* name, const char* iconName, const QString& text,
                         const QString& toolTip);
     void layOut();
+    bool isWide() const; // enough for words beside the icons
     void connectButtons();
     void fillRuns();
     void fillBookmarks();
