@@ -73,17 +73,30 @@ void EnergyLedger::look(const System& system, const State& state, Instant& insta
     instant.position.assign(state.position.begin(), state.position.end());
     instant.velocity.assign(state.velocity.begin(), state.velocity.end());
     gatherAir(system, state, instant.air);
-    instant.damping = 0.0;
+    instant.damping = dampingPower(system, state);
+}
+
+// W, of dampers in springs: what their tension is beyond that of the stretch.
+double EnergyLedger::dampingPower(const System& system, const State& state)
+{
+    m_springs.resize(system.springs.size());
+    fillSpringForces(system, state, m_alone, m_springs);
+    double power = 0.0;
     for (std::size_t i = 0; i < system.springs.size(); ++i) {
-        if (state.springTorn[i])
-            continue;
         const Spring& spring = system.springs[i];
+        if (state.springTorn[i] || spring.damping == 0.0)
+            continue;
         const Vec3 separation = state.position[at(spring.b)] - state.position[at(spring.a)];
         const Vec3 apart = state.velocity[at(spring.b)] - state.velocity[at(spring.a)];
-        const double damper = springTension(spring, separation, apart)
-                              - springTension(spring, separation, Vec3::Zero());
-        instant.damping -= damper * apart.dot(unit(separation));
+        const double length = separation.norm();
+        if (!(length > 0.0))
+            continue;
+        const double stretch = length - spring.restLength;
+        const double elastic = isSlack(spring.resists, stretch) ? 0.0 : spring.stiffness * stretch;
+        const Vec3 along = separation / length;
+        power -= (m_springs[i].dot(along) - elastic) * apart.dot(along);
     }
+    return power;
 }
 
 // J, by what has moved pinned ends, against the springs as the substep has them: the pins are

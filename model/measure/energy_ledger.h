@@ -25,7 +25,7 @@
 
 namespace ripstop {
 
-// A ledger makes each substep about as long again as the air on the fabric does.
+// A step with a ledger takes two to four times as long.
 bool wantsLedger(const System& system); // a probe reads it
 
 // Follows one step and adds to State::work; it holds scratch arrays only.
@@ -50,15 +50,17 @@ private:
 
     void gatherAir(const System& system, const State& state, std::vector<Vec3>& force);
     void look(const System& system, const State& state, Instant& instant);
+    double dampingPower(const System& system, const State& state);
     void addHandPull(const System& system, const State& state, double h);
     double workOnSprings(const System& system, const State& state) const;
     double workOnRods(const System& system, const State& state) const;
 
     Crew m_alone{1};
     WingLoads m_wings;
-    std::vector<PaddedVec3> m_loads; // [panels] N
-    std::vector<PaddedVec3> m_drags; // [dragLines] N
-    Instant m_before;                // at the start of the substep
+    std::vector<PaddedVec3> m_loads;   // [panels] N
+    std::vector<PaddedVec3> m_drags;   // [dragLines] N
+    std::vector<PaddedVec3> m_springs; // [springs] N, on end `a`
+    Instant m_before;                  // at the start of the substep
     Instant m_after;
     std::vector<Vec3> m_beforeContact;   // [particles] m/s
     std::vector<Vec3> m_contact;         // [particles] N s in this substep, or empty

@@ -31,11 +31,15 @@ double springTension(const Spring& spring, const Vec3& separation, const Vec3& v
                                                                  velocityDifference);
 }
 
+bool isSlack(Resists resists, double stretch)
+{
+    return (resists == Resists::Tension && stretch < 0.0)
+           || (resists == Resists::Compression && stretch > 0.0);
+}
+
 double elasticEnergy(double stiffness, Resists resists, double stretch)
 {
-    const bool slack = (resists == Resists::Tension && stretch < 0.0)
-                       || (resists == Resists::Compression && stretch > 0.0);
-    return slack ? 0.0 : 0.5 * stiffness * stretch * stretch;
+    return isSlack(resists, stretch) ? 0.0 : 0.5 * stiffness * stretch * stretch;
 }
 
 void fillSpringForces(const System& system, const State& state, Crew& crew,

@@ -13,6 +13,9 @@ namespace ripstop {
 // Force along the spring, N, positive when it pulls its ends together; 0 when torn or coincident.
 double springTension(const Spring& spring, const Vec3& separation, const Vec3& velocityDifference);
 
+// Whether what resists this does not resist this stretch, m.
+bool isSlack(Resists resists, double stretch);
+
 // J. A spring, or a rod that gives way, stores energy only where it resists.
 double elasticEnergy(double stiffness, Resists resists, double stretch);
 

@@ -17,12 +17,13 @@ enum class StepStage {
     Rods,
     Contact,
     Tearing,
-    Tensions
+    Tensions,
+    Watch
 };
 
-inline constexpr std::array<std::string_view, 10> stepStageNames{
-    "plan",   "controls", "springs", "air",     "sum of forces",
-    "motion", "rods",     "contact", "tearing", "tensions"};
+inline constexpr std::array<std::string_view, 11> stepStageNames{
+    "plan", "controls", "springs", "air",      "sum of forces", "motion",
+    "rods", "contact",  "tearing", "tensions", "watch"};
 
 struct StepTimes
 {

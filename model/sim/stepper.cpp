@@ -188,8 +188,10 @@ void Stepper::substep(RodTask& task, State& state)
     const bool drifts =
         system.integrator == Integrator::Verlet || system.integrator == Integrator::VelocityVerlet;
     state.driftSubstep = drifts ? h : 0.0;
-    if (m_watch)
+    if (m_watch) {
         m_watch->afterSubstep(system, state, h);
+        m_clock.lap(StepStage::Watch);
+    }
 }
 
 void Stepper::fillAccelerations(const System& system, const State& state, double h)
