@@ -112,7 +112,9 @@ void addKiteProbes(Scene& scene, const Parameters& p, Id kite, Id tow, const Fly
     plot.seconds = 0.0; // the whole run
     plot.name = "spectrum of the pull";
     plot.axis = PlotAxis::Frequency;
+    plot.logarithmic = true;
     addItem(scene, plot);
+    plot.logarithmic = false;
     plot.name = "pull over line angle";
     plot.axis = PlotAxis::Probe;
     plot.against = angle;

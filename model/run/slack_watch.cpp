@@ -20,6 +20,30 @@ std::size_t countAt(const Rows& rows, int particle)
     return i + 1 < rows.start.size() ? std::size_t(rows.start[i + 1] - rows.start[i]) : 0;
 }
 
+// Whether another rod runs along the link from one of its ends, as the core of a kite's line does:
+// how rods that lie side by side share a pull is chance, and says nothing of it.
+bool hasTwin(const System& system, const LinkPlace& link)
+{
+    constexpr double alongside = 0.99; // cosine
+    const auto placeOf = [&](int particle) -> const Vec3& {
+        return system.start.position[std::size_t(particle)];
+    };
+    const auto runsFrom = [&](int end, int other) {
+        const Vec3 along = (placeOf(other) - placeOf(end)).normalized();
+        const Rows& at = system.rodsAt;
+        for (int k = at.start[std::size_t(end)]; k < at.start[std::size_t(end) + 1]; ++k) {
+            const Rod& rod = system.rods[std::size_t(at.items[std::size_t(k)])];
+            const bool isItself =
+                link.kind == LinkKind::Rod && at.items[std::size_t(k)] == link.index;
+            const Vec3 way = (placeOf(rod.a == end ? rod.b : rod.a) - placeOf(end)).normalized();
+            if (!isItself && way.dot(along) > alongside)
+                return true;
+        }
+        return false;
+    };
+    return runsFrom(link.a, link.b) || runsFrom(link.b, link.a);
+}
+
 bool isLine(const System& system, std::size_t link)
 {
     const LinkPlace& place = system.links[link];
@@ -27,7 +51,8 @@ bool isLine(const System& system, std::size_t link)
     const Resists resists =
         place.kind == LinkKind::Rod ? system.rods[index].resists : system.springs[index].resists;
     const bool woven = !system.linkStuff.empty() && system.linkStuff[link].role != LinkRole::Line;
-    return resists == Resists::Tension && !woven && countAt(system.panelsBeside, int(link)) == 0;
+    return resists == Resists::Tension && !woven && countAt(system.panelsBeside, int(link)) == 0
+           && !hasTwin(system, place);
 }
 
 // Follows lines through particles that nothing else hangs on.

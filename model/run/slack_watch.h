@@ -1,11 +1,11 @@
 // Lines that go slack and taut.
 //
-// A line is a chain of links that resist tension only and are not part of a fabric, from one thing
-// that holds it to the next. What it bears is the largest tension of its links. It is slack when it
-// bears less than its own weight or 1/200 of the most that it has borne, and taut when it bears
-// more than twice that weight and 1/50 of the most; a change counts once it has lasted a while
-// (outlast). The most is that of means over such a while, as the jerk of a stiff line in a single
-// step says little. How lines are in the first tenth of a second is no event.
+// A line is a chain of links that resist tension only, are not part of a fabric and have no rod
+// alongside, from one thing that holds it to the next. What it bears is the largest tension of its
+// links. It is slack when it bears less than its own weight or 1/200 of the most that it has borne,
+// and taut when it bears more than twice that weight and 1/50 of the most; a change counts once it
+// has lasted a while (outlast). The most is that of means over such a while, as the jerk of a stiff
+// line in a single step says little. How lines are in the first tenth of a second is no event.
 #pragma once
 
 #include "run/run_event.h"

@@ -168,7 +168,7 @@ private slots:
         const QString recording = folder.filePath("a.ripstop-run");
         const auto table = [&](const char* name, QStringList more) {
             const QString file = folder.filePath(name);
-            QStringList words{"run",       SCENES_DIR "/diamond_kite.ripstop.json",
+            QStringList words{"run",       SCENES_DIR "/sheet_on_boxes.ripstop.json",
                               "--seconds", "0.5",
                               "--events",  file};
             const Outcome outcome = call(words + more);
