@@ -1,55 +1,38 @@
-// The plan of the house: who may include whom, and what stays out of which room.
+// The plan of the house: who may include whom, and what stays out of which room. The rooms
+// themselves are said in rooms.txt.
 #include <QtTest>
 
 #include <QDirIterator>
 #include <QRegularExpression>
 
-// A room sees itself, the rooms listed for it, and nothing else of ours; of foreign headers it sees
-// the standard library and those that start with a prefix listed for it. What `hidden` lists may
-// be included by sources only, so that no other room is tied to it.
+// A line of rooms.txt.
 struct Room
 {
     QString path;
     QStringList rooms;
     QStringList libraries;
-    QStringList hidden;
+    QStringList hidden; // libraries, in sources only
+
+    QString name() const { return path.section('/', 1); }
 };
 
-static const QStringList json{"rapidjson/", "assimp/"};
-static const QStringList posix{"fcntl.h", "sys/", "unistd.h"};
-
-static const QList<Room> namedRooms = {
-    // clang-format off
-    {"model/base",     {},                                                           {"Eigen/"},  {}},
-    {"model/shapes",   {"base"},                                                     {"Eigen/"},  {"png.h", "assimp/"}},
-    {"model/scene",    {"base", "shapes"},                                           {"Eigen/"},  {"muParser.h"}},
-    {"model/builders", {"base", "scene"},                                            {"Eigen/"},  {}},
-    {"model/author",   {"base", "shapes", "scene", "builders"},                      {"Eigen/"},  {}},
-    {"model/sim",      {"base", "shapes"},                                           {"Eigen/"},  {"oneapi/", "tbb/", "sanitizer/"}},
-    {"model/measure",  {"base", "sim"},                                              {"Eigen/"},  {}},
-    {"model/compile",  {"base", "shapes", "scene", "sim"},                           {"Eigen/"},  {}},
-    {"model/run",      {"base", "scene", "sim", "compile", "measure"},               {"Eigen/"},  {"zstd.h"}},
-    {"model/verify",   {"base", "scene", "builders", "sim", "compile", "measure", "run"},
-                                                                                     {"Eigen/"},  {}},
-    {"model/io",       {"base", "scene", "measure", "run"},                          {"Eigen/"},  json + posix},
-    {"model/export",   {"base", "scene", "run", "io"},                               {"Eigen/"},  {"assimp/", "tiny_gltf.h"}},
-    {"model/bundle",   {"base", "scene", "compile", "measure", "run", "io", "export"},
-                                                                                     {"Eigen/"},  {"zip.h", "nlohmann/"}},
-    {"views/document", {"base", "scene", "author", "compile", "run", "io"},          {"Q", "Eigen/"},        {}},
-    {"views/viewport", {"base", "shapes", "scene", "author", "run", "document", "icons"},
-                                                                                     {"Q", "Eigen/", "vtk"}, {}},
-    {"app/cli",        {"base", "shapes", "scene", "builders", "author", "sim", "compile", "measure",
-                        "run", "io", "export", "bundle", "verify"},
-                                                                                     {"Eigen/", "CLI/", "nlohmann/"}, posix},
-    // clang-format on
+// What some rooms never see, directly or through others.
+struct Walls
+{
+    QStringList on;     // paths of rooms, with * for any
+    QStringList behind; // names of rooms
 };
 
-// Every other room of the views, and the editor, which alone may put them together.
-static const QStringList viewsMayInclude{"base", "scene", "author", "run", "document", "icons"};
-static const QHash<QString, QStringList> viewsMayAlsoInclude{
-    {"start", {"builders"}}, // the gallery offers builders
-    {"plots", {"io"}},       // curves are saved as tables
-    {"import", {"shapes"}},  // files of meshes are read
+struct Plan
+{
+    QList<Room> rooms;
+    Walls walls;
+};
+
+struct Include
+{
+    QString header;
+    bool isOurs; // in quotes
 };
 
 static QString relative(const QString& file) { return file.mid(int(strlen(SOURCE_DIR)) + 1); }
@@ -57,8 +40,8 @@ static QString relative(const QString& file) { return file.mid(int(strlen(SOURCE
 static QStringList sourcesUnder(const QString& folder)
 {
     QStringList files;
-    QDirIterator found(QStringLiteral(SOURCE_DIR "/") + folder, {"*.h", "*.cpp"}, QDir::Files,
-                       QDirIterator::Subdirectories);
+    QDirIterator found(QStringLiteral(SOURCE_DIR "/") + folder, {"*.h", "*.cpp", "*.inl"},
+                       QDir::Files, QDirIterator::Subdirectories);
     while (found.hasNext())
         files << found.next();
     files.sort();
@@ -74,33 +57,139 @@ static QStringList foldersUnder(const QString& folder)
     return paths;
 }
 
-static QList<Room> allRooms()
-{
-    QList<Room> rooms = namedRooms;
-    const auto isNamed = [](const QString& path) {
-        return std::any_of(namedRooms.begin(), namedRooms.end(),
-                           [&](const Room& room) { return room.path == path; });
-    };
-    QStringList everything{"editor"};
-    for (const QString& path : foldersUnder("model") + foldersUnder("views")) {
-        const QString name = path.section('/', 1);
-        everything << name;
-        if (path.startsWith("views/") && !isNamed(path))
-            rooms.append({path,
-                          viewsMayInclude + viewsMayAlsoInclude.value(name),
-                          {"Q"},
-                          name == "plots"
-                              ? QStringList{"Eigen/", "unsupported/Eigen/", "qcustomplot.h"}
-                              : QStringList{"Eigen/"}});
-    }
-    rooms.append({"app/editor", everything, {"Q", "Eigen/"}, {}});
-    return rooms;
-}
-
 static QString textOf(const QString& file)
 {
     QFile source(file);
     return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
+}
+
+static QStringList words(const QString& text)
+{
+    return text.simplified().split(' ', Qt::SkipEmptyParts);
+}
+
+static Plan readPlan()
+{
+    Plan plan;
+    for (const QString& line : textOf(SOURCE_DIR "/tests/rooms.txt").split('\n')) {
+        if (line.startsWith('#') || line.trimmed().isEmpty())
+            continue;
+        const QStringList columns = line.split(':');
+        if (columns.first().trimmed() == "walls")
+            plan.walls = {words(columns.value(1)), words(columns.value(2))};
+        else
+            plan.rooms.append({columns.first().trimmed(), words(columns.value(1)),
+                               words(columns.value(2)), words(columns.value(3))});
+    }
+    return plan;
+}
+
+static const Plan& plan()
+{
+    static const Plan read = readPlan();
+    return read;
+}
+
+static QList<Include> includesOf(const QString& file)
+{
+    static const QRegularExpression include("^\\s*#\\s*include\\s+([<\"])([^>\"]+)[>\"]",
+                                            QRegularExpression::MultilineOption);
+    QList<Include> found;
+    auto matches = include.globalMatch(textOf(file));
+    while (matches.hasNext()) {
+        const auto match = matches.next();
+        found.append({match.captured(2), match.captured(1) == "\""});
+    }
+    return found;
+}
+
+// Where a header of ours stands; empty for one that is made by the build.
+static QString fileOf(const QString& header)
+{
+    for (const char* top : {"model/", "views/", "app/"}) {
+        const QString file = QStringLiteral(SOURCE_DIR "/") + top + header;
+        if (QFile::exists(file))
+            return file;
+    }
+    return {};
+}
+
+// The headers of ours that a header brings along, itself included, each with the one before it on
+// the way there.
+using Reached = QMap<QString, QString>;
+
+static const Reached& reachedFrom(const QString& header)
+{
+    static QHash<QString, Reached> known;
+    const auto found = known.constFind(header);
+    if (found != known.constEnd())
+        return *found;
+    Reached reached;
+    QStringList open{header};
+    reached[header] = QString();
+    while (!open.isEmpty()) {
+        const QString next = open.takeFirst();
+        for (const Include& include : includesOf(fileOf(next)))
+            if (include.isOurs && !reached.contains(include.header)
+                && !fileOf(include.header).isEmpty()) {
+                reached[include.header] = next;
+                open << include.header;
+            }
+    }
+    return *known.insert(header, reached);
+}
+
+static QString wayTo(const QString& header, const Reached& reached)
+{
+    QStringList way;
+    for (QString at = header; !at.isEmpty(); at = reached[at])
+        way.prepend(at);
+    return way.join(" -> ");
+}
+
+// A source without comments, texts and lines of the preprocessor.
+static QString codeOf(const QString& file)
+{
+    static const QRegularExpression raw(R"re(R"(\w*)\(.*?\)\1")re",
+                                        QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression comment(R"re(//[^\n]*|/\*.*?\*/)re",
+                                            QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression text(R"re("(\\.|[^"\\\n])*"|'(\\.|[^'\\\n])')re");
+    static const QRegularExpression directive(R"re(^\s*#[^\n]*(\\\n[^\n]*)*)re",
+                                              QRegularExpression::MultilineOption);
+    return textOf(file).remove(raw).remove(comment).remove(text).remove(directive);
+}
+
+// Types of a namespace with a name, as "ripstop::System". Those of a nameless one are the file's
+// own, and those within a type are told apart by it.
+static QStringList typesDefinedIn(const QString& file)
+{
+    static const QRegularExpression space(R"(\bnamespace\b\s*([\w:]*)\s*$)");
+    static const QRegularExpression type(
+        R"(\b(?:struct|class|union|enum)\s+(?:alignas\([^)]*\)\s*)?(\w+)\s*(?:final)?\s*(?::[^:].*)?$)",
+        QRegularExpression::DotMatchesEverythingOption);
+    QStringList types;
+    QStringList open; // namespaces; "{" for anything else, and for a nameless one
+    const QString code = codeOf(file);
+    qsizetype last = 0;
+    for (qsizetype i = 0; i < code.size(); ++i) {
+        const QChar c = code[i];
+        if (c != '{' && c != '}' && c != ';')
+            continue;
+        const QString head = code.mid(last, i - last);
+        last = i + 1;
+        if (c == '}' && !open.isEmpty())
+            open.removeLast();
+        if (c != '{')
+            continue;
+        const auto inSpace = space.match(head);
+        const auto isType = type.match(head);
+        if (isType.hasMatch() && !open.isEmpty() && !open.contains("{"))
+            types << open.join("::") + "::" + isType.captured(1);
+        const QString name = inSpace.captured(1);
+        open << (name.isEmpty() ? QStringLiteral("{") : name);
+    }
+    return types;
 }
 
 class TestRooms : public QObject
@@ -108,24 +197,51 @@ class TestRooms : public QObject
     Q_OBJECT
 
 private slots:
-    // A new folder of the model must be given its place in the table above.
+    // A new folder must be given its place in rooms.txt.
     void everyFolderIsARoom()
     {
         QStringList paths;
-        for (const Room& room : allRooms())
+        for (const Room& room : plan().rooms)
             paths << room.path;
         for (const char* top : {"model", "views", "app"})
             for (const QString& folder : foldersUnder(top))
-                QVERIFY2(paths.contains(folder), qPrintable(folder + " is not in the table"));
+                QVERIFY2(paths.contains(folder), qPrintable(folder + " is not in rooms.txt"));
+        for (const QString& path : paths)
+            QVERIFY2(QDir(QStringLiteral(SOURCE_DIR "/") + path).exists(), qPrintable(path));
+    }
+
+    // A room may include those above it, so that there are no circles.
+    void arrowsGoOneWay()
+    {
+        QStringList above;
+        for (const Room& room : plan().rooms) {
+            for (const QString& other : room.rooms)
+                QVERIFY2(above.contains(other),
+                         qPrintable(room.path + " names " + other + ", which is not above it"));
+            above << room.name();
+        }
+    }
+
+    // What a line allows and nobody uses hides the day on which somebody does.
+    void nothingIsAllowedInVain()
+    {
+        for (const Room& room : plan().rooms) {
+            QSet<QString> used;
+            for (const QString& file : sourcesUnder(room.path))
+                for (const Include& include : includesOf(file))
+                    used << include.header.section('/', 0, 0);
+            for (const QString& other : room.rooms)
+                QVERIFY2(used.contains(other),
+                         qPrintable(room.path + " may include " + other + " and does not"));
+        }
     }
 
     void includes_data()
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<int>("room");
-        const QList<Room> rooms = allRooms();
-        for (int i = 0; i < rooms.size(); ++i)
-            for (const QString& file : sourcesUnder(rooms[i].path))
+        for (int i = 0; i < plan().rooms.size(); ++i)
+            for (const QString& file : sourcesUnder(plan().rooms[i].path))
                 QTest::newRow(qPrintable(relative(file))) << file << i;
     }
 
@@ -133,23 +249,18 @@ private slots:
     {
         QFETCH(QString, file);
         QFETCH(int, room);
-        const Room place = allRooms()[room];
+        const Room place = plan().rooms[room];
 
         QStringList libraries = place.libraries;
         if (file.endsWith(".cpp"))
             libraries += place.hidden;
 
-        static const QRegularExpression include("^\\s*#\\s*include\\s+([<\"])([^>\"]+)[>\"]",
-                                                QRegularExpression::MultilineOption);
-        auto matches = include.globalMatch(textOf(file));
-        while (matches.hasNext()) {
-            const auto match = matches.next();
-            const QString header = match.captured(2);
-            if (match.captured(1) == "\"") {
+        for (const auto& [header, isOurs] : includesOf(file)) {
+            if (isOurs) {
                 const QString target = header.section('/', 0, 0);
                 const bool ownMoc = header == QFileInfo(file).completeBaseName() + ".moc";
                 QVERIFY2(
-                    ownMoc || target == place.path.section('/', 1) || place.rooms.contains(target),
+                    ownMoc || target == place.name() || place.rooms.contains(target),
                     qPrintable(header + " is of a room that " + place.path + " may not look into"));
             } else if (header.contains('.') || header.contains('/') || header[0].isUpper()) {
                 // not the standard library
@@ -159,6 +270,45 @@ private slots:
                                     + " may not use here"));
             }
         }
+    }
+
+    // Nothing of the window sees the machinery of the engine, through however many headers.
+    void walls_data()
+    {
+        QTest::addColumn<QString>("file");
+        const QStringList& on = plan().walls.on;
+        for (const Room& room : plan().rooms)
+            if (on.contains(room.path) || on.contains(room.path.section('/', 0, 0) + "/*"))
+                for (const QString& file : sourcesUnder(room.path))
+                    QTest::newRow(qPrintable(relative(file))) << file;
+    }
+
+    void walls()
+    {
+        QFETCH(QString, file);
+        for (const Include& include : includesOf(file)) {
+            if (!include.isOurs || fileOf(include.header).isEmpty())
+                continue;
+            const Reached& reached = reachedFrom(include.header);
+            for (auto it = reached.begin(); it != reached.end(); ++it)
+                QVERIFY2(!plan().walls.behind.contains(it.key().section('/', 0, 0)),
+                         qPrintable("sees " + wayTo(it.key(), reached)));
+        }
+    }
+
+    // Two types of one name in one namespace compile and link, and are undefined behaviour.
+    void everyTypeIsDefinedOnce()
+    {
+        QMap<QString, QStringList> places;
+        for (const char* top : {"model", "views", "app", "tests"})
+            for (const QString& file : sourcesUnder(top))
+                for (const QString& type : typesDefinedIn(file))
+                    places[type] << relative(file);
+        QVERIFY2(places.contains("ripstop::System") && places.contains("ripstop::Integrator"),
+                 "the sources are not understood");
+        for (auto it = places.begin(); it != places.end(); ++it)
+            QVERIFY2(it->size() == 1,
+                     qPrintable(it.key() + " is defined in " + it->join(" and in ")));
     }
 
     void filesAreShort_data() { everySource(); }

@@ -1,8 +1,8 @@
 // ripstop-cli bench: how fast the engine is on this machine.
-#include "cli/bench_quality.h"
-#include "cli/bench_races.h"
-#include "cli/bench_report.h"
-#include "cli/bench_targets.h"
+#include "bench/quality.h"
+#include "bench/races.h"
+#include "bench/report.h"
+#include "bench/targets.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 
@@ -13,25 +13,13 @@
 namespace ripstop {
 namespace {
 
-struct Race
-{
-    const char* name;
-    std::optional<Json> (*run)(const BenchOptions&);
-};
-
-constexpr Race races[]{{"projection", projectionRace},
-                       {"quality", qualityRace},
-                       {"growth", growthRace},
-                       {"edits", editRace},
-                       {"export", exportRace}};
-
 int bench(const BenchOptions& options, const std::string& only)
 {
     Json results{{"machine", machine()}, {"threads", options.threads}};
     if (!options.json)
         std::cout << machineText(results["machine"]) << '\n';
     catchInterrupt();
-    for (const Race& race : races) {
+    for (const Race& race : races()) {
         if (!only.empty() && only != race.name)
             continue;
         std::optional<Json> rows = race.run(options);
@@ -50,12 +38,15 @@ int bench(const BenchOptions& options, const std::string& only)
     return Done;
 }
 
-} // namespace
-
-bool isWanted(const BenchOptions& options, const std::string& network)
+std::vector<std::string> raceNames()
 {
-    return network.find(options.filter) != std::string::npos;
+    std::vector<std::string> names;
+    for (const Race& race : races())
+        names.emplace_back(race.name);
+    return names;
 }
+
+} // namespace
 
 void addBench(CLI::App& app, Command& chosen)
 {
@@ -66,8 +57,8 @@ void addBench(CLI::App& app, Command& chosen)
     options->threads = std::clamp(int(std::thread::hardware_concurrency()), 1, 2);
     options->references = REFERENCE_FOLDER;
     command
-        ->add_option("--race", *only, "projection, quality, growth, edits or export; all without")
-        ->check(CLI::IsMember({"projection", "quality", "growth", "edits", "export"}))
+        ->add_option("--race", *only, "Only this race; all of them without")
+        ->check(CLI::IsMember(raceNames()))
         ->type_name("NAME");
     command->add_option("--filter", options->filter, "Only networks with this in their name")
         ->type_name("TEXT");

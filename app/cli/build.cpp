@@ -2,8 +2,8 @@
 #include "builders/builder.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "io/scene_file.h"
+#include "terminal/terminal.h"
 
 #include <charconv>
 #include <fstream>

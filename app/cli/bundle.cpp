@@ -4,8 +4,8 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "measure/diagnostics.h"
+#include "terminal/terminal.h"
 
 #include <iostream>
 

@@ -2,8 +2,8 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "run/compare_runs.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <cstdio>

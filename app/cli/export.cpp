@@ -4,9 +4,9 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "compile/compile.h"
 #include "export/format.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +49,7 @@ std::optional<Failure> write(FrameSource& source, const Scene& scene, const Opti
 {
     catchInterrupt();
     ProgressLine progress(options.output);
-    return exportRun(source, Dress(scene), rangeOf(options, source), options.output,
+    return exportRun(source, MeshAppearance(scene), rangeOf(options, source), options.output,
                      [&](double share) {
                          progress.show(share);
                          return !interrupted();

@@ -2,12 +2,12 @@
 #include "author/mesh_import.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "io/scene_file.h"
 #include "scene/check.h"
 #include "scene/element_index.h"
 #include "scene/path.h"
 #include "shapes/mesh_file.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <cmath>

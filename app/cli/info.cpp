@@ -2,12 +2,12 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "compile/compile.h"
 #include "io/recording_file.h"
 #include "scene/check.h"
 #include "scene/cloth_area.h"
-#include "sim/solver_plan.h"
+#include "step/solver_plan.h"
+#include "terminal/terminal.h"
 
 #include <Eigen/Geometry>
 

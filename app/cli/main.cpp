@@ -1,6 +1,6 @@
 #include "cli/commands.h"
-#include "cli/terminal.h"
 #include "scene/property.h"
+#include "terminal/terminal.h"
 
 #include <exception>
 

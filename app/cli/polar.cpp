@@ -3,10 +3,10 @@
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "compile/resolve.h"
 #include "scene/path.h"
 #include "scene/property.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,11 +3,11 @@
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "io/scene_file.h"
 #include "scene/check.h"
 #include "scene/element_index.h"
 #include "scene/path.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <cmath>

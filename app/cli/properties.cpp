@@ -3,7 +3,7 @@
 #include "scene/property.h"
 
 #include "cli/commands.h"
-#include "cli/terminal.h"
+#include "terminal/terminal.h"
 
 #include <cmath>
 #include <iostream>

@@ -3,7 +3,6 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
@@ -17,6 +16,7 @@
 #include "run/recorder.h"
 #include "run/settle.h"
 #include "run/tear_report.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,8 +1,8 @@
 #include "cli/scene_input.h"
 
-#include "cli/terminal.h"
 #include "io/scene_file.h"
 #include "scene/path.h"
+#include "terminal/terminal.h"
 
 #include <charconv>
 

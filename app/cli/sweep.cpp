@@ -2,7 +2,6 @@
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
-#include "cli/terminal.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
@@ -11,6 +10,7 @@
 #include "measure/diagnostics.h"
 #include "run/tear_report.h"
 #include "scene/path.h"
+#include "terminal/terminal.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 // ripstop-cli verify: every case whose answer is known, got beside expected; and what designs do
 // beside what was measured of real ones.
 #include "cli/commands.h"
-#include "cli/terminal.h"
+#include "terminal/terminal.h"
 #include "verify/case.h"
 #include "verify/reference.h"
 #include "verify/text.h"

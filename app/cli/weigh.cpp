@@ -3,9 +3,9 @@
 
 #include "cli/commands.h"
 #include "cli/scene_input.h"
-#include "cli/terminal.h"
 #include "io/scene_file.h"
 #include "scene/check.h"
+#include "terminal/terminal.h"
 
 #include <iostream>
 

@@ -1,7 +1,7 @@
 #include "editor/draw_bar.h"
 
+#include "actions/actions.h"
 #include "document/document.h"
-#include "editor/actions.h"
 #include "start/parameter_field.h"
 #include "viewport/viewport.h"
 

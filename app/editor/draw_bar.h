@@ -2,7 +2,7 @@
 
 #include "editor/view_bar.h"
 
-#include "viewport/draw_tool.h"
+#include "tools/draw_tool.h"
 
 #include <functional>
 #include <vector>

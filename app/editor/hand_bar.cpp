@@ -1,9 +1,9 @@
 #include "editor/hand_bar.h"
 
+#include "actions/actions.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/words.h"
-#include "editor/actions.h"
 #include "scene/typed_number.h"
 #include "viewport/viewport.h"
 

@@ -2,7 +2,7 @@
 
 #include "editor/view_bar.h"
 
-#include "viewport/hand_settings.h"
+#include "tools/hand_settings.h"
 
 #include <functional>
 #include <vector>

@@ -1,16 +1,16 @@
 #include "document/document.h"
-#include "document/gauge.h"
+#include "document/measurement.h"
 #include "document/player.h"
 #include "document/rescue.h"
 #include "document/selection.h"
 #include "document/words.h"
-#include "editor/language.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/screenshot.h"
 #include "editor/table_texts.h"
 #include "icons/icon.h"
-#include "viewport/scene_frame.h"
+#include "language/language.h"
+#include "look/scene_frame.h"
 #include "viewport/viewport.h"
 
 #include <QAction>
@@ -48,7 +48,7 @@ Result<std::vector<Id>> meant(const QString& text, const Scene& scene)
         return std::vector<Id>();
     if (std::vector<Id> item = itemCalled(text, scene); !item.empty())
         return item;
-    const auto ids = matching(scene, gaugeOf(sceneFrame(scene)), text.toStdString());
+    const auto ids = matching(scene, measurementOf(sceneFrame(scene)), text.toStdString());
     if (!ids)
         return Failure{"no item of the scene is called \"" + text.toStdString()
                        + "\", and it is no condition: " + ids.message()};
@@ -77,7 +77,7 @@ int main(int argc, char** argv)
         const QCoreApplication asked(argc, argv);
         if (asked.arguments().contains("--table-texts")) // for scripts/translations
             return std::puts(qPrintable(tableTexts().join('\n'))) < 0;
-        const Speech speech(keptLanguage());
+        const Translation translation(keptLanguage());
         (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
     }
 
@@ -89,19 +89,19 @@ int main(int argc, char** argv)
 
     QApplication application(argc, argv);
     QApplication::setWindowIcon(applicationIcon());
-    Speech speech(keptLanguage());
+    Translation translation(keptLanguage());
 
     const std::optional<Options> options = readOptions(application.arguments(), error);
     if (!options)
         return refuse(error, 2);
-    applyAppearance(application, options->appearance);
+    applyThemeChoice(application, options->appearance);
     if (options->language)
-        speech.speak(*options->language);
+        translation.install(*options->language);
 
     Document document;
     if (!options->scene.isEmpty())
         if (const auto failure = document.open(options->scene))
-            return refuse(spoken(failure->message), 1);
+            return refuse(translated(failure->message), 1);
     if (!options->fit.isEmpty() && itemCalled(options->fit, document.scene()).empty())
         return refuse(QString("no item of the scene is called \"%1\"").arg(options->fit), 1);
     const Result<std::vector<Id>> selected = meant(options->select, document.scene());

@@ -1,22 +1,22 @@
 #include "editor/main_window.h"
 
+#include "actions/dialogs.h"
+#include "dialogs/builder_dialog.h"
+#include "dialogs/rescue_dialog.h"
 #include "document/autosave.h"
 #include "document/document.h"
 #include "document/event_words.h"
-#include "document/gauge.h"
+#include "document/measurement.h"
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/selection.h"
 #include "document/words.h"
-#include "editor/builder_dialog.h"
-#include "editor/dialogs.h"
 #include "editor/draw_bar.h"
 #include "editor/empty_hint.h"
 #include "editor/hand_bar.h"
-#include "editor/rescue_dialog.h"
-#include "editor/run_files.h"
 #include "editor/tour.h"
 #include "editor/transform_bar.h"
+#include "files/run_files.h"
 #include "import/import_dialog.h"
 #include "inspector/inspector.h"
 #include "inspector/totals.h"
@@ -29,12 +29,12 @@
 #include "table/sheet_panel.h"
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"
+#include "tools/pointing.h"
+#include "tools/tool_strip.h"
 #include "transport/control_keys.h"
 #include "transport/control_strip.h"
 #include "transport/gamepad.h"
 #include "transport/transport.h"
-#include "viewport/pointing.h"
-#include "viewport/tool_strip.h"
 #include "viewport/viewport.h"
 
 #include <QApplication>
@@ -80,7 +80,7 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_transport(new Transport(document, player, this))
     , m_tuning(new TuningPanel(document, selection, m_inspector->sliders(), this))
     , m_table(new SheetPanel(
-          document, selection, [this] { return gaugeOf(m_player.frame()); }, this))
+          document, selection, [this] { return measurementOf(m_player.frame()); }, this))
     , m_timeline(new Timeline(*m_recordings, this))
     , m_files(new Files(document, player, *m_viewport, *this))
     , m_runFiles(new RunFiles(document, *m_recordings, *m_files, *this))
@@ -427,7 +427,7 @@ void MainWindow::keepWork(const QString& folder)
         return;
     if (const auto failure = m_autosave->recover(*dialog.chosen()))
         QMessageBox::warning(this, tr("Cannot open what was left behind"),
-                             spoken(failure->message));
+                             translated(failure->message));
     else
         showScene();
 }
@@ -448,7 +448,7 @@ void MainWindow::insert(const QString& builder)
     BuilderDialog dialog(builder, {m_document, m_selection, m_viewport->camera().focus}, this);
     connect(&dialog, &BuilderDialog::shown, m_viewport,
             [this](const std::vector<Id>& bodies) { m_viewport->fit(bodies); });
-    const Turntable before = m_viewport->camera();
+    const Camera before = m_viewport->camera();
     if (dialog.exec() == QDialog::Rejected)
         m_viewport->look(before); // the preview took it elsewhere
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "editor/actions.h"
-#include "editor/dialogs.h"
-#include "editor/files.h"
-#include "viewport/draw_tool.h"
+#include "actions/actions.h"
+#include "actions/dialogs.h"
+#include "files/files.h"
+#include "tools/draw_tool.h"
 
 #include <QMainWindow>
 #include <QTimer>

@@ -11,7 +11,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
 
-const QStringList appearances{"desktop", "light", "dark"}; // in the order of Appearance
+const QStringList appearances{"desktop", "light", "dark"}; // in the order of ThemeChoice
 const QStringList colors{"material", "strain", "tension", "speed",
                          "load",     "tear",   "stress"}; // of ColorBy
 
@@ -116,7 +116,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         error = tr("--color-by is one of %1").arg(colors.join(", "));
         return std::nullopt;
     }
-    options.appearance = Appearance(appearance);
+    options.appearance = ThemeChoice(appearance);
     options.colorBy = ColorBy(quantity);
     return options;
 }

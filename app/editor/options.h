@@ -1,8 +1,8 @@
 #pragma once
 
-#include "editor/appearance.h"
-#include "editor/language.h"
-#include "viewport/quantity_values.h"
+#include "editor/theme_choice.h"
+#include "language/language.h"
+#include "look/quantity_values.h"
 
 #include <QSize>
 #include <QString>
@@ -23,7 +23,7 @@ struct Options
     int frames = 1;     // pictures, at equal steps up to `after`
     bool viewOnly = false;
     std::optional<QSize> size;
-    Appearance appearance = Appearance::Desktop;
+    ThemeChoice appearance = ThemeChoice::Desktop;
     std::optional<Language> language; // none: as it was kept
     ColorBy colorBy = ColorBy::Material;
     QString select;    // name of an item

@@ -4,7 +4,7 @@
 #include "author/operation.h"
 #include "base/quantity.h"
 #include "builders/builder.h"
-#include "document/gauge.h"
+#include "document/measurement.h"
 #include "document/words.h"
 #include "export/format.h"
 #include "scene/presets.h"
@@ -63,7 +63,7 @@ void addDesigns(Collector& texts)
         texts.add(rowOf(Quantity(i)).help);
         texts.add(asks(Quantity(i)));
     }
-    for (const ConditionKey& key : conditionKeys(gaugeOf(nullptr)))
+    for (const ConditionKey& key : conditionKeys(measurementOf(nullptr)))
         texts.add(key.help);
     for (const Preset& preset : allPresets())
         texts.add(preset.label); // sources are quoted as they are

@@ -2,7 +2,7 @@
 
 #include "editor/view_bar.h"
 
-#include "viewport/transform_tool.h"
+#include "tools/transform_tool.h"
 
 #include <array>
 

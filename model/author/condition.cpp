@@ -22,7 +22,7 @@ struct Subject
 {
     std::vector<const Property*> properties; // one for each kind that has the key
     int axis = -1;                           // of a vector
-    const Gauge::Key* measured = nullptr;
+    const Measurement::Key* measured = nullptr;
     Kinds kinds; // of `measured`
 };
 
@@ -37,9 +37,9 @@ std::string quoted(std::string_view text)
 class Matcher
 {
 public:
-    Matcher(const Scene& scene, const Gauge& gauge)
+    Matcher(const Scene& scene, const Measurement& measurement)
         : m_scene(scene)
-        , m_gauge(gauge)
+        , m_measurement(measurement)
     {}
 
     Result<std::vector<Id>> matches(const Clause& clause);
@@ -56,7 +56,7 @@ private:
     std::vector<Id> where(const Property& property, Test test) const;
 
     const Scene& m_scene;
-    const Gauge& m_gauge;
+    const Measurement& m_measurement;
 };
 
 bool holds(Comparison comparison, double left, double right)
@@ -87,10 +87,10 @@ bool isNumber(const Property& property)
            || std::holds_alternative<int>(property.initial) || property.optional;
 }
 
-std::vector<std::string_view> knownKeys(const Gauge& gauge)
+std::vector<std::string_view> knownKeys(const Measurement& measurement)
 {
     std::vector<std::string_view> keys{"part", "group"};
-    for (const Gauge::Key& key : gauge.keys)
+    for (const Measurement::Key& key : measurement.keys)
         keys.push_back(key.key);
     for (const Property& property : allProperties())
         if (property.kind != Kind::Settings)
@@ -126,7 +126,7 @@ void forEachOf(const Scene& scene, Kind kind, Visit visit)
 
 std::string Matcher::unknownKey(const Clause& clause) const
 {
-    const std::vector<std::string_view> keys = knownKeys(m_gauge);
+    const std::vector<std::string_view> keys = knownKeys(m_measurement);
     const std::string_view near = nearest(clause.key, keys);
     std::string text = "nothing has a " + quoted(clause.key) + "; ";
     text += near.empty() ? "say for example mass, restLength, material or strain"
@@ -148,7 +148,7 @@ Result<Subject> Matcher::subjectOf(const Clause& clause) const
         name.remove_suffix(2);
     }
 
-    for (const Gauge::Key& measured : m_gauge.keys)
+    for (const Measurement::Key& measured : m_measurement.keys)
         if (measured.key == key && (!only || measured.kinds.contains(*only))) {
             subject.measured = &measured;
             subject.kinds = only ? Kinds{*only} : measured.kinds;
@@ -234,14 +234,14 @@ Result<double> Matcher::number(const Clause& clause, std::string_view unit) cons
 Result<std::vector<Id>> Matcher::byNumber(const Clause& clause, const Subject& subject) const
 {
     std::vector<Id> ids;
-    if (const Gauge::Key* key = subject.measured) {
+    if (const Measurement::Key* key = subject.measured) {
         const auto typed = number(clause, key->unit);
         if (!typed)
             return typed.failure();
         for (const Kind kind : elementKinds) {
-            if (!subject.kinds.contains(kind) || !m_gauge.read)
+            if (!subject.kinds.contains(kind) || !m_measurement.read)
                 continue;
-            const Gauge::Reading reading = m_gauge.read(*key, kind);
+            const Measurement::Reading reading = m_measurement.read(*key, kind);
             for (std::size_t i = 0; i < reading.ids.size(); ++i)
                 if (holds(clause.comparison, reading.values[i], *typed))
                     ids.push_back(reading.ids[i]);
@@ -348,7 +348,8 @@ Result<std::vector<Id>> Matcher::matches(const Clause& clause)
 
 } // namespace
 
-Result<std::vector<Id>> matching(const Scene& scene, const Gauge& gauge, std::string_view text)
+Result<std::vector<Id>> matching(const Scene& scene, const Measurement& measurement,
+                                 std::string_view text)
 {
     const auto clauses = clausesOf(text);
     if (!clauses)
@@ -356,7 +357,7 @@ Result<std::vector<Id>> matching(const Scene& scene, const Gauge& gauge, std::st
     std::vector<Id> ids;
     bool first = true;
     for (const Clause& clause : *clauses) {
-        auto found = Matcher(scene, gauge).matches(clause);
+        auto found = Matcher(scene, measurement).matches(clause);
         if (!found)
             return found;
         if (!std::ranges::is_sorted(*found))
@@ -371,10 +372,10 @@ Result<std::vector<Id>> matching(const Scene& scene, const Gauge& gauge, std::st
     return ids;
 }
 
-std::vector<ConditionKey> conditionKeys(const Gauge& gauge)
+std::vector<ConditionKey> conditionKeys(const Measurement& measurement)
 {
     std::vector<ConditionKey> keys;
-    for (const Gauge::Key& key : gauge.keys)
+    for (const Measurement::Key& key : measurement.keys)
         keys.push_back(
             {std::string(key.key), std::string(key.unit), std::string(key.help), key.kinds});
     for (const Kind kind : elementKinds)

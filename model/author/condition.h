@@ -21,7 +21,7 @@ namespace ripstop {
 
 // What can be measured on an instant of a simulation, as the author room sees it: without knowing
 // what a simulation is.
-struct Gauge
+struct Measurement
 {
     struct Key
     {
@@ -41,7 +41,8 @@ struct Gauge
 
 // The ids of all that meets the condition, ascending. A failure names the place in the text and
 // what could be there instead.
-Result<std::vector<Id>> matching(const Scene& scene, const Gauge& gauge, std::string_view text);
+Result<std::vector<Id>> matching(const Scene& scene, const Measurement& measurement,
+                                 std::string_view text);
 
 // The keys that a condition about elements can begin with.
 struct ConditionKey
@@ -51,6 +52,6 @@ struct ConditionKey
     std::string help;
     Kinds kinds;
 };
-std::vector<ConditionKey> conditionKeys(const Gauge& gauge);
+std::vector<ConditionKey> conditionKeys(const Measurement& measurement);
 
 } // namespace ripstop

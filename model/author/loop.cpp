@@ -22,9 +22,9 @@ public:
         , m_edge(sidesOf(net))
         , m_walked(net.ends.size(), 0)
     {
-        std::erase_if(m_edge, [](const Side& side) { return side.panels > 1; });
+        std::erase_if(m_edge, [](const NetSide& side) { return side.panels > 1; });
         m_onEdge.assign(net.all.particles.size(), 0);
-        for (const Side& side : m_edge)
+        for (const NetSide& side : m_edge)
             m_onEdge[std::size_t(side.low)] = m_onEdge[std::size_t(side.high)] = 1;
     }
 
@@ -119,14 +119,14 @@ private:
         return m_onEdge[std::size_t(low)] && m_onEdge[std::size_t(high)]
                && std::ranges::binary_search(
                    m_edge, std::pair(low, high), {},
-                   [](const Side& side) { return std::pair(side.low, side.high); });
+                   [](const NetSide& side) { return std::pair(side.low, side.high); });
     }
 
     const Net& m_net;
     Lists m_linksAt;
-    std::vector<Side> m_edge;   // of the fabric
-    std::vector<char> m_onEdge; // [particles]
-    std::vector<char> m_walked; // [links]
+    std::vector<NetSide> m_edge; // of the fabric
+    std::vector<char> m_onEdge;  // [particles]
+    std::vector<char> m_walked;  // [links]
 };
 
 } // namespace

@@ -22,7 +22,7 @@ bool goesAlong(std::span<const int> corners, int a, int b)
 class Neighbours
 {
 public:
-    struct Side
+    struct NetSide
     {
         int face;
         bool isAgainst; // wound against each other
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    std::span<const Side> of(int face) const
+    std::span<const NetSide> of(int face) const
     {
         const auto begin = std::size_t(m_begin[std::size_t(face)]);
         return std::span(m_sides).subspan(begin,
@@ -58,7 +58,7 @@ public:
 
 private:
     std::vector<int> m_begin; // [faces + 1]
-    std::vector<Side> m_sides;
+    std::vector<NetSide> m_sides;
 };
 
 Vec3 middleOf(const PolygonMesh& mesh, const MeshEdge& edge)
@@ -116,7 +116,7 @@ private:
         m_turned[std::size_t(start)] = 0;
         bool isOriented = true;
         for (std::size_t i = 0; i < faces.size(); ++i)
-            for (const Neighbours::Side& side : m_neighbours.of(faces[i])) {
+            for (const Neighbours::NetSide& side : m_neighbours.of(faces[i])) {
                 const std::uint8_t wanted = m_turned[std::size_t(faces[i])] ^ int(side.isAgainst);
                 std::uint8_t& turned = m_turned[std::size_t(side.face)];
                 if (turned == unseen) {
@@ -215,13 +215,13 @@ void reportPieces(const PolygonMesh& mesh, MeshReport& report)
 
 std::vector<MeshEdge> edgesOf(const PolygonMesh& mesh)
 {
-    struct Side
+    struct NetSide
     {
         int a;
         int b;
         int face;
     };
-    std::vector<Side> sides;
+    std::vector<NetSide> sides;
     sides.reserve(mesh.corners.size());
     for (std::size_t i = 0; i < mesh.faceCount(); ++i) {
         const std::span<const int> corners = mesh.face(i);
@@ -231,11 +231,11 @@ std::vector<MeshEdge> edgesOf(const PolygonMesh& mesh)
             sides.push_back({std::min(a, b), std::max(a, b), int(i)});
         }
     }
-    std::ranges::sort(sides, [](const Side& s, const Side& t) {
+    std::ranges::sort(sides, [](const NetSide& s, const NetSide& t) {
         return std::tie(s.a, s.b, s.face) < std::tie(t.a, t.b, t.face);
     });
     std::vector<MeshEdge> edges;
-    for (const Side& side : sides) {
+    for (const NetSide& side : sides) {
         if (edges.empty() || edges.back().a != side.a || edges.back().b != side.b)
             edges.push_back({side.a, side.b, {-1, -1}, 0});
         MeshEdge& edge = edges.back();

@@ -90,7 +90,7 @@ std::vector<Id> Marks::ids(const Net& net) const
     return ids;
 }
 
-std::vector<Side> sidesOf(const Net& net, std::span<const char> panels)
+std::vector<NetSide> sidesOf(const Net& net, std::span<const char> panels)
 {
     const Lists lists = listed(net.all.particles.size(), [&](auto add) {
         for (std::size_t i = 0; i < net.corners.size(); ++i) {
@@ -103,7 +103,7 @@ std::vector<Side> sidesOf(const Net& net, std::span<const char> panels)
             }
         }
     });
-    std::vector<Side> sides;
+    std::vector<NetSide> sides;
     std::vector<int> others;
     for (int low = 0; low + 1 < int(lists.first.size()); ++low) {
         others.assign(lists[low].begin(), lists[low].end());

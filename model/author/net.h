@@ -34,18 +34,18 @@ struct Marks
 };
 
 // The sides of panels, each once: a pair of particles, the lower index first.
-struct Side
+struct NetSide
 {
     int low;
     int high;
     int panels; // how many have it
 
-    friend bool operator==(const Side&, const Side&) = default;
+    friend bool operator==(const NetSide&, const NetSide&) = default;
 };
 
 // Ordered by `low`, then by `high`. Only panels whose mark is set count; all do when there are no
 // marks.
-std::vector<Side> sidesOf(const Net& net, std::span<const char> panels = {});
+std::vector<NetSide> sidesOf(const Net& net, std::span<const char> panels = {});
 
 // For each particle, a list of numbers, in one array.
 struct Lists

@@ -191,17 +191,17 @@ std::vector<Id> boundary(const Scene& scene, const std::vector<Id>& selected)
     const Net net(scene);
     const Marks chosen(net, scene, selected);
     const bool some = std::ranges::find(chosen.panels, 1) != chosen.panels.end();
-    std::vector<Side> edge = sidesOf(net, some ? chosen.panels : std::vector<char>());
-    std::erase_if(edge, [](const Side& side) { return side.panels > 1; });
+    std::vector<NetSide> edge = sidesOf(net, some ? chosen.panels : std::vector<char>());
+    std::erase_if(edge, [](const NetSide& side) { return side.panels > 1; });
 
     Marks marks(net);
-    for (const Side& side : edge)
+    for (const NetSide& side : edge)
         marks.particles[std::size_t(side.low)] = marks.particles[std::size_t(side.high)] = 1;
     for (std::size_t i = 0; i < net.ends.size(); ++i) {
         const auto [low, high] = std::minmax(net.ends[i][0], net.ends[i][1]);
         marks.links[i] =
             low >= 0 && marks.particles[std::size_t(low)] && marks.particles[std::size_t(high)]
-            && std::ranges::binary_search(edge, std::pair(low, high), {}, [](const Side& side) {
+            && std::ranges::binary_search(edge, std::pair(low, high), {}, [](const NetSide& side) {
                    return std::pair(side.low, side.high);
                });
     }

@@ -29,7 +29,7 @@ Neighbours neighboursOf(const Net& net, Border border)
 {
     const std::size_t count = net.all.particles.size();
     Neighbours neighbours(count), along(count); // along: of borders
-    for (const Side& side : sidesOf(net)) {
+    for (const NetSide& side : sidesOf(net)) {
         join(neighbours, side.low, side.high);
         if (side.panels == 1)
             join(along, side.low, side.high);

@@ -11,9 +11,9 @@
 namespace ripstop {
 namespace {
 
-using Side = std::pair<Id, Id>; // the lower id first
+using NetSide = std::pair<Id, Id>; // the lower id first
 
-Side sideOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
+NetSide sideOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
 class Splitter
 {
@@ -43,9 +43,9 @@ public:
         m_removed.push_back(std::move(removed));
     }
 
-    Split finish()
+    LinksSplit finish()
     {
-        m_split.edit.label = "Split links";
+        m_split.edit.label = "LinksSplit links";
         SetValues masses{findProperty(Kind::Particle, "mass"), {}, {}};
         for (const auto& [id, mass] : m_endMass) {
             masses.targets.push_back(id);
@@ -150,7 +150,7 @@ private:
         return piece;
     }
 
-    // Side after side, so that one that loses several is split into all their pieces.
+    // NetSide after side, so that one that loses several is split into all their pieces.
     void splitPanel(const Panel& row, AddRows& added, RemoveRows& removed)
     {
         std::vector<std::array<Id, 3>> pieces{{row.a, row.b, row.c}};
@@ -198,17 +198,17 @@ private:
     Id m_next;
     int m_count;
     double m_mass; // kg
-    Split m_split;
-    std::map<Side, std::vector<Id>> m_between; // the chain that a side became, from the lower id
-    std::map<Id, std::vector<Id>> m_pieces;    // of links and panels
-    std::map<Id, double> m_endMass;            // kg
+    LinksSplit m_split;
+    std::map<NetSide, std::vector<Id>> m_between; // the chain that a side became, from the lower id
+    std::map<Id, std::vector<Id>> m_pieces;       // of links and panels
+    std::map<Id, double> m_endMass;               // kg
     std::vector<AddRows> m_added;
     std::vector<RemoveRows> m_removed;
 };
 
 } // namespace
 
-Split linksSplit(const Scene& scene, const std::vector<Id>& selected, int count, double mass)
+LinksSplit linksSplit(const Scene& scene, const std::vector<Id>& selected, int count, double mass)
 {
     std::vector<Id> ids = selected;
     std::sort(ids.begin(), ids.end());

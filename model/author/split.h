@@ -11,7 +11,7 @@
 
 namespace ripstop {
 
-struct Split
+struct LinksSplit
 {
     Edit edit;
     std::vector<Id> made;  // the new particles, ascending
@@ -20,6 +20,6 @@ struct Split
 
 // Each selected link becomes `count`, 2 or more. A panel that has it as a side is split with it,
 // into a fan from the opposite corner. `mass` kg is that of each new particle of other materials.
-Split linksSplit(const Scene& scene, const std::vector<Id>& ids, int count, double mass);
+LinksSplit linksSplit(const Scene& scene, const std::vector<Id>& ids, int count, double mass);
 
 } // namespace ripstop

@@ -97,9 +97,9 @@ Result<Edit> massSpread(const Scene& scene, const std::vector<Id>& ids, MassBy b
     return edit;
 }
 
-Weight weightOf(const Scene& scene, const std::vector<Id>& ids)
+MassProperties massPropertiesOf(const Scene& scene, const std::vector<Id>& ids)
 {
-    Weight weight;
+    MassProperties weight;
     const Bodies bodies = bodiesOf(scene, ids);
     const auto forEach = [&](auto visit) {
         for (const Particle* row : bodies.row)

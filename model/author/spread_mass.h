@@ -16,7 +16,7 @@ enum class MassBy { Particle, Length, Area, TotalEvenly, TotalInProportion };
 // where there is nothing to spread the mass by.
 Result<Edit> massSpread(const Scene& scene, const std::vector<Id>& ids, MassBy by, double amount);
 
-struct Weight
+struct MassProperties
 {
     double mass = 0.0;           // kg
     Vec3 centre = Vec3::Zero();  // m, of gravity; the origin without mass
@@ -25,6 +25,6 @@ struct Weight
 };
 
 // Of what is selected, or of the whole design when nothing is.
-Weight weightOf(const Scene& scene, const std::vector<Id>& ids);
+MassProperties massPropertiesOf(const Scene& scene, const std::vector<Id>& ids);
 
 } // namespace ripstop

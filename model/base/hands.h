@@ -22,7 +22,7 @@ struct Grip
     friend bool operator==(const Grip&, const Grip&) = default;
 };
 
-// A damped spring between a grip and a place in the air; see sim/hand_pull.h.
+// A damped spring between a grip and a place in the air; see forces/hand_pull.h.
 struct HandPull
 {
     Grip grip;

@@ -111,7 +111,7 @@ Wing addWing(Network& network, const Parameters& p, const Materials& materials)
 // The least angle of attack at which the air carries the whole weight at this speed, rad.
 double trimAngle(const Scene& scene, const Part& part, double speed, bool stalls)
 {
-    const double weight = weightOf(part).mass * scene.settings.gravity.norm();
+    const double weight = lumpedMassOf(part).mass * scene.settings.gravity.norm();
     const auto surplus = [&](double angle) {
         const Vec3 force = airLoad(scene, part, headwind(speed, angle)).force;
         return std::copysign(force.norm(), force.y()) - weight;
@@ -127,7 +127,7 @@ double trimAngle(const Scene& scene, const Part& part, double speed, bool stalls
 // mass: x Fy - y Fx = M.
 void hangPilot(Network& network, const Wing& wing, const Load& air)
 {
-    const Weight weight = weightOf(network.part());
+    const LumpedMass weight = lumpedMassOf(network.part());
     const double wanted = (air.moment.z() + weight.center.y() * air.force.x()) / air.force.y();
     const double hung = network.row(wing.pilot).mass + network.row(wing.foot).mass;
     const Vec3 shift((wanted - weight.center.x()) * weight.mass / hung, 0.0, 0.0);

@@ -15,7 +15,7 @@ Vec3 handPlace(const Parameters& p) { return {0.0, p.at("hand_height"), 0.0}; }
 double trimAngle(const Scene& scene, const Network& network, Id towPoint, double speed)
 {
     const Vec3 tow = network.position(towPoint);
-    const Weight weight = weightOf(network.part());
+    const LumpedMass weight = lumpedMassOf(network.part());
     const auto moment = [&](double angle) {
         const Load air = airLoad(scene, network.part(), headwind(speed, angle));
         const Vec3 down = -weight.mass * scene.settings.gravity.norm()

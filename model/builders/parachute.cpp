@@ -12,7 +12,7 @@
 //
 // With `pressure` the canopy is cut as it is sewn, a flat disc of cloth whose threads resist
 // tension only, so that it can fold, and holds the air that comes in by its mouth
-// (sim/canopy_air.h). It starts full, in the shape of above, or as a tube in folds with a round
+// (forces/canopy_air.h). It starts full, in the shape of above, or as a tube in folds with a round
 // crown.
 #include "builders/descent.h"
 #include "builders/designs.h"

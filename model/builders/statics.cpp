@@ -92,9 +92,9 @@ Load airLoad(const Scene& scene, const Part& part, const Vec3& wind)
     return total;
 }
 
-Weight weightOf(const Part& part)
+LumpedMass lumpedMassOf(const Part& part)
 {
-    Weight weight;
+    LumpedMass weight;
     for (const Particle& particle : part.particles) {
         weight.mass += particle.mass;
         weight.center += particle.mass * particle.position;

@@ -23,12 +23,12 @@ struct Load
 // Of all panels of a part that is at rest in `wind`, m/s.
 Load airLoad(const Scene& scene, const Part& part, const Vec3& wind);
 
-struct Weight
+struct LumpedMass
 {
     double mass = 0.0;          // kg
     Vec3 center = Vec3::Zero(); // m
 };
-Weight weightOf(const Part& part);
+LumpedMass lumpedMassOf(const Part& part);
 
 // Where a function that changes sign between `low` and `high` is zero, to 60 halvings. Without a
 // change of sign: the end where it is nearer to zero.

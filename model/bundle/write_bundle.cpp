@@ -154,7 +154,8 @@ Result<std::shared_ptr<const Recording>> instead(const std::shared_ptr<const Rec
     for (Design& design : designs)
         own->addDesign(std::move(design));
     for (std::size_t i = 0; i < recording->chunkCount(); ++i)
-        own->addChunk(recording->chunk(i), [recording, i] { return recording->chunkBytes(i); }, 0);
+        own->addChunk(
+            recording->chunk(i), [recording, i] { return recording->chunkBytes(i); }, 0);
     own->setName(recording->name());
     own->setOrigin(recording->origin());
     own->setBookmarks(recording->bookmarks());
@@ -206,7 +207,7 @@ private:
     std::optional<Failure> open()
     {
         for (const char* name : {bundled::probes, bundled::curves}) {
-            auto sink = openSink(*formatOf(name), m_folder / name, Dress());
+            auto sink = openSink(*formatOf(name), m_folder / name, MeshAppearance());
             if (!sink)
                 return sink.failure();
             m_sinks.push_back(std::move(*sink));

@@ -1,9 +1,10 @@
 #include "compile/compile.h"
 
+#include "assembly/finish.h"
 #include "base/key_index.h"
 #include "compile/resolve.h"
+#include "constraints/rod_order.h"
 #include "scene/check.h"
-#include "sim/rod_order.h"
 
 #include <span>
 

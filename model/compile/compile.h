@@ -3,7 +3,7 @@
 
 #include "base/result.h"
 #include "scene/scene.h"
-#include "sim/system.h"
+#include "system/system.h"
 
 #include <memory>
 

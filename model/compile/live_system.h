@@ -9,8 +9,8 @@
 #include "compile/patch.h"
 #include "scene/check.h"
 #include "scene/edit.h"
-#include "sim/moment.h"
-#include "sim/system_memory.h"
+#include "system/moment.h"
+#include "system/system_memory.h"
 
 #include <memory>
 #include <variant>

@@ -1,7 +1,8 @@
 #include "compile/patch.h"
 
-#include "sim/guides.h"
-#include "sim/wing_load.h"
+#include "assembly/finish.h"
+#include "constraints/guides.h"
+#include "forces/wing_load.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 #include "compile/resolve.h"
 
 #include "base/quantity.h"
+#include "forces/gusts.h"
 #include "scene/collider_path.h"
 #include "scene/collider_shape.h"
 #include "scene/formula.h"
 #include "scene/link_stiffness.h"
 #include "scene/wind.h"
-#include "sim/gusts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene/element_index.h"
-#include "sim/system.h"
+#include "system/system.h"
 
 namespace ripstop {
 

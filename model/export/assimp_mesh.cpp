@@ -59,7 +59,7 @@ std::unique_ptr<aiMesh> meshOf(const Surface& surface, const std::vector<Vec3>& 
     return mesh;
 }
 
-std::unique_ptr<aiMaterial> materialOf(const Dress::Fabric& fabric)
+std::unique_ptr<aiMaterial> materialOf(const MeshAppearance::Fabric& fabric)
 {
     auto material = std::make_unique<aiMaterial>();
     const aiString name(fabric.name);
@@ -91,9 +91,9 @@ std::unique_ptr<aiScene> sceneOf(const Surface& surface, bool withLines)
     auto scene = std::make_unique<aiScene>();
     scene->mNumMaterials = unsigned(surface.fabrics.size());
     scene->mMaterials = new aiMaterial*[surface.fabrics.size()];
-    std::ranges::transform(surface.fabrics, scene->mMaterials, [](const Dress::Fabric& fabric) {
-        return materialOf(fabric).release();
-    });
+    std::ranges::transform(
+        surface.fabrics, scene->mMaterials,
+        [](const MeshAppearance::Fabric& fabric) { return materialOf(fabric).release(); });
     auto root = std::make_unique<aiNode>(surface.name);
     root->mNumMeshes = scene->mNumMeshes = unsigned(meshes.size());
     root->mMeshes = new unsigned[meshes.size()];
@@ -119,14 +119,14 @@ Result<std::string> exported(const aiScene& scene, const char* format)
 
 } // namespace
 
-Result<std::string> stlMoment(const Frame& frame, const Dress& dress)
+Result<std::string> stlMoment(const Frame& frame, const MeshAppearance& appearance)
 {
-    return exported(*sceneOf(surfaceOf(frame, dress), false), "stlb");
+    return exported(*sceneOf(surfaceOf(frame, appearance), false), "stlb");
 }
 
-Result<std::string> colladaMoment(const Frame& frame, const Dress& dress)
+Result<std::string> colladaMoment(const Frame& frame, const MeshAppearance& appearance)
 {
-    return exported(*sceneOf(surfaceOf(frame, dress), true), "collada");
+    return exported(*sceneOf(surfaceOf(frame, appearance), true), "collada");
 }
 
 } // namespace ripstop

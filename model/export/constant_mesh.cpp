@@ -32,7 +32,7 @@ Eigen::Vector3f middle(const FrameSpool::Shape& shape, std::span<const int> corn
 
 } // namespace
 
-Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const Dress& dress)
+Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const MeshAppearance& appearance)
 {
     if (const auto other = otherDesign(spool))
         return Failure{"The panels of the design change after " + std::to_string(spool.time(*other))
@@ -42,19 +42,19 @@ Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const Dress& dress)
     const Layout& last = spool.layout(spool.count() - 1);
     mesh.m_last = &last;
     mesh.m_vertexOf.assign(last.particleId.size(), -1);
-    mesh.m_surface.name = dress.name();
-    mesh.m_surface.fabrics = dress.fabrics();
+    mesh.m_surface.name = appearance.name();
+    mesh.m_surface.fabrics = appearance.fabrics();
     for (std::size_t i = 0; i < last.panelCorners.size(); ++i) {
         std::array<int, 3> corners{};
         for (const std::size_t k : {0u, 1u, 2u})
             corners[k] = mesh.vertexAt(std::size_t(last.panelCorners[i][k]),
                                        {Source::Of::Panel, i, k, spool.everGone()[i] != 0});
         mesh.m_surface.panels.push_back(corners);
-        mesh.m_surface.fabric.push_back(dress.fabricOf(last.panelId[i]));
+        mesh.m_surface.fabric.push_back(appearance.fabricOf(last.panelId[i]));
     }
     for (std::size_t i = 0; i < last.links.size(); ++i) {
         const Layout::Link& link = last.links[i];
-        if (!dress.isLine(link.id))
+        if (!appearance.isLine(link.id))
             continue;
         const bool mayGo = spool.everTorn()[i] != 0;
         mesh.m_surface.lines.push_back(
@@ -69,10 +69,10 @@ Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const Dress& dress)
         return first.failure();
     for (const Eigen::Vector3f& x : *first)
         mesh.m_surface.position.push_back(x.cast<double>());
-    if (dress.isTextured())
+    if (appearance.isTextured())
         for (const Source& source : mesh.m_vertices)
             mesh.m_surface.texture.push_back(
-                dress.textureOf(last.particleId[mesh.particleOf(last, source)]));
+                appearance.textureOf(last.particleId[mesh.particleOf(last, source)]));
     return mesh;
 }
 

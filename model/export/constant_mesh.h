@@ -17,7 +17,7 @@ class ConstantMesh
 {
 public:
     // Of all that the spool holds, which must be one frame at least.
-    static Result<ConstantMesh> of(FrameSpool& spool, const Dress& dress);
+    static Result<ConstantMesh> of(FrameSpool& spool, const MeshAppearance& appearance);
 
     // The first frame; its panels and lines are those of all.
     const Surface& surface() const { return m_surface; }

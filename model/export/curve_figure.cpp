@@ -265,7 +265,8 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<FrameSink>> figureSink(const std::filesystem::path& target, const Dress&)
+Result<std::unique_ptr<FrameSink>> figureSink(const std::filesystem::path& target,
+                                              const MeshAppearance&)
 {
     return std::unique_ptr<FrameSink>(std::make_unique<Figure>(target));
 }

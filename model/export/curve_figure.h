@@ -1,6 +1,6 @@
 #pragma once
 
-#include "export/dress.h"
+#include "export/appearance.h"
 #include "export/frame_sink.h"
 
 #include <filesystem>
@@ -11,6 +11,6 @@ namespace ripstop {
 // The curves of the probes over time as a figure, SVG: a panel for each unit, times of tears as
 // marks. Long curves are thinned for drawing so that no peak is lost.
 Result<std::unique_ptr<FrameSink>> figureSink(const std::filesystem::path& target,
-                                              const Dress& dress);
+                                              const MeshAppearance& appearance);
 
 } // namespace ripstop

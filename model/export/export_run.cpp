@@ -30,7 +30,7 @@ FrameSource::Reached told(const FrameSource& source, double end, const Progress&
     };
 }
 
-std::optional<Failure> exportMoment(FrameSource& source, const Dress& dress,
+std::optional<Failure> exportMoment(FrameSource& source, const MeshAppearance& appearance,
                                     const ExportRange& range, const fs::path& target,
                                     const Progress& progress)
 {
@@ -39,7 +39,7 @@ std::optional<Failure> exportMoment(FrameSource& source, const Dress& dress,
         return Failure{taken.end + " Nothing was written."};
     if (!taken.frame)
         return Failure{"The export was cancelled; nothing was written."};
-    if (auto failure = writeMoment(*taken.frame, dress, target))
+    if (auto failure = writeMoment(*taken.frame, appearance, target))
         return failure;
     if (progress)
         progress(1.0);
@@ -101,7 +101,8 @@ std::size_t frameCount(const ExportRange& range)
     return std::size_t(std::floor((range.to - range.from) * range.fps + 1e-9)) + 1;
 }
 
-std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress, const fs::path& target)
+std::optional<Failure> writeMoment(const Frame& frame, const MeshAppearance& appearance,
+                                   const fs::path& target)
 {
     const ExportFormat* format = formatOf(target);
     if (!format)
@@ -109,12 +110,13 @@ std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress, const
     if (!format->content)
         return Failure{target.string() + " is a series; for one moment "
                        + knownEndings(EndingsOf::Moments) + "."};
-    const auto content = format->content(frame, dress);
+    const auto content = format->content(frame, appearance);
     return content ? replaceFile(target, *content, Flush::Later) : content.failure();
 }
 
-std::optional<Failure> exportRun(FrameSource& source, const Dress& dress, const ExportRange& range,
-                                 const fs::path& target, const Progress& progress)
+std::optional<Failure> exportRun(FrameSource& source, const MeshAppearance& appearance,
+                                 const ExportRange& range, const fs::path& target,
+                                 const Progress& progress)
 {
     const ExportFormat* format = formatOf(target);
     if (!format)
@@ -126,8 +128,8 @@ std::optional<Failure> exportRun(FrameSource& source, const Dress& dress, const 
     if (auto failure = wrongRange(source, whole))
         return failure;
     if (isMoment)
-        return exportMoment(source, dress, whole, target, progress);
-    Result<std::unique_ptr<FrameSink>> sink = openSink(*format, target, dress);
+        return exportMoment(source, appearance, whole, target, progress);
+    Result<std::unique_ptr<FrameSink>> sink = openSink(*format, target, appearance);
     return sink ? exportSeries(source, whole, **sink, progress) : sink.failure();
 }
 

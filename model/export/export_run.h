@@ -3,7 +3,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "export/dress.h"
+#include "export/appearance.h"
 #include "export/frame_sink.h"
 #include "export/frame_source.h"
 
@@ -23,14 +23,14 @@ struct ExportRange
 std::size_t frameCount(const ExportRange& range);
 
 // Writes one frame as the name of the target says. The file is the old one or the new one, whole.
-std::optional<Failure> writeMoment(const Frame& frame, const Dress& dress,
+std::optional<Failure> writeMoment(const Frame& frame, const MeshAppearance& appearance,
                                    const std::filesystem::path& target);
 
 // Writes the target, whose name says the format (export/format.h). Gone panels and torn links are
 // left out of meshes. When cancelled, nothing is left of what was written. When the source ends
 // before the range does, a series that ends there is kept and the failure says so.
-std::optional<Failure> exportRun(FrameSource& source, const Dress& dress, const ExportRange& range,
-                                 const std::filesystem::path& target,
+std::optional<Failure> exportRun(FrameSource& source, const MeshAppearance& appearance,
+                                 const ExportRange& range, const std::filesystem::path& target,
                                  const Progress& progress = {});
 
 // The same for any series.

@@ -196,9 +196,11 @@ std::string knownEndings(EndingsOf of)
 }
 
 Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
-                                            const std::filesystem::path& target, const Dress& dress)
+                                            const std::filesystem::path& target,
+                                            const MeshAppearance& appearance)
 {
-    return format.open ? format.open(target, dress) : sequenceSink(target, dress, format.content);
+    return format.open ? format.open(target, appearance)
+                       : sequenceSink(target, appearance, format.content);
 }
 
 double expectedSize(const ExportFormat& format, const Layout& layout, std::size_t frames)

@@ -1,7 +1,7 @@
 // The formats that other programs read. Command line, dialog and manual are made from this table.
 #pragma once
 
-#include "export/dress.h"
+#include "export/appearance.h"
 #include "export/frame_sink.h"
 #include "export/series.h"
 
@@ -35,7 +35,7 @@ struct ExportFormat
     Bytes bytes;
     MomentContent content; // of a moment, and of each file of a sequence
     Result<std::unique_ptr<FrameSink>> (*open)(const std::filesystem::path& target,
-                                               const Dress& dress); // of other series
+                                               const MeshAppearance& appearance); // of other series
 };
 
 std::span<const ExportFormat> exportFormats();
@@ -47,8 +47,9 @@ const ExportFormat* formatOf(const std::filesystem::path& target);
 enum class EndingsOf { Moments, All };
 std::string knownEndings(EndingsOf of);
 
-Result<std::unique_ptr<FrameSink>>
-openSink(const ExportFormat& format, const std::filesystem::path& target, const Dress& dress);
+Result<std::unique_ptr<FrameSink>> openSink(const ExportFormat& format,
+                                            const std::filesystem::path& target,
+                                            const MeshAppearance& appearance);
 
 // Bytes, about, for as many frames like this one.
 double expectedSize(const ExportFormat& format, const Layout& layout, std::size_t frames);

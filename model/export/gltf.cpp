@@ -103,7 +103,7 @@ std::vector<float> flat(const std::vector<Vec3>& vectors)
 
 void addMaterials(tinygltf::Model& model, const Surface& surface)
 {
-    for (const Dress::Fabric& fabric : surface.fabrics) {
+    for (const MeshAppearance::Fabric& fabric : surface.fabrics) {
         tinygltf::Material material;
         material.name = fabric.name;
         material.doubleSided = true;
@@ -273,14 +273,15 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<FrameSink>> gltfSink(const std::filesystem::path& target, const Dress& dress)
+Result<std::unique_ptr<FrameSink>> gltfSink(const std::filesystem::path& target,
+                                            const MeshAppearance& appearance)
 {
-    return opened(std::make_unique<Gltf>(target, dress));
+    return opened(std::make_unique<Gltf>(target, appearance));
 }
 
-Result<std::string> glbMoment(const Frame& frame, const Dress& dress)
+Result<std::string> glbMoment(const Frame& frame, const MeshAppearance& appearance)
 {
-    const Surface surface = surfaceOf(frame, dress);
+    const Surface surface = surfaceOf(frame, appearance);
     if (surface.panels.empty() && surface.lines.empty())
         return Failure{"There is neither fabric nor a line at this moment to make a mesh of."};
     Builder builder;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "export/dress.h"
+#include "export/appearance.h"
 #include "export/frame_sink.h"
 
 #include <filesystem>
@@ -13,6 +13,6 @@ namespace ripstop {
 // One frame alone is a mesh at rest, with normals; moving ones have none, since a viewer then
 // shades each face as it stands (glTF 2.0, 3.7.2.1).
 Result<std::unique_ptr<FrameSink>> gltfSink(const std::filesystem::path& target,
-                                            const Dress& dress);
+                                            const MeshAppearance& appearance);
 
 } // namespace ripstop

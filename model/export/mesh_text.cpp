@@ -80,12 +80,12 @@ std::string objText(const Surface& surface)
     return text;
 }
 
-Result<std::string> objMoment(const Frame& frame, const Dress& dress)
+Result<std::string> objMoment(const Frame& frame, const MeshAppearance& appearance)
 {
-    return objText(surfaceOf(frame, dress));
+    return objText(surfaceOf(frame, appearance));
 }
 
-Result<std::string> plyMoment(const Frame& frame, const Dress&)
+Result<std::string> plyMoment(const Frame& frame, const MeshAppearance&)
 {
     const Layout& layout = *frame.layout;
     const Standing whole = standing(frame);

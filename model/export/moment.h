@@ -13,21 +13,21 @@ namespace ripstop {
 std::string objText(const Surface& surface);
 
 // Particles with velocities, panels, and all links with strain and tension; text, numbers exact.
-Result<std::string> plyMoment(const Frame& frame, const Dress& dress);
+Result<std::string> plyMoment(const Frame& frame, const MeshAppearance& appearance);
 
 // VTK PolyData: all links as lines and panels as triangles with strain, tension and load, and
 // velocity at the particles; binary, exact.
-Result<std::string> vtpMoment(const Frame& frame, const Dress& dress);
+Result<std::string> vtpMoment(const Frame& frame, const MeshAppearance& appearance);
 
-Result<std::string> objMoment(const Frame& frame, const Dress& dress);
+Result<std::string> objMoment(const Frame& frame, const MeshAppearance& appearance);
 
 // The panels alone, binary, in single precision: the format knows neither lines nor shared corners.
-Result<std::string> stlMoment(const Frame& frame, const Dress& dress);
+Result<std::string> stlMoment(const Frame& frame, const MeshAppearance& appearance);
 
 // Collada, with lines, normals, texture points and the colours of the fabrics; by assimp.
-Result<std::string> colladaMoment(const Frame& frame, const Dress& dress);
+Result<std::string> colladaMoment(const Frame& frame, const MeshAppearance& appearance);
 
 // glTF 2.0 in one file, with the same.
-Result<std::string> glbMoment(const Frame& frame, const Dress& dress);
+Result<std::string> glbMoment(const Frame& frame, const MeshAppearance& appearance);
 
 } // namespace ripstop

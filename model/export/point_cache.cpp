@@ -47,9 +47,9 @@ class PointCache final : public SpooledSink
 public:
     using Header = std::string (*)(const FrameSpool&, std::size_t points);
 
-    PointCache(const std::filesystem::path& target, const Dress& dress, Header header,
+    PointCache(const std::filesystem::path& target, const MeshAppearance& appearance, Header header,
                std::endian order)
-        : SpooledSink(target, dress)
+        : SpooledSink(target, appearance)
         , m_header(header)
         , m_order(order)
     {}
@@ -81,14 +81,16 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<FrameSink>> pc2Sink(const std::filesystem::path& target, const Dress& dress)
+Result<std::unique_ptr<FrameSink>> pc2Sink(const std::filesystem::path& target,
+                                           const MeshAppearance& appearance)
 {
-    return opened(std::make_unique<PointCache>(target, dress, pc2Header, std::endian::little));
+    return opened(std::make_unique<PointCache>(target, appearance, pc2Header, std::endian::little));
 }
 
-Result<std::unique_ptr<FrameSink>> mddSink(const std::filesystem::path& target, const Dress& dress)
+Result<std::unique_ptr<FrameSink>> mddSink(const std::filesystem::path& target,
+                                           const MeshAppearance& appearance)
 {
-    return opened(std::make_unique<PointCache>(target, dress, mddHeader, std::endian::big));
+    return opened(std::make_unique<PointCache>(target, appearance, mddHeader, std::endian::big));
 }
 
 } // namespace ripstop

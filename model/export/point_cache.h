@@ -7,7 +7,7 @@
 // seconds; then single precision, all of it high byte first.
 #pragma once
 
-#include "export/dress.h"
+#include "export/appearance.h"
 #include "export/frame_sink.h"
 
 #include <filesystem>
@@ -15,7 +15,9 @@
 
 namespace ripstop {
 
-Result<std::unique_ptr<FrameSink>> pc2Sink(const std::filesystem::path& target, const Dress& dress);
-Result<std::unique_ptr<FrameSink>> mddSink(const std::filesystem::path& target, const Dress& dress);
+Result<std::unique_ptr<FrameSink>> pc2Sink(const std::filesystem::path& target,
+                                           const MeshAppearance& appearance);
+Result<std::unique_ptr<FrameSink>> mddSink(const std::filesystem::path& target,
+                                           const MeshAppearance& appearance);
 
 } // namespace ripstop

@@ -13,15 +13,15 @@ namespace fs = std::filesystem;
 class Sequence final : public FrameSink
 {
 public:
-    Sequence(fs::path target, const Dress& dress, MomentContent content)
+    Sequence(fs::path target, const MeshAppearance& appearance, MomentContent content)
         : m_target(std::move(target))
-        , m_dress(dress)
+        , m_appearance(appearance)
         , m_content(content)
     {}
 
     std::optional<Failure> add(const Frame& frame) override
     {
-        const auto content = m_content(frame, m_dress);
+        const auto content = m_content(frame, m_appearance);
         if (!content)
             return content.failure();
         return m_files.write(fileOfFrame(m_target, m_count++), *content);
@@ -32,7 +32,7 @@ public:
 private:
     OutputFiles m_files;
     fs::path m_target;
-    Dress m_dress;
+    MeshAppearance m_appearance;
     MomentContent m_content;
     std::size_t m_count = 0;
 };
@@ -60,9 +60,9 @@ std::string xmlText(const std::string& text)
 class Pvd final : public FrameSink
 {
 public:
-    Pvd(fs::path target, const Dress& dress)
+    Pvd(fs::path target, const MeshAppearance& appearance)
         : m_target(std::move(target))
-        , m_dress(dress)
+        , m_appearance(appearance)
     {}
 
     std::optional<Failure> add(const Frame& frame) override
@@ -76,7 +76,7 @@ public:
         m_index += "<DataSet timestep=\"";
         appendNumber(m_index, frame.time);
         m_index += R"(" part="0" file=")" + xmlText(stem) + "/" + xmlText(name.string()) + "\"/>\n";
-        const auto content = vtpMoment(frame, m_dress);
+        const auto content = vtpMoment(frame, m_appearance);
         if (!content)
             return content.failure();
         return m_files.write(m_target.parent_path() / stem / name, *content);
@@ -95,7 +95,7 @@ public:
 private:
     OutputFiles m_files;
     fs::path m_target;
-    Dress m_dress;
+    MeshAppearance m_appearance;
     std::string m_index;
     std::size_t m_count = 0;
 };
@@ -153,18 +153,18 @@ fs::path fileOfFrame(const fs::path& target, std::size_t number)
     return target.parent_path() / name;
 }
 
-Result<std::unique_ptr<FrameSink>> sequenceSink(const fs::path& target, const Dress& dress,
-                                                MomentContent content)
+Result<std::unique_ptr<FrameSink>>
+sequenceSink(const fs::path& target, const MeshAppearance& appearance, MomentContent content)
 {
-    return std::unique_ptr<FrameSink>(std::make_unique<Sequence>(target, dress, content));
+    return std::unique_ptr<FrameSink>(std::make_unique<Sequence>(target, appearance, content));
 }
 
-Result<std::unique_ptr<FrameSink>> pvdSink(const fs::path& target, const Dress& dress)
+Result<std::unique_ptr<FrameSink>> pvdSink(const fs::path& target, const MeshAppearance& appearance)
 {
-    return std::unique_ptr<FrameSink>(std::make_unique<Pvd>(target, dress));
+    return std::unique_ptr<FrameSink>(std::make_unique<Pvd>(target, appearance));
 }
 
-Result<std::unique_ptr<FrameSink>> tableSink(const fs::path& target, const Dress&)
+Result<std::unique_ptr<FrameSink>> tableSink(const fs::path& target, const MeshAppearance&)
 {
     return std::unique_ptr<FrameSink>(std::make_unique<Table>(target));
 }

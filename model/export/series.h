@@ -1,7 +1,7 @@
 // Series of files, one for each frame.
 #pragma once
 
-#include "export/dress.h"
+#include "export/appearance.h"
 #include "export/frame_sink.h"
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace ripstop {
 
-using MomentContent = Result<std::string> (*)(const Frame& frame, const Dress& dress);
+using MomentContent = Result<std::string> (*)(const Frame& frame, const MeshAppearance& appearance);
 
 // What a target's name has where the number of the frame goes: sail_{frame}.obj.
 constexpr std::string_view framePlaceholder = "{frame}";
@@ -19,13 +19,15 @@ constexpr std::string_view framePlaceholder = "{frame}";
 std::filesystem::path fileOfFrame(const std::filesystem::path& target, std::size_t number);
 
 Result<std::unique_ptr<FrameSink>> sequenceSink(const std::filesystem::path& target,
-                                                const Dress& dress, MomentContent content);
+                                                const MeshAppearance& appearance,
+                                                MomentContent content);
 
 // For ParaView: the index kite.pvd, and the moments kite/kite_0000.vtp, ...
-Result<std::unique_ptr<FrameSink>> pvdSink(const std::filesystem::path& target, const Dress& dress);
+Result<std::unique_ptr<FrameSink>> pvdSink(const std::filesystem::path& target,
+                                           const MeshAppearance& appearance);
 
 // The probes, a row for each frame.
 Result<std::unique_ptr<FrameSink>> tableSink(const std::filesystem::path& target,
-                                             const Dress& dress);
+                                             const MeshAppearance& appearance);
 
 } // namespace ripstop

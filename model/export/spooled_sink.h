@@ -13,9 +13,9 @@ namespace ripstop {
 class SpooledSink : public FrameSink
 {
 public:
-    SpooledSink(const std::filesystem::path& target, const Dress& dress)
+    SpooledSink(const std::filesystem::path& target, const MeshAppearance& appearance)
         : m_target(target)
-        , m_dress(dress)
+        , m_appearance(appearance)
     {}
 
     std::optional<Failure> open()
@@ -31,7 +31,7 @@ public:
 
     std::optional<Failure> finish(const Progress& progress) override
     {
-        Result<ConstantMesh> mesh = ConstantMesh::of(m_spool, m_dress);
+        Result<ConstantMesh> mesh = ConstantMesh::of(m_spool, m_appearance);
         if (!mesh)
             return mesh.failure();
         Result<std::ofstream> out = m_files.open(m_target);
@@ -56,7 +56,7 @@ protected:
 private:
     OutputFiles m_files;
     std::filesystem::path m_target;
-    Dress m_dress;
+    MeshAppearance m_appearance;
     FrameSpool m_spool;
 };
 

@@ -6,25 +6,25 @@
 
 namespace ripstop {
 
-Surface surfaceOf(const Frame& frame, const Dress& dress)
+Surface surfaceOf(const Frame& frame, const MeshAppearance& appearance)
 {
     const Layout& layout = *frame.layout;
     const Standing whole = standing(frame);
 
     Surface surface;
-    surface.name = dress.name();
-    surface.fabrics = dress.fabrics();
+    surface.name = appearance.name();
+    surface.fabrics = appearance.fabrics();
     surface.position = frame.position;
-    if (dress.isTextured())
+    if (appearance.isTextured())
         for (const std::uint32_t id : layout.particleId)
-            surface.texture.push_back(dress.textureOf(id));
+            surface.texture.push_back(appearance.textureOf(id));
     for (const std::size_t i : whole.panels) {
         surface.panels.push_back(layout.panelCorners[i]);
-        surface.fabric.push_back(dress.fabricOf(layout.panelId[i]));
+        surface.fabric.push_back(appearance.fabricOf(layout.panelId[i]));
     }
     for (const std::size_t i : whole.links) {
         const Layout::Link& link = layout.links[i];
-        if (dress.isLine(link.id))
+        if (appearance.isLine(link.id))
             surface.lines.push_back({link.a, link.b});
     }
     return surface;

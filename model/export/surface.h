@@ -1,7 +1,7 @@
 // Fabric and lines as other programs know them: vertices, triangles, edges.
 #pragma once
 
-#include "export/dress.h"
+#include "export/appearance.h"
 #include "run/frame.h"
 
 #include <array>
@@ -12,17 +12,17 @@ namespace ripstop {
 struct Surface
 {
     std::string name;
-    std::vector<Vec3> position;               // [vertices] m, y up
-    std::vector<Dress::TexturePoint> texture; // [vertices], or empty
-    std::vector<std::array<int, 3>> panels;   // corners, counter-clockwise seen from the front
-    std::vector<std::size_t> fabric;          // [panels] index into `fabrics`
-    std::vector<std::array<int, 2>> lines;    // links but for the threads of fabric
-    std::vector<Dress::Fabric> fabrics;
+    std::vector<Vec3> position;                        // [vertices] m, y up
+    std::vector<MeshAppearance::TexturePoint> texture; // [vertices], or empty
+    std::vector<std::array<int, 3>> panels; // corners, counter-clockwise seen from the front
+    std::vector<std::size_t> fabric;        // [panels] index into `fabrics`
+    std::vector<std::array<int, 2>> lines;  // links but for the threads of fabric
+    std::vector<MeshAppearance::Fabric> fabrics;
 };
 
 // Every particle is a vertex, so that vertex i is the same particle in every moment. Panels that
 // are gone and links that are torn are left out.
-Surface surfaceOf(const Frame& frame, const Dress& dress);
+Surface surfaceOf(const Frame& frame, const MeshAppearance& appearance);
 
 // Of unit length, the mean of the panels around by their areas; zero where there is none.
 std::vector<Vec3> normalsOf(const Surface& surface);

@@ -141,7 +141,7 @@ void addCellData(std::string& text, const Frame& frame, const Standing& whole)
 
 } // namespace
 
-Result<std::string> vtpMoment(const Frame& frame, const Dress&)
+Result<std::string> vtpMoment(const Frame& frame, const MeshAppearance&)
 {
     const Standing whole = standing(frame);
     Cells lines;

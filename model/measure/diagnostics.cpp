@@ -1,12 +1,12 @@
 #include "measure/diagnostics.h"
 
-#include "sim/bend_force.h"
-#include "sim/canopy_air.h"
-#include "sim/inputs.h"
-#include "sim/line_drag.h"
-#include "sim/panel_load.h"
-#include "sim/spring_force.h"
-#include "sim/wing_load.h"
+#include "forces/bend_force.h"
+#include "forces/canopy_air.h"
+#include "forces/line_drag.h"
+#include "forces/panel_load.h"
+#include "forces/spring_force.h"
+#include "forces/wing_load.h"
+#include "step/inputs.h"
 
 #include <Eigen/Geometry>
 
@@ -176,7 +176,7 @@ std::vector<double> tensions(const System& system, const State& state)
 std::vector<Vec3> panelLoads(const System& system, const State& state)
 {
     std::vector<PaddedVec3> load(system.panels.size());
-    Crew alone(1);
+    ThreadPool alone(1);
     fillPanelLoads(system, state, alone, load);
     WingLoads().add(system, state, load);
     addCanopyLoads(system, state, alone, load);
@@ -186,7 +186,7 @@ std::vector<Vec3> panelLoads(const System& system, const State& state)
 std::vector<Vec3> lineDrags(const System& system, const State& state)
 {
     std::vector<PaddedVec3> drag(system.dragLines.size());
-    Crew alone(1);
+    ThreadPool alone(1);
     fillLineDrags(system, state, alone, drag);
     return {drag.begin(), drag.end()};
 }

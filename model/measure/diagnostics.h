@@ -1,7 +1,7 @@
 // Figures of a whole system.
 #pragma once
 
-#include "sim/system.h"
+#include "system/system.h"
 
 #include <span>
 #include <string>

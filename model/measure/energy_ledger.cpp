@@ -1,11 +1,11 @@
 #include "measure/energy_ledger.h"
 
+#include "forces/canopy_air.h"
+#include "forces/line_drag.h"
+#include "forces/panel_load.h"
+#include "forces/spring_force.h"
 #include "measure/diagnostics.h"
-#include "sim/canopy_air.h"
-#include "sim/inputs.h"
-#include "sim/line_drag.h"
-#include "sim/panel_load.h"
-#include "sim/spring_force.h"
+#include "step/inputs.h"
 
 #include <algorithm>
 

@@ -17,9 +17,9 @@
 // part of it.
 #pragma once
 
-#include "sim/hand_pull.h"
-#include "sim/stepper.h"
-#include "sim/wing_load.h"
+#include "forces/hand_pull.h"
+#include "forces/wing_load.h"
+#include "step/stepper.h"
 
 #include <vector>
 
@@ -55,7 +55,7 @@ private:
     double workOnSprings(const System& system, const State& state) const;
     double workOnRods(const System& system, const State& state) const;
 
-    Crew m_alone{1};
+    ThreadPool m_alone{1};
     WingLoads m_wings;
     std::vector<PaddedVec3> m_loads;   // [panels] N
     std::vector<PaddedVec3> m_drags;   // [dragLines] N

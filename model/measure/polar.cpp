@@ -1,7 +1,7 @@
 #include "measure/polar.h"
 
 #include "base/vortex_wing.h"
-#include "sim/panel_load.h"
+#include "forces/panel_load.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/diagnostics.h"
-#include "sim/system.h"
+#include "system/system.h"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "measure/wing_forces.h"
 
+#include "forces/wind.h"
 #include "measure/motion.h"
-#include "sim/wind.h"
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 #include "run/pose.h"
 
+#include "assembly/split_system.h"
 #include "run/torn_system.h"
-#include "sim/split_system.h"
 
 #include <algorithm>
 #include <iterator>

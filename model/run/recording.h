@@ -12,7 +12,7 @@
 #include "run/frame.h"
 #include "run/run_chunk.h"
 #include "run/run_event.h"
-#include "sim/moment.h"
+#include "system/moment.h"
 
 #include <cstdint>
 #include <functional>

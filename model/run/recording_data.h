@@ -103,7 +103,7 @@ private:
         Packer packer;
     };
     std::optional<Desk> m_desk; // of the thread, while there is something to pack
-    std::jthread m_thread; // last: stops and joins before the rest is destroyed
+    std::jthread m_thread;      // last: stops and joins before the rest is destroyed
 };
 
 } // namespace ripstop

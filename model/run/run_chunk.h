@@ -5,7 +5,7 @@
 // state, some tenths of a micrometre. An exact state of any step is computed again.
 #pragma once
 
-#include "sim/state.h"
+#include "system/state.h"
 
 #include <memory>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "base/bytes.h"
 #include "run/run_input.h"
-#include "sim/state.h"
+#include "system/state.h"
 
 namespace ripstop {
 

@@ -1,16 +1,16 @@
 #include "run/simulation.h"
 
+#include "assembly/carry_over.h"
+#include "assembly/split_system.h"
+#include "constraints/guides.h"
+#include "contact/obstacle_motion.h"
+#include "forces/hand_pull.h"
+#include "forces/wind.h"
 #include "measure/diagnostics.h"
 #include "measure/probe.h"
 #include "run/torn_system.h"
-#include "sim/carry_over.h"
-#include "sim/cutting.h"
-#include "sim/guides.h"
-#include "sim/hand_pull.h"
-#include "sim/obstacle_motion.h"
-#include "sim/split_system.h"
-#include "sim/tear_opening.h"
-#include "sim/wind.h"
+#include "tearing/cutting.h"
+#include "tearing/tear_opening.h"
 
 #include <Eigen/Geometry>
 

@@ -7,8 +7,8 @@
 #include "run/frame.h"
 #include "run/probe_reader.h"
 #include "run/run_input.h"
-#include "sim/stepper.h"
-#include "sim/watchdog.h"
+#include "step/stepper.h"
+#include "step/watchdog.h"
 
 #include <map>
 #include <memory>

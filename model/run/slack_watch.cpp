@@ -1,6 +1,6 @@
 #include "run/slack_watch.h"
 
-#include "sim/split_system.h"
+#include "assembly/split_system.h"
 
 #include <algorithm>
 #include <unordered_map>

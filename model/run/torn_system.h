@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/system.h"
+#include "system/system.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #include "run/touch_watch.h"
 
-#include "sim/contact.h"
-#include "sim/split_system.h"
+#include "assembly/split_system.h"
+#include "contact/contact.h"
 
 #include <algorithm>
 

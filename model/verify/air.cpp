@@ -1,5 +1,6 @@
 // Air on fabric of fixed shape: plates, caps, spheres, cylinders, cones.
-#include "sim/panel_load.h"
+#include "assembly/finish.h"
+#include "forces/panel_load.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

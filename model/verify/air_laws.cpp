@@ -1,9 +1,10 @@
 // What every law of the air obeys, and the laws beyond paper and plate: the blend for all angles,
 // lift and drag by table, porous cloth, lines.
+#include "assembly/finish.h"
 #include "compile/resolve.h"
+#include "forces/line_drag.h"
+#include "forces/panel_load.h"
 #include "measure/diagnostics.h"
-#include "sim/line_drag.h"
-#include "sim/panel_load.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

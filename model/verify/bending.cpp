@@ -1,9 +1,10 @@
 // Strips of fabric and spars that bend by their own weight or under a load.
+#include "assembly/finish.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
+#include "forces/bend_force.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
-#include "sim/bend_force.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 
@@ -266,7 +267,7 @@ double leftover(Leftover what)
         x += dice.vector(0.01);
     std::vector<PaddedVec3> turn(system.bends.size());
     std::vector<PaddedVec3> moment(system.bends.size());
-    Crew alone(1);
+    ThreadPool alone(1);
     fillBends(system, state, alone, turn, moment);
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();

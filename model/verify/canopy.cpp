@@ -1,5 +1,6 @@
 // Fabric that holds air: exact values of a rigid cup, the shape under uniform pressure, and how a
 // round parachute of the size of a C-9 opens.
+#include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/opening.h"
 #include "verify/sections.h"

@@ -1,4 +1,5 @@
 // Sheets: the modulus of a lattice of springs, sheets that hang, symmetry and energy.
+#include "assembly/finish.h"
 #include "base/step_limit.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"

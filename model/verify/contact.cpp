@@ -1,4 +1,5 @@
 // Particles on planes and spheres: falling, resting, bouncing, sliding.
+#include "assembly/finish.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

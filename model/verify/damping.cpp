@@ -1,4 +1,5 @@
 // The damped oscillator, the damper alone, and the longest time step of springs.
+#include "assembly/finish.h"
 #include "base/step_limit.h"
 #include "measure/diagnostics.h"
 #include "verify/oscillator.h"
@@ -18,7 +19,7 @@ struct Turns
 Turns turnsOf(Scheme scheme)
 {
     const double dt = 1e-4;
-    const Motion motion = follow(oscillator(scheme, dt, omega, 2.0 * 0.1 * omega), 21000);
+    const OscillatorTrace motion = follow(oscillator(scheme, dt, omega, 2.0 * 0.1 * omega), 21000);
     Turns turns{{0.0}, {1.0}};
     for (std::size_t i = 1; i + 1 < motion.v.size(); ++i)
         if (motion.v[i] > 0.0 && motion.v[i + 1] <= 0.0) {

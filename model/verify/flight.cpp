@@ -1,9 +1,10 @@
 // Steady flight: what plates do in theory, and whether flying designs balance their forces.
+#include "assembly/finish.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
+#include "forces/panel_load.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
-#include "sim/panel_load.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

@@ -1,4 +1,5 @@
 // Particles that are free along a line only: a bead, a pendulum on a trolley, an ellipse trammel.
+#include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

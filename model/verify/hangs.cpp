@@ -1,4 +1,5 @@
 // Weights that hang on rods: how far they come down and what the rods carry.
+#include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

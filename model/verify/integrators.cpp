@@ -3,6 +3,7 @@
 // Of the schemes on the list the engine offers explicit Euler (I1), semi-implicit Euler (I3),
 // Verlet (I4), Verlet with a naive start (I5) and velocity Verlet (I6). Implicit Euler (I2),
 // implicit midpoint and RK4 (I7) are not offered, so they have no row.
+#include "assembly/finish.h"
 #include "verify/oscillator.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-double energy(const Motion& motion, std::size_t i)
+double energy(const OscillatorTrace& motion, std::size_t i)
 {
     return 0.5 * motion.v[i] * motion.v[i] + 0.5 * omega * omega * motion.x[i] * motion.x[i];
 }
@@ -56,7 +57,7 @@ double orderOf(Scheme scheme, bool reported)
     const auto error = [&](int perSecond) {
         const int steps = perSecond * 11 / 10;
         const System system = oscillator(scheme, 1.0 / perSecond);
-        const Motion motion = follow(system, steps);
+        const OscillatorTrace motion = follow(system, steps);
         const double v = reported ? run(system, steps).velocity[1].x() : motion.v.back();
         return std::hypot(motion.x.back() - std::cos(omega * 1.1),
                           v / omega + std::sin(omega * 1.1));
@@ -73,7 +74,7 @@ void addEnergies(std::vector<Case>& cases)
     for (const Scheme scheme : allSchemes) {
         const std::size_t i = std::size_t(scheme);
         const auto ratio = shared([=] {
-            const Motion motion = follow(oscillator(scheme, 0.01), 1000);
+            const OscillatorTrace motion = follow(oscillator(scheme, 0.01), 1000);
             return energy(motion, 1000) / energy(motion, 0);
         });
         cases.push_back({idOf(scheme), "energy after ten periods of 100 steps, " + nameOf(scheme),
@@ -102,7 +103,7 @@ void addBands(std::vector<Case>& cases)
     for (const Band& band : {Band{Scheme::SemiImplicitEuler, 0.9695, 1.0324, 0.5e-4},
                              Band{Scheme::VelocityVerlet, 0.999013, 1.0, 0.5e-6}}) {
         const auto range = shared([scheme = band.scheme] {
-            const Motion motion = follow(oscillator(scheme, 0.01), 100000);
+            const OscillatorTrace motion = follow(oscillator(scheme, 0.01), 100000);
             std::array<double, 2> held{1.0, 0.0};
             for (std::size_t i = 0; i < motion.x.size(); ++i) {
                 held[0] = std::min(held[0], energy(motion, i) / energy(motion, 0));
@@ -121,7 +122,7 @@ void addBands(std::vector<Case>& cases)
 }
 
 // What the recurrence keeps exactly.
-double invariantOf(Scheme scheme, const Motion& motion, std::size_t i)
+double invariantOf(Scheme scheme, const OscillatorTrace& motion, std::size_t i)
 {
     const double h = omega * 0.01;
     const double x = motion.x[i];
@@ -138,7 +139,7 @@ double invariantOf(Scheme scheme, const Motion& motion, std::size_t i)
 // squares over ten periods.
 double periodOf(Scheme scheme)
 {
-    const Motion motion = follow(oscillator(scheme, 0.01), 1002);
+    const OscillatorTrace motion = follow(oscillator(scheme, 0.01), 1002);
     double products = 0.0;
     double squares = 0.0;
     for (std::size_t i = 1; i <= 1000; ++i) {
@@ -164,7 +165,7 @@ void addInvariants(std::vector<Case>& cases)
         cases.push_back({idOf(scheme), "invariant of the recurrence, change, " + nameOf(scheme),
                          0.0, within(scheme == Scheme::Verlet ? 1e-10 : 1e-12), "",
                          "kept exactly; Verlet's is a difference of near numbers", [=] {
-                             const Motion motion = follow(oscillator(scheme, 0.01), 1000);
+                             const OscillatorTrace motion = follow(oscillator(scheme, 0.01), 1000);
                              double most = 0.0;
                              for (std::size_t i = 1; i < 1000; ++i)
                                  most = std::max(most, std::abs(invariantOf(scheme, motion, i)

@@ -1,4 +1,5 @@
 // What no choice of frame, mirror or winding may change, and what a free object keeps.
+#include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

@@ -1,4 +1,5 @@
-// How parachutes of the builder that hold air (sim/canopy_air.h) open and what they are when full.
+// How parachutes of the builder that hold air (forces/canopy_air.h) open and what they are when
+// full.
 #pragma once
 
 #include "builders/builder.h"

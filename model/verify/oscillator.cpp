@@ -1,5 +1,7 @@
 #include "verify/oscillator.h"
 
+#include "assembly/finish.h"
+
 namespace ripstop {
 
 Integrator integratorOf(Scheme scheme)
@@ -38,9 +40,9 @@ System oscillator(Scheme scheme, double timeStep, double frequency, double dampi
     return system;
 }
 
-Motion follow(const System& system, int steps)
+OscillatorTrace follow(const System& system, int steps)
 {
-    Motion motion;
+    OscillatorTrace motion;
     Stepper stepper;
     State state = system.start;
     const bool verlet = system.integrator == Integrator::Verlet;

@@ -26,12 +26,12 @@ System oscillator(Scheme scheme, double timeStep, double frequency = omega, doub
                   const Vec3& anchor = Vec3::Zero());
 
 // x, and v as the central difference for Verlet.
-struct Motion
+struct OscillatorTrace
 {
     std::vector<double> x; // [steps + 1] m
     std::vector<double> v; // [steps + 1] m/s
 };
 
-Motion follow(const System& system, int steps);
+OscillatorTrace follow(const System& system, int steps);
 
 } // namespace ripstop

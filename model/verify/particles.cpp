@@ -1,4 +1,5 @@
 // Single particles and flat plates against closed forms: weight, drag, wind.
+#include "assembly/finish.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

@@ -1,4 +1,5 @@
 // A weight on one rod of 1 m: its period at any amplitude, and what projection takes from it.
+#include "assembly/finish.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 

@@ -2,8 +2,8 @@
 #include "verify/reference_sections.h"
 
 #include "compile/resolve.h"
+#include "forces/panel_load.h"
 #include "measure/diagnostics.h"
-#include "sim/panel_load.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 // One projection of rods, with nothing else done.
+#include "assembly/finish.h"
+#include "constraints/rod_solver.h"
 #include "measure/diagnostics.h"
-#include "sim/rod_solver.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 
@@ -26,11 +27,11 @@ std::vector<PaddedVec3> projected(System system, Solver solver, int sweeps)
         restLength.push_back(rod.restLength);
     std::vector<PaddedVec3> position = system.start.position;
     RodSolver rods;
-    Crew crew(1);
+    ThreadPool pool(1);
     const RodTask task{system,     solver, sweeps, {},      system.start.rodTorn,
                        restLength, 1.0,    0,      position};
     rods.start(task, system.start.rodTension);
-    rods.project(task, crew);
+    rods.project(task, pool);
     return position;
 }
 

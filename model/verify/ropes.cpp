@@ -1,5 +1,6 @@
 // Ropes: the catenary, the rope that stretches under its weight, its longitudinal mode, and lines
 // that carry no compression.
+#include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

@@ -3,8 +3,8 @@
 // Add particles and what joins them, set what the case is about, call finish(system), then run().
 #pragma once
 
-#include "sim/stepper.h"
-#include "sim/system.h"
+#include "step/stepper.h"
+#include "system/system.h"
 
 #include <cmath>
 #include <random>

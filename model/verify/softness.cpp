@@ -9,7 +9,8 @@
 // its share, the rod after it undoes that, and the mean is softer. The mean state is still the
 // fixed point of a linear map, the mean of the maps of all orders, which is solved here with
 // matrices.
-#include "sim/rod_solver.h"
+#include "assembly/finish.h"
+#include "constraints/rod_solver.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 
@@ -70,7 +71,7 @@ double ratioInOneOrder(double hw)
     State state = system.start;
     const std::vector<double> restLength(system.rods.size(), 1.0);
     RodSolver rods;
-    Crew crew(1);
+    ThreadPool pool(1);
     const RodTask task{system, Solver::GaussSeidel, 1, {}, state.rodTorn, restLength, h,
                        0,      state.position};
     rods.start(task, state.rodTension);
@@ -78,7 +79,7 @@ double ratioInOneOrder(double hw)
         const std::vector<PaddedVec3> before = state.position;
         for (std::size_t i = 1; i < before.size(); ++i)
             state.position[i] += h * state.velocity[i] + h * h * system.gravity;
-        rods.project(task, crew);
+        rods.project(task, pool);
         for (std::size_t i = 1; i < before.size(); ++i)
             state.velocity[i] = 0.98 * (state.position[i] - before[i]) / h;
     }

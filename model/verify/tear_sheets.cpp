@@ -1,9 +1,10 @@
 #include "verify/tear_sheets.h"
 
+#include "assembly/carry_over.h"
+#include "assembly/finish.h"
+#include "assembly/split_system.h"
 #include "measure/diagnostics.h"
-#include "sim/carry_over.h"
-#include "sim/split_system.h"
-#include "sim/tear_opening.h"
+#include "tearing/tear_opening.h"
 
 #include <Eigen/Geometry>
 

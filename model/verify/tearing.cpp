@@ -1,4 +1,5 @@
 // Links that break: when, at what length and force, and what is left.
+#include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

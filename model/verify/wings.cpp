@@ -1,4 +1,5 @@
 // Wings with the vortex law: lift slope, induced drag, camber, symmetry, power.
+#include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

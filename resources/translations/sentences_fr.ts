@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <!-- Sentences that the engine composes, with gaps for what stands in them. Written by hand: the editor
-     recognises a sentence by its pattern (app/editor/sentences.h); one without a pattern stays English. -->
+     recognises a sentence by its pattern (app/language/sentences.h); one without a pattern stays English. -->
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
     <name>sentences</name>

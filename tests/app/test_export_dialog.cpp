@@ -1,7 +1,7 @@
 // Bundles and recordings in the export dialog, flown again by the command line.
 #include "app/window_shop.h"
 #include "bundle/bundle.h"
-#include "editor/export_dialog.h"
+#include "files/export_dialog.h"
 #include "model/cli_call.h"
 
 #include <QComboBox>

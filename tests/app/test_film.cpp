@@ -1,6 +1,6 @@
 // Films and pictures that the export dialog makes, looked at by other programs and by their pixels.
 #include "app/window_shop.h"
-#include "editor/export_dialog.h"
+#include "files/export_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>

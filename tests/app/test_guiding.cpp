@@ -2,7 +2,7 @@
 #include "app/window_shop.h"
 
 #include "builders/builder.h"
-#include "editor/operation_dialog.h"
+#include "dialogs/operation_dialog.h"
 #include "inspector/target_rows.h"
 #include "views/small_scenes.h"
 

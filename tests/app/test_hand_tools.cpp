@@ -6,8 +6,8 @@
 #include "io/control_track.h"
 #include "run/simulation.h"
 #include "run/torn_system.h"
-#include "viewport/hand_settings.h"
-#include "viewport/pointing.h"
+#include "tools/hand_settings.h"
+#include "tools/pointing.h"
 
 using namespace ripstop;
 

@@ -1,9 +1,9 @@
 // What a designer does with the Insert menu: insert with a preview, change parameters, detach.
 #include "author/rebuild.h"
+#include "dialogs/builder_dialog.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
-#include "editor/builder_dialog.h"
 #include "editor/main_window.h"
 #include "viewport/viewport.h"
 

@@ -1,15 +1,15 @@
 // The window in French: nothing English is left on it, and nothing but words depends on it.
+#include "actions/keys_dialog.h"
 #include "app/window_shop.h"
 #include "author/operation.h"
 #include "author/stability.h"
 #include "builders/builder.h"
+#include "dialogs/builder_dialog.h"
+#include "dialogs/operation_dialog.h"
 #include "document/words.h"
-#include "editor/builder_dialog.h"
-#include "editor/keys_dialog.h"
-#include "editor/language.h"
-#include "editor/operation_dialog.h"
 #include "editor/table_texts.h"
 #include "io/scene_file.h"
+#include "language/language.h"
 #include "scene/check.h"
 #include "scene/presets.h"
 #include "scene/typed_number.h"
@@ -216,12 +216,12 @@ private slots:
 
     void tablesOfTheModelAreFrench()
     {
-        const Speech speech(Language::French);
+        const Translation translation(Language::French);
         const QHash<QString, QString> french = catalogue();
         QVERIFY(tableTexts().size() > 500);
         for (const QString& text : tableTexts())
             if (hasWords(text))
-                QCOMPARE(spoken(text.toStdString()), french.value(text));
+                QCOMPARE(translated(text.toStdString()), french.value(text));
     }
 
     // Texts that are the same with and without French.
@@ -242,7 +242,7 @@ private slots:
 
     void textsOfQtAreFrench()
     {
-        const Speech speech(Language::French);
+        const Translation translation(Language::French);
         QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QString("Annuler"));
     }
 
@@ -276,8 +276,8 @@ private slots:
     {
         QFETCH(QString, english);
         QFETCH(QString, french);
-        const Speech speech(Language::French);
-        QCOMPARE(spoken(english.toStdString()), french);
+        const Translation translation(Language::French);
+        QCOMPARE(translated(english.toStdString()), french);
     }
 
     void findingsAndProblemsAreFrench_data()
@@ -290,7 +290,7 @@ private slots:
     void findingsAndProblemsAreFrench()
     {
         QFETCH(QString, file);
-        const Speech speech(Language::French);
+        const Translation translation(Language::French);
         const Result<Scene> scene = readScene(file.toStdString());
         QVERIFY(scene);
         std::vector<std::string> said;
@@ -302,7 +302,7 @@ private slots:
         for (const Problem& problem : problemsOf(*scene))
             said.push_back(problem.message);
         for (const std::string& sentence : said)
-            QVERIFY2(spoken(sentence) != QString::fromStdString(sentence), sentence.c_str());
+            QVERIFY2(translated(sentence) != QString::fromStdString(sentence), sentence.c_str());
     }
 
     // Nothing of the list stands for a sentence that the engine no longer says.
@@ -339,7 +339,7 @@ private slots:
 
     void pluralsFollowTheLanguage()
     {
-        const Speech speech(Language::French);
+        const Translation translation(Language::French);
         QCOMPARE(counted(Kind::Particle, 0), QString("0 particule"));
         QCOMPARE(counted(Kind::Particle, 1), QString("1 particule"));
         QCOMPARE(counted(Kind::Panel, 2), QString("2 panneaux"));
@@ -348,7 +348,7 @@ private slots:
 
     void numbersAreShownWithACommaAndReadWithEither()
     {
-        const Speech speech(Language::French);
+        const Translation translation(Language::French);
         QCOMPARE(compactNumber(0.5), QString("0,5"));
         QCOMPARE(compactNumber(-9.80665), QString("-9,80665"));
         for (const char* typed : {"0,5", "0.5", "50 %", "0,25 + 0,25"})
@@ -367,7 +367,7 @@ private slots:
     {
         QFETCH(int, language);
         QFETCH(QString, shown);
-        const Speech speech{Language(language)};
+        const Translation translation{Language(language)};
         for (const char* typed : {"1.25", "1,25"}) {
             QDoubleSpinBox box;
             box.setRange(0.0, 10.0);
@@ -382,7 +382,7 @@ private slots:
     {
         QTemporaryDir folder;
         const auto written = [&](Language language) {
-            const Speech speech(language);
+            const Translation translation(language);
             Document document;
             if (document.open(SCENES_DIR "/delta_kite.ripstop.json"))
                 qFatal("the sample is gone");
@@ -417,7 +417,7 @@ private slots:
     {
         QVERIFY(!languageFromCode("de"));
         QVERIFY(languageFromCode("fr") == Language::French);
-        const Speech speech(Language::English);
+        const Translation translation(Language::English);
         QCOMPARE(compactNumber(0.5), QString("0.5"));
         QCOMPARE(kindLabel(Kind::Link), QString("Link"));
     }
@@ -425,7 +425,7 @@ private slots:
 private:
     static QSet<QString> textsOfEditorInFrench()
     {
-        const Speech speech(Language::French);
+        const Translation translation(Language::French);
         return textsOfEditor();
     }
 

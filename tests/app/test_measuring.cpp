@@ -2,8 +2,8 @@
 #include "app/sheet_shop.h"
 
 #include "author/measure.h"
-#include "viewport/legend.h"
-#include "viewport/probe_labels.h"
+#include "overlays/legend.h"
+#include "overlays/probe_labels.h"
 
 #include <QStatusBar>
 

@@ -1,8 +1,8 @@
 // What every action of the window owes to those who use it. Panels and dialogs are looked at by
 // ./dev screens, which also says what is cut off or has no name.
+#include "actions/mnemonics.h"
 #include "album/window_walk.h"
 #include "app/window_shop.h"
-#include "editor/mnemonics.h"
 
 #include <QMenu>
 #include <QMenuBar>

@@ -1,12 +1,12 @@
 // What a person does to select, in the whole window: menu, keys, strip, dialog, status bar.
 #include "author/elements.h"
 #include "builders/builder.h"
+#include "dialogs/condition_dialog.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
-#include "editor/condition_dialog.h"
 #include "editor/main_window.h"
-#include "viewport/pointing.h"
+#include "tools/pointing.h"
 #include "viewport/viewport.h"
 #include "views/run_with_view.h"
 

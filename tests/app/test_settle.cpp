@@ -1,8 +1,8 @@
 // Settling and adopting a pose, by their dialogs.
 #include "app/sheet_shop.h"
 
-#include "editor/pose_dialog.h"
-#include "editor/settle_dialog.h"
+#include "dialogs/pose_dialog.h"
+#include "dialogs/settle_dialog.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -1,13 +1,13 @@
 // What a designer does with the menus that shape a design, by its actions and dialogs.
 #include "builders/builder.h"
+#include "dialogs/operation_dialog.h"
 #include "document/clipboard.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
-#include "editor/operation_dialog.h"
 #include "thread_time.h"
-#include "viewport/transform_tool.h"
+#include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 #include "views/small_scenes.h"
 

@@ -1,6 +1,6 @@
 // The timeline in the window: what ran is looked back at, marked, gone on from, saved and opened.
 #include "document/recordings.h"
-#include "editor/run_files.h"
+#include "files/run_files.h"
 #include "io/recording_file.h"
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"

@@ -7,8 +7,8 @@
 //   reordered  by its own ReoptimizeLinkOrder(), which takes links that wait for each other apart
 //              and leaves the result as it is; few callers know of it.
 // Everything runs in turn, a few milliseconds each, and ratios are formed inside a round.
-#include "cli/bench_report.h"
-#include "cli/bench_timing.h"
+#include "bench/report.h"
+#include "bench/timing.h"
 
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyHelpers.h>
@@ -120,15 +120,18 @@ Json compare(const Case& one, double seconds)
     if (interrupted())
         return {};
     const double perVisit = 1e9 / (double(network.system->rods.size()) * one.sweeps);
-    const auto ns = [&](std::size_t i) { return jsonOf(scaled(figuresOf(times[i]), perVisit)); };
+    const auto ns = [&](std::size_t i) {
+        return jsonOf(scaled(timingSummaryOf(times[i]), perVisit));
+    };
     Json row{{"network", network.name},
              {"rods", network.system->rods.size()},
              {"sweeps", one.sweeps},
              {"ripstop_ns", ns(0)}};
     const char* const orders[]{"", "by_node", "by_kind", "reordered"};
     for (std::size_t i = 1; i < runners.size(); ++i)
-        row[orders[i]] = {{"bullet_ns", ns(i)},
-                          {"bullet_over_ripstop", jsonOf(figuresOf(ratios(times[i], times[0])))}};
+        row[orders[i]] = {
+            {"bullet_ns", ns(i)},
+            {"bullet_over_ripstop", jsonOf(timingSummaryOf(ratios(times[i], times[0])))}};
     row["wanted_at_least"] = one.wanted;
     for (const char* order : {"by_node", "reordered"})
         row[std::string("met_") + order] =

@@ -1,15 +1,15 @@
 // An experiment, no part of the product: does a coarse-to-fine hierarchy hold large cloths at less
 // cost than plain small steps?
 //
-// The cloth of bench_networks.h with 2^k m + 1 particles a side. Level l has every 2^l-th particle,
+// The cloth of networks.h with 2^k m + 1 particles a side. Level l has every 2^l-th particle,
 // tied by rods to its neighbours along rows, columns and diagonals that resist tension only: cloth
 // between them may be slack, but not longer than the way along it (Mueller 2008, Hierarchical
 // position based dynamics). A substep predicts, then goes from the coarsest level to the finest:
 // sweeps there, and hands what moved to the next level, linearly between particles. The finest
 // level is one coloured sweep over all rods, as in plain small steps. Both have the same plain
 // loops, so that times compare; the orders of colours are shuffled by the number of the substep.
-#include "cli/bench_networks.h"
-#include "cli/bench_report.h"
+#include "bench/networks.h"
+#include "bench/report.h"
 
 #include <algorithm>
 #include <chrono>

@@ -32,9 +32,6 @@ inline Outcome call(const QStringList& arguments)
             process.readAllStandardOutput(), QString(process.readAllStandardError())};
 }
 
-inline QString scene(const char* name)
-{
-    return QString(SCENES_DIR "/%1.ripstop.json").arg(name);
-}
+inline QString scene(const char* name) { return QString(SCENES_DIR "/%1.ripstop.json").arg(name); }
 
 } // namespace ripstop

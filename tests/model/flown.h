@@ -15,8 +15,7 @@ inline Design designOf(const Scene& scene) { return {std::make_shared<const Scen
 using Pilot = std::function<void(Simulation&, Recorder&, int step)>;
 
 inline std::shared_ptr<Recording> flown(const Scene& scene, int steps, const Pilot& pilot = {},
-                                        int threads = 1,
-                                        std::size_t memory = std::size_t(64) << 20)
+                                        int threads = 1, std::size_t memory = std::size_t(64) << 20)
 {
     Simulation simulation(*compile(scene), threads);
     Recorder recorder(memory);

@@ -1,5 +1,6 @@
 // Air on panels: who carries the load, and panels without any. What the laws of the air must give
 // is among the cases (verify/air.cpp, verify/air_laws.cpp).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"

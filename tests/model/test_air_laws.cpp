@@ -1,9 +1,10 @@
 // Air laws on plates and bodies: the blend for all angles, lift and drag by table, porosity
 // (validation 2.12, 2.13, 3.6, 4.1, 4.3 and 4.9).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "compile/resolve.h"
-#include "sim/panel_load.h"
+#include "forces/panel_load.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,8 @@
 // How long a substep may be for what the air takes from fabric.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
-#include "sim/air_step.h"
+#include "forces/air_step.h"
 
 #include <QtTest>
 

@@ -1,4 +1,5 @@
 // The automatic solver: it holds the strain that is wanted, and says what it picked.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "builders/builder.h"
@@ -6,7 +7,7 @@
 #include "compile/compile.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
-#include "sim/solver_plan.h"
+#include "step/solver_plan.h"
 
 #include <QtTest>
 

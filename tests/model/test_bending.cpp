@@ -1,4 +1,5 @@
 // Bending of fabric and of spars; the deflections that theory knows are in verify (M6, M-EI).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "base/bend.h"
@@ -6,9 +7,9 @@
 #include "builders/network.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "forces/bend_force.h"
 #include "measure/diagnostics.h"
 #include "scene/check.h"
-#include "sim/bend_force.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -266,7 +267,7 @@ private slots:
         QVERIFY(gone > 0);
         std::vector<PaddedVec3> turn(system.bends.size());
         std::vector<PaddedVec3> moment(system.bends.size());
-        Crew alone(1);
+        ThreadPool alone(1);
         fillBends(system, state, alone, turn, moment);
         int dropped = 0;
         for (std::size_t i = 0; i < turn.size(); ++i) {

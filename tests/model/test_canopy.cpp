@@ -2,6 +2,7 @@
 // from any start with the same bits. What it is when full stands in verify/canopy.cpp.
 #include "model/systems.h"
 
+#include "assembly/carry_over.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
@@ -10,7 +11,6 @@
 #include "run/simulation.h"
 #include "scene/canopy_shape.h"
 #include "scene/check.h"
-#include "sim/carry_over.h"
 #include "verify/opening.h"
 
 #include <Eigen/Geometry>

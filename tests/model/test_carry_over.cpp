@@ -1,8 +1,9 @@
 // A running state carried into an edited system.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
+#include "assembly/carry_over.h"
 #include "measure/diagnostics.h"
-#include "sim/carry_over.h"
 
 #include <QtTest>
 

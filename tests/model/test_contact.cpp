@@ -1,5 +1,6 @@
 // Contact of particles with planes and spheres: what each response means. How things fall, bounce,
 // rest and slide is among the cases of model/verify.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include <QtTest>

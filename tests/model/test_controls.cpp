@@ -1,9 +1,10 @@
 // Controls: corners that are moved, pilots that shift their weight.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
-#include "sim/inputs.h"
+#include "step/inputs.h"
 
 #include <QtTest>
 

@@ -1,11 +1,11 @@
 #include "author/copy.h"
 
 #include "author/align.h"
+#include "author/element_counts.h"
 #include "author/operation.h"
 #include "author/pin.h"
 #include "author/split.h"
 #include "author/spread_mass.h"
-#include "author/toll.h"
 #include "author/weld.h"
 #include "builders/builder.h"
 #include "io/scene_file.h"
@@ -250,8 +250,8 @@ private slots:
         QVERIFY(std::abs(massOf(now) - massOf(two)) < 1e-15);
         for (const Id id : weld.kept)
             QCOMPARE(placeOf(now, id).z(), 0.0);
-        const Tolls tolls = tollsOf(weld.edit);
-        QCOMPARE(tolls.removed.particles, std::size_t(2));
+        const EditCounts counts = editCountsOf(weld.edit);
+        QCOMPARE(counts.removed.particles, std::size_t(2));
         QCOMPARE(weldedWithin(scene, {Id{1}}, 0.5, WeldAt::First).merged, std::size_t(0));
     }
 
@@ -344,7 +344,7 @@ private slots:
         (void)apply(scene, setValue(scene, Id{30}, "linearDensity", 0.3)); // kg/m
         (void)apply(scene, setValue(scene, Id{30}, "compliance", 0.006));
         const Id middle = partOf(scene).links[1].id; // from (1,0) to (1,1), side of two panels
-        const Split split = linksSplit(scene, {middle}, 3, 9.0);
+        const LinksSplit split = linksSplit(scene, {middle}, 3, 9.0);
         const Scene now = after(scene, split.edit);
         const Part& part = partOf(now);
         QCOMPARE(split.links, std::size_t(1));
@@ -371,7 +371,7 @@ private slots:
     void allSidesOfAPanelSplit()
     {
         const Scene scene = oneOfEverything();
-        const Split split = linksSplit(scene, {Id{5}, Id{6}, Id{7}}, 2, 0.01);
+        const LinksSplit split = linksSplit(scene, {Id{5}, Id{6}, Id{7}}, 2, 0.01);
         const Scene now = after(scene, split.edit);
         QCOMPARE(partOf(now).links.size(), std::size_t(6));
         QCOMPARE(partOf(now).panels.size(), std::size_t(4));
@@ -385,10 +385,10 @@ private slots:
     {
         const Scene scene = strip();
         // (1,0): 3 links and 3 panels touch it
-        const Toll toll = alsoRemoved({Id{4}}, removal(scene, {Id{4}}));
-        QCOMPARE(toll.particles, std::size_t(0));
-        QCOMPARE(toll.links, std::size_t(3));
-        QCOMPARE(toll.panels, std::size_t(3));
+        const ElementCounts counts = alsoRemoved({Id{4}}, removal(scene, {Id{4}}));
+        QCOMPARE(counts.particles, std::size_t(0));
+        QCOMPARE(counts.links, std::size_t(3));
+        QCOMPARE(counts.panels, std::size_t(3));
         QVERIFY(alsoRemoved({Id{1}}, removal(scene, {Id{1}})).isNothing());
     }
 

@@ -1,4 +1,5 @@
 // Cuts with a stroke: what breaks, what parts, what is kept.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "builders/builder.h"

@@ -1,5 +1,5 @@
 // Designs of the builders against closed forms: areas, masses, trim, descent, tensions.
-#include "author/figures.h"
+#include "author/design_figures.h"
 #include "builders/statics.h"
 #include "model/sample_scenes.h"
 
@@ -24,9 +24,9 @@ Scene built(const char* name, const Parameters& given = {})
     return *scene;
 }
 
-Figures figures(const char* name, const Parameters& given = {})
+DesignFigures figures(const char* name, const Parameters& given = {})
 {
-    return figuresOf(built(name, given), findBuilder(name)->family);
+    return designFiguresOf(built(name, given), findBuilder(name)->family);
 }
 
 Parameters parametersOf(const QVariantMap& given)
@@ -81,7 +81,7 @@ private slots:
         QFETCH(QVariantMap, given);
         QFETCH(double, area);
         Parameters parameters = parametersOf(given);
-        const Figures once = figures(qPrintable(name), parameters);
+        const DesignFigures once = figures(qPrintable(name), parameters);
         QVERIFY2(std::abs(once.area - area) < 1e-9, qPrintable(QString::number(once.area)));
         // a fabric that is 0.1 kg/m^2 heavier weighs 0.1 A more
         const char* key = name == "pole_flag" ? "density" : "fabric";
@@ -103,7 +103,7 @@ private slots:
 
     void figuresOfAWing()
     {
-        const Figures kite =
+        const DesignFigures kite =
             figures("rectangular_kite", {{"width", 1.2}, {"height", 0.8}, {"bow", 0}});
         QVERIFY(kite.aspect && std::abs(*kite.aspect - 1.5) < 1e-2); // it flies at an angle
         QVERIFY(std::abs(kite.span - 1.2) < 1e-9);
@@ -137,7 +137,7 @@ private slots:
         QVERIFY(std::abs(angle * 180.0 / std::numbers::pi - 35.0) < 1e-6); // of the line
         std::erase_if(kite.particles, [&](const Particle& row) { return row.id > tow; });
         const Load load = airLoad(scene, kite, Vec3(6.0, 0.0, 0.0));
-        const Weight weight = weightOf(kite);
+        const LumpedMass weight = lumpedMassOf(kite);
         const Vec3 pull = weight.mass * gravity * -Vec3::UnitY();
         const Vec3 moment =
             load.moment - place.cross(load.force) + (weight.center - place).cross(pull);
@@ -211,7 +211,7 @@ private slots:
     {
         QFETCH(double, arms);
         const Scene scene = built("cross_parachute", {{"arms", arms}, {"line_diameter", 0}});
-        const double mass = weightOf(partOf(scene)).mass;
+        const double mass = lumpedMassOf(partOf(scene)).mass;
         const double area = 1.5 * 1.5 * (1.0 + 4.0 * arms);
         const double expected = std::sqrt(2.0 * mass * gravity / (air * 0.7 * area));
         Simulation simulation = ::started(scene);
@@ -226,7 +226,7 @@ private slots:
     {
         const Scene scene = bridle("1.5\t0.6\t0,4\n1.6\t0.6\t0,4\n", {{"span", 1.0}});
         const double expected = 1.5 + 1.6 + 2.0 * 2.0 * 0.6 + 2.0 * 4.0 * 0.4;
-        const Figures found = figuresOf(scene, Family::Lines);
+        const DesignFigures found = designFiguresOf(scene, Family::Lines);
         QVERIFY(std::abs(found.lineLength - expected) < 1e-9);
         QCOMPARE(found.links, std::size_t(2 * 7));
         std::vector<double> lengths;

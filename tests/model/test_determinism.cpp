@@ -1,4 +1,5 @@
 // The same bits in every run and at every number of threads (validation C9).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "builders/builder.h"

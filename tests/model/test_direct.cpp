@@ -1,4 +1,5 @@
 // The direct rod solver alone: heavy loads on light lines, frames, and what it costs in energy.
+#include "assembly/finish.h"
 #include "model/heavy_line.h"
 
 #include "measure/diagnostics.h"

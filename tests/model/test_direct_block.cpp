@@ -1,12 +1,13 @@
 // What the direct solver stands on and how it works beside sweeps: its factorisation, which rods
 // are given to it, and a heavy line that carries a net.
+#include "assembly/finish.h"
 #include "model/heavy_line.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
+#include "constraints/block_cholesky.h"
+#include "constraints/direct_choice.h"
 #include "run/simulation.h"
-#include "sim/block_cholesky.h"
-#include "sim/direct_choice.h"
 
 #include <Eigen/Cholesky>
 

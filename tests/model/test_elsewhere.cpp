@@ -41,9 +41,9 @@ QJsonArray placesOf(const Frame& frame)
 }
 
 // Corners of panels that still stand, and ends of lines.
-QJsonArray standingPlacesOf(const Frame& frame, const Dress& dress)
+QJsonArray standingPlacesOf(const Frame& frame, const MeshAppearance& appearance)
 {
-    const Surface surface = surfaceOf(frame, dress);
+    const Surface surface = surfaceOf(frame, appearance);
     std::vector<char> used(surface.position.size(), 0);
     for (const auto& panel : surface.panels)
         for (const int corner : panel)
@@ -69,7 +69,7 @@ struct Expected
 
 Expected fly(const Flight& flight)
 {
-    const Dress dress(sample(flight.scene));
+    const MeshAppearance appearance(sample(flight.scene));
     Simulation simulation = started(flight.scene);
     Expected expected;
     const std::size_t count = frameCount({0.0, flight.seconds, fps});
@@ -78,7 +78,7 @@ Expected fly(const Flight& flight)
         const auto frame = simulation.frame();
         expected.times.append(frame->time);
         expected.all.append(placesOf(*frame));
-        expected.standing.append(standingPlacesOf(*frame, dress));
+        expected.standing.append(standingPlacesOf(*frame, appearance));
     }
     return expected;
 }
@@ -93,7 +93,7 @@ std::optional<Failure> exported(const Flight& flight, const QString& target)
 {
     Simulation simulation = started(flight.scene);
     FlownFrames flown(simulation);
-    return exportRun(flown, Dress(sample(flight.scene)), {0.0, flight.seconds, fps},
+    return exportRun(flown, MeshAppearance(sample(flight.scene)), {0.0, flight.seconds, fps},
                      target.toStdString());
 }
 

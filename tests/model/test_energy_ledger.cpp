@@ -1,5 +1,6 @@
 // The work of air, hands, dampers and contact, and what the solver makes of energy, where theory
 // knows the numbers.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"

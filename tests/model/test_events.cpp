@@ -1,5 +1,6 @@
 // What the events of a run are: contact and lift-off, lines that go slack and taut, and that they
 // are the same wherever a run is made.
+#include "assembly/finish.h"
 #include "io/recording_file.h"
 #include "model/cli_call.h"
 #include "model/systems.h"

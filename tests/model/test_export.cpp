@@ -73,7 +73,7 @@ Simulation simulationOf(const Scene& scene) { return Simulation(*compile(scene))
 
 std::optional<Failure> written(const Frame& frame, const std::string& target)
 {
-    return writeMoment(frame, Dress(), target);
+    return writeMoment(frame, MeshAppearance(), target);
 }
 
 int countOf(const QStringList& lines, const QString& start)
@@ -254,12 +254,13 @@ private slots:
         Simulation simulation = simulationOf(pendulum());
         FlownFrames flown(simulation);
         double share = 0.0;
-        const auto failure = exportRun(flown, Dress(), {.from = 0.1, .to = 0.5, .fps = 10.0},
-                                       path.toStdString(), [&](double done) {
-                                           const bool forward = done >= share;
-                                           share = done;
-                                           return forward;
-                                       });
+        const auto failure =
+            exportRun(flown, MeshAppearance(), {.from = 0.1, .to = 0.5, .fps = 10.0},
+                      path.toStdString(), [&](double done) {
+                          const bool forward = done >= share;
+                          share = done;
+                          return forward;
+                      });
         QVERIFY2(!failure, failure ? failure->message.c_str() : "");
         QCOMPARE(share, 1.0);
 
@@ -287,7 +288,7 @@ private slots:
         const QString path = folder.filePath("height.csv");
         Simulation simulation = simulationOf(pendulum());
         FlownFrames flown(simulation);
-        QVERIFY(!exportRun(flown, Dress(), {.from = 0.0, .to = 0.2, .fps = 1000.0},
+        QVERIFY(!exportRun(flown, MeshAppearance(), {.from = 0.0, .to = 0.2, .fps = 1000.0},
                            path.toStdString()));
         const QStringList lines = QString(contentOf(path)).trimmed().split('\n');
         QCOMPARE(lines.size(), 3 + 21); // two comments
@@ -304,8 +305,8 @@ private slots:
         QVERIFY(!written(*direct.frame(), folder.filePath("direct.ply").toStdString()));
         Simulation exported = simulationOf(pendulum());
         FlownFrames flown(exported);
-        QVERIFY(
-            !exportRun(flown, Dress(), {.to = 0.3}, folder.filePath("exported.ply").toStdString()));
+        QVERIFY(!exportRun(flown, MeshAppearance(), {.to = 0.3},
+                           folder.filePath("exported.ply").toStdString()));
         QCOMPARE(contentOf(folder.filePath("exported.ply")),
                  contentOf(folder.filePath("direct.ply")));
     }
@@ -324,7 +325,7 @@ private slots:
         QTemporaryDir folder;
         Simulation simulation = simulationOf(pendulum());
         FlownFrames flown(simulation);
-        const auto failure = exportRun(flown, Dress(), {.from = 0.0, .to = 2.0},
+        const auto failure = exportRun(flown, MeshAppearance(), {.from = 0.0, .to = 2.0},
                                        folder.filePath(target).toStdString(),
                                        [](double done) { return done < 0.5; });
         QVERIFY(failure);
@@ -342,8 +343,8 @@ private slots:
         Simulation simulation = simulationOf(scene);
         FlownFrames flown(simulation);
         const QString path = folder.filePath("fall.csv");
-        const auto failure =
-            exportRun(flown, Dress(), {.from = 0.0, .to = 5.0, .fps = 10.0}, path.toStdString());
+        const auto failure = exportRun(flown, MeshAppearance(),
+                                       {.from = 0.0, .to = 5.0, .fps = 10.0}, path.toStdString());
         QVERIFY(failure);
         QVERIFY(simulation.trouble());
         QVERIFY(failure->message.find("stopped") != std::string::npos);
@@ -386,8 +387,8 @@ private slots:
         Simulation simulation = simulationOf(pendulum());
         FlownFrames flown(simulation);
         const QString path = target.startsWith('/') ? target : folder.filePath(target);
-        const auto failure =
-            exportRun(flown, Dress(), {.from = from, .to = to, .fps = fps}, path.toStdString());
+        const auto failure = exportRun(flown, MeshAppearance(),
+                                       {.from = from, .to = to, .fps = fps}, path.toStdString());
         QVERIFY(failure);
         QVERIFY2(failure->message.find(fragment.toStdString()) != std::string::npos,
                  failure->message.c_str());
@@ -401,7 +402,7 @@ private slots:
         scene.items.pop_back();
         Simulation simulation = simulationOf(scene);
         FlownFrames flown(simulation);
-        const auto failure = exportRun(flown, Dress(), {.from = 0.0, .to = 1.0},
+        const auto failure = exportRun(flown, MeshAppearance(), {.from = 0.0, .to = 1.0},
                                        folder.filePath("kite.csv").toStdString());
         QVERIFY(failure);
         QVERIFY(failure->message.find("add a probe") != std::string::npos);

@@ -1,4 +1,5 @@
 // What a recording gives to other programs: the run as it was, without flying it again.
+#include "assembly/finish.h"
 #include "builders/builder.h"
 #include "export/export_run.h"
 #include "io/recording_file.h"

@@ -89,10 +89,10 @@ std::array<Frame, 2> tearing(const Scene& scene)
     return {before, after};
 }
 
-std::optional<Failure> writeSeries(std::span<const Frame> frames, const Dress& dress,
+std::optional<Failure> writeSeries(std::span<const Frame> frames, const MeshAppearance& appearance,
                                    const std::string& target)
 {
-    auto sink = openSink(*formatOf(target), target, dress);
+    auto sink = openSink(*formatOf(target), target, appearance);
     if (!sink)
         return sink.failure();
     for (const Frame& frame : frames)
@@ -127,7 +127,7 @@ private slots:
         QTemporaryDir folder;
         const std::string path = folder.filePath(file).toStdString();
         const Scene scene = kite();
-        const auto failure = writeMoment(*startOf(scene), Dress(scene), path);
+        const auto failure = writeMoment(*startOf(scene), MeshAppearance(scene), path);
         QVERIFY2(!failure, failure ? failure->message.c_str() : "");
 
         const Result<PolygonMesh> mesh = readPolygonFile(path, {});
@@ -168,7 +168,7 @@ private slots:
         const auto byteOrder = QSysInfo::Endian(order);
         QTemporaryDir folder;
         const Scene scene = kite();
-        const auto failure = writeSeries(tearing(scene), Dress(scene),
+        const auto failure = writeSeries(tearing(scene), MeshAppearance(scene),
                                          folder.filePath("kite." + ending).toStdString());
         QVERIFY2(!failure, failure ? failure->message.c_str() : "");
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
@@ -225,7 +225,7 @@ private slots:
         after.time = 0.04;
         const std::array frames{before, after};
         const auto failure =
-            writeSeries(frames, Dress(scene), folder.filePath("a.pc2").toStdString());
+            writeSeries(frames, MeshAppearance(scene), folder.filePath("a.pc2").toStdString());
         QVERIFY2(!failure, failure ? failure->message.c_str() : "");
         const Result<PolygonMesh> mesh =
             readPolygonFile(folder.filePath("a.obj").toStdString(), {});
@@ -244,7 +244,7 @@ private slots:
         std::get<Part>(larger.items[0].item).panels.pop_back();
         const std::array frames{*startOf(scene), *startOf(larger)};
         const auto failure =
-            writeSeries(frames, Dress(scene), folder.filePath("a.glb").toStdString());
+            writeSeries(frames, MeshAppearance(scene), folder.filePath("a.glb").toStdString());
         QVERIFY(failure);
         QVERIFY2(failure->message.find("sequence") != std::string::npos, failure->message.c_str());
         QVERIFY(QDir(folder.path()).isEmpty());
@@ -256,9 +256,10 @@ private slots:
         Frame frame;
         frame.layout = std::make_shared<Layout>();
         for (const char* name : {"a.glb", "a.pc2", "a.mdd", "a.gltf"})
-            QVERIFY(writeSeries(std::array{frame}, Dress(), folder.filePath(name).toStdString()));
+            QVERIFY(writeSeries(std::array{frame}, MeshAppearance(),
+                                folder.filePath(name).toStdString()));
         for (const char* name : {"a.glb", "a.stl", "a.dae"})
-            QVERIFY(writeMoment(frame, Dress(), folder.filePath(name).toStdString()));
+            QVERIFY(writeMoment(frame, MeshAppearance(), folder.filePath(name).toStdString()));
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
@@ -273,7 +274,7 @@ private slots:
         old.close();
         Simulation simulation(*compile(kite()));
         FlownFrames flown(simulation);
-        QVERIFY(exportRun(flown, Dress(), {.to = 1.0}, path.toStdString(),
+        QVERIFY(exportRun(flown, MeshAppearance(), {.to = 1.0}, path.toStdString(),
                           [](double done) { return done < 0.9; }));
         QCOMPARE(contentOf(path), QByteArray("old"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
@@ -284,7 +285,7 @@ private slots:
         QTemporaryDir folder;
         const Scene scene = kite();
         const std::string target = folder.filePath("sail_{frame}.obj").toStdString();
-        QVERIFY(!writeSeries(tearing(scene), Dress(scene), target));
+        QVERIFY(!writeSeries(tearing(scene), MeshAppearance(scene), target));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
                  (QStringList{"sail_0000.obj", "sail_0001.obj"}));
         const auto first = readPolygonFile(folder.filePath("sail_0000.obj").toStdString(), {});

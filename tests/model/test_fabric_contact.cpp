@@ -1,6 +1,7 @@
 // Fabric and lines against fabric: what is folded stays apart.
+#include "assembly/finish.h"
+#include "contact/fabric_contact.h"
 #include "model/systems.h"
-#include "sim/fabric_contact.h"
 
 #include <QtTest>
 

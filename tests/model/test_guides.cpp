@@ -1,5 +1,6 @@
 // Particles that are free along a line or in a plane only, against mechanics: beads on wires, a
 // trammel, a pendulum on a trolley, and what every solver makes of them.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "author/copy.h"

@@ -1,15 +1,16 @@
 // What hands do to a run: pulls, pins, fans and colliders that are carried.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "forces/hand_pull.h"
+#include "forces/panel_load.h"
 #include "io/control_track.h"
 #include "measure/diagnostics.h"
 #include "run/settle.h"
 #include "run/simulation.h"
-#include "sim/hand_pull.h"
-#include "sim/panel_load.h"
 
 #include <Eigen/Geometry>
 

@@ -1,5 +1,6 @@
 // Weights that hang on rods are still. How far they come down and what the rods carry is among the
 // cases (verify/hangs.cpp).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"

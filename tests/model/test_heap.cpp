@@ -5,6 +5,7 @@
 // thread, and such a pool grows whenever more of them are under way than ever before, which depends
 // on how threads were scheduled. The sanitizers have allocators of their own: under them the same
 // steps run uncounted.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "compile/compile.h"
@@ -262,7 +263,7 @@ class TestHeap : public QObject
     Q_OBJECT
 
 private slots:
-    // The counter counts: on this thread, aligned memory, and on the others of a crew.
+    // The counter counts: on this thread, aligned memory, and on the others of a pool.
     void counts()
     {
         if (!RIPSTOP_COUNTS)

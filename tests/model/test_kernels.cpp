@@ -1,12 +1,13 @@
-// Kernels that take four panels, springs, particles or rods at a time (sim/four.h): with and
-// without vector instructions, alone or beside others, each gets the same bits.
+// Kernels that take four panels, springs, particles or rods at a time (parallel/simd_pack.h): with
+// and without vector instructions, alone or beside others, each gets the same bits.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
-#include "sim/contact.h"
-#include "sim/four.h"
-#include "sim/panel_load.h"
-#include "sim/rod_batches.h"
-#include "sim/spring_force.h"
+#include "constraints/rod_batches.h"
+#include "contact/contact.h"
+#include "forces/panel_load.h"
+#include "forces/spring_force.h"
+#include "parallel/simd_pack.h"
 
 #include <QtTest>
 
@@ -105,16 +106,16 @@ const MaterialAir& airOf(const System& system, std::size_t panel)
 std::vector<PaddedVec3> loads(const System& system, bool wide, int threads = 1)
 {
     std::vector<PaddedVec3> load(system.panels.size(), Vec3(1.0, 2.0, 3.0));
-    Crew crew(threads);
-    fillPanelLoads(system, system.start, crew, load, wide);
+    ThreadPool pool(threads);
+    fillPanelLoads(system, system.start, pool, load, wide);
     return load;
 }
 
 std::vector<PaddedVec3> forces(const System& system, bool wide, int threads = 1)
 {
     std::vector<PaddedVec3> force(system.springs.size(), Vec3(1.0, 2.0, 3.0));
-    Crew crew(threads);
-    fillSpringForces(system, system.start, crew, force, wide);
+    ThreadPool pool(threads);
+    fillSpringForces(system, system.start, pool, force, wide);
     return force;
 }
 
@@ -362,12 +363,12 @@ private slots:
                 }
                 finish(system);
                 State state = system.start;
-                Crew crew(1);
+                ThreadPool pool(1);
                 std::vector<PlacedObstacle> placed(1);
                 beginMoves(system, state, 0.0, placed);
                 endMoves(system, state, 0.0, placed);
                 std::vector<std::uint32_t> touches(std::size_t(count), 0);
-                resolveContacts(system, state, system.start.position, placed, 0.01, crew, touches);
+                resolveContacts(system, state, system.start.position, placed, 0.01, pool, touches);
                 for (int i = 0; i < count; ++i) {
                     QCOMPARE(state.position[std::size_t(i)].y(), i == inside ? 0.0 : 1.0);
                     QCOMPARE(touches[std::size_t(i)], i == inside ? touchOf(0) : 0u);

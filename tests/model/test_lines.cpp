@@ -1,10 +1,11 @@
 // Wind on lines (validation 4.13).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "builders/network.h"
 #include "compile/compile.h"
+#include "forces/line_drag.h"
 #include "measure/diagnostics.h"
-#include "sim/line_drag.h"
 
 #include <QtTest>
 

@@ -1,4 +1,5 @@
 // Probes, energies and the hash on states that are known.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "base/quantity.h"

@@ -1,7 +1,8 @@
 // Particles on boxes, hills and meshes, at rest and in motion (validation B1 to B3, B7, B8), and
 // obstacles that move.
+#include "assembly/finish.h"
+#include "contact/obstacle_motion.h"
 #include "model/systems.h"
-#include "sim/obstacle_motion.h"
 
 #include <QtTest>
 

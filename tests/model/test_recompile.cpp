@@ -1,4 +1,5 @@
 // Edits of a running scene: what an edit in place leaves behind is what a full compile gives.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "builders/builder.h"

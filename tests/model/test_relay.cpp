@@ -4,7 +4,7 @@
 // name into all its cells, and mixing does not commute, so each cell tells in what order its chunks
 // had their turns. Expected is what nested loops over rounds, classes and chunks leave.
 #include "model/systems.h"
-#include "sim/relay.h"
+#include "parallel/chunk_scheduler.h"
 
 #include <QtTest>
 
@@ -150,7 +150,7 @@ void delay(Pace pace, int round, int chunk, std::thread::id caller)
 
 } // namespace
 
-class TestRelay : public QObject
+class TestChunkScheduler : public QObject
 {
     Q_OBJECT
 
@@ -185,8 +185,8 @@ private slots:
         QFETCH(Pace, pace);
         Dice dice(std::uint32_t(7 * chunks + degree));
         for (const int threads : {1, 2, 3, 4, 5, 6, 7, 8}) {
-            Crew crew(threads);
-            Relay relay; // used again, as a solver does
+            ThreadPool pool(threads);
+            ChunkScheduler relay; // used again, as a solver does
             for (int repeat = 0; repeat < repeats; ++repeat) {
                 const Graph graph = randomGraph(std::size_t(chunks), degree, reach, dice);
                 relay.prepare(graph.touching, graph.classOf, graph.reach);
@@ -194,7 +194,7 @@ private slots:
                     const std::vector<int> rank = shuffledRanks(graph, dice);
                     Trace trace(graph);
                     const auto caller = std::this_thread::get_id();
-                    relay.run(crew, rounds, rank, [&](int round, int chunk) {
+                    relay.run(pool, rounds, rank, [&](int round, int chunk) {
                         delay(pace, round, chunk, caller);
                         trace.turn(graph, round, chunk);
                     });
@@ -218,5 +218,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRelay)
+QTEST_APPLESS_MAIN(TestChunkScheduler)
 #include "test_relay.moc"

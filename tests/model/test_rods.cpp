@@ -1,5 +1,6 @@
 // Rods that resist one way. What one projection must do otherwise is among the cases
 // (verify/rods.cpp).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"
@@ -27,12 +28,12 @@ Projected project(System system, Solver solver, int sweeps, double h = 1.0)
         restLength.push_back(rod.restLength);
     Projected result{system.start.position, std::vector<double>(system.rods.size(), 0.0)};
     RodSolver rods;
-    Crew crew(1);
+    ThreadPool pool(1);
     const RodTask task{system, solver, sweeps,         {}, system.start.rodTorn, restLength,
                        h,      0,      result.position};
     rods.start(task, system.start.rodTension);
-    rods.project(task, crew);
-    rods.takeTensions(task, crew, result.multiplier);
+    rods.project(task, pool);
+    rods.takeTensions(task, pool, result.multiplier);
     for (double& multiplier : result.multiplier) // so far tensions
         multiplier *= h * h;
     return result;

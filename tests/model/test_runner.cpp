@@ -1,4 +1,5 @@
 // The runner's thread: pacing, mailboxes, edits and resets while it plays.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"

@@ -310,10 +310,10 @@ private slots:
     {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("why");
-        QTest::newRow("a folder that is missing")
-            << "/nowhere/at all/wing.ripstop.json" << "there is no folder /nowhere/at all; make it";
-        QTest::newRow("a folder that nobody can write to")
-            << "/proc/wing.ripstop.json" << "was not saved: ";
+        QTest::newRow("a folder that is missing") << "/nowhere/at all/wing.ripstop.json"
+                                                  << "there is no folder /nowhere/at all; make it";
+        QTest::newRow("a folder that nobody can write to") << "/proc/wing.ripstop.json"
+                                                           << "was not saved: ";
         QTest::newRow("a folder instead of a file") << SOURCE_DIR << "was not saved: ";
     }
 

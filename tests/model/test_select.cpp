@@ -355,14 +355,15 @@ private slots:
     void measuredThingsAreFound()
     {
         const Sheet s;
-        const std::array keys{Gauge::Key{"strain", "%", "", Kinds{Kind::Link}}};
-        const Gauge gauge{keys, [&](const Gauge::Key&, Kind) {
-                              return Gauge::Reading{{s.ropeLinks[2], s.ropeLinks[0]}, {6.0, 4.0}};
-                          }};
-        QCOMPARE(*matching(s.scene, gauge, "strain > 5 %"), std::vector{s.ropeLinks[2]});
-        QCOMPARE(*matching(s.scene, gauge, "strain > 0"),
+        const std::array keys{Measurement::Key{"strain", "%", "", Kinds{Kind::Link}}};
+        const Measurement measurement{
+            keys, [&](const Measurement::Key&, Kind) {
+                return Measurement::Reading{{s.ropeLinks[2], s.ropeLinks[0]}, {6.0, 4.0}};
+            }};
+        QCOMPARE(*matching(s.scene, measurement, "strain > 5 %"), std::vector{s.ropeLinks[2]});
+        QCOMPARE(*matching(s.scene, measurement, "strain > 0"),
                  (std::vector{s.ropeLinks[0], s.ropeLinks[2]}));
-        QCOMPARE(*matching(s.scene, gauge, "strain >= 6 and kind = rod"),
+        QCOMPARE(*matching(s.scene, measurement, "strain >= 6 and kind = rod"),
                  std::vector{s.ropeLinks[2]});
     }
 
@@ -392,7 +393,7 @@ private slots:
         row("mass < 1 g and", 15, "a property is missing");
         row("mass < 1 g and leng > 2", 16, "nothing has a \"leng\"");
         row("members = 3", 1, "a list");
-        row("strain > 5 %", 1, "nothing has"); // without a gauge
+        row("strain > 5 %", 1, "nothing has"); // without a measurement
     }
     void wrongConditionsAreExplained()
     {

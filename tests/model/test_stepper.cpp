@@ -1,8 +1,9 @@
 // The step as a whole: substeps, viscosity, pins, changing systems under a running state.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
+#include "assembly/carry_over.h"
 #include "measure/diagnostics.h"
-#include "sim/carry_over.h"
 
 #include <QtTest>
 

@@ -124,7 +124,7 @@ private slots:
     void inertiaIsAboutTheCentreOfGravity()
     {
         Square square;
-        const Weight weight = weightOf(square.scene, {square.part});
+        const MassProperties weight = massPropertiesOf(square.scene, {square.part});
         QVERIFY2(isNear(weight.centre, Vec3(1.0, 1.4, 0.0), 1e-12),
                  told(weight.centre, Vec3(1.0, 1.4, 0.0)));
         // I_x = sum m y^2 - M Y^2 = 0.7 x 4 - 1.96, I_y = 0.5 x 4 - 1

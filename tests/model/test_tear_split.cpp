@@ -1,13 +1,14 @@
 // Meshes that split at a tear: who goes where, what is kept, and that it goes on the same way.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
+#include "assembly/split_system.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "export/export_run.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "shapes/shape_files.h"
-#include "sim/split_system.h"
 #include "verify/tear_sheets.h"
 
 #include <Eigen/Geometry>
@@ -334,7 +335,7 @@ private slots:
         QCOMPARE(simulation.state().splits.size(), std::size_t(7));
         QTemporaryDir folder;
         const auto path = folder.filePath("torn.obj").toStdString();
-        QVERIFY(!writeMoment(*simulation.frame(), Dress(), path));
+        QVERIFY(!writeMoment(*simulation.frame(), MeshAppearance(), path));
         const auto mesh = meshFromFile(path);
         QVERIFY2(bool(mesh), mesh ? "" : mesh.message().c_str());
         QCOMPARE((*mesh)->faces().size(), std::size_t(60));

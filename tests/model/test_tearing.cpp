@@ -1,4 +1,5 @@
 // Tearing: what the cases (verify/tearing.cpp) do not ask.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"

@@ -1,4 +1,5 @@
 // What stops a simulation, and what it says.
+#include "assembly/finish.h"
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"

@@ -1,14 +1,15 @@
 // Wind over height, jets and gusts (validation 3.7, T-W1 to T-W3).
+#include "assembly/finish.h"
 #include "model/systems.h"
 
+#include "assembly/carry_over.h"
 #include "base/portable_math.h"
 #include "builders/network.h"
 #include "compile/compile.h"
+#include "forces/gusts.h"
+#include "forces/wind.h"
 #include "measure/diagnostics.h"
 #include "scene/check.h"
-#include "sim/carry_over.h"
-#include "sim/gusts.h"
-#include "sim/wind.h"
 
 #include <QtTest>
 

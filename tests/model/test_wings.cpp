@@ -1,5 +1,6 @@
 // Wings with the vortex law: how they are cut into strips, tears, edges. What the law gives is in
 // the cases of ripstop-cli verify.
+#include "assembly/finish.h"
 #include "base/vortex_wing.h"
 #include "builders/builder.h"
 #include "builders/statics.h"
@@ -243,7 +244,7 @@ private slots:
         const Scene scene = glider();
         const Part* part = nullptr;
         forEachPart(scene, [&](Id, const Part& one) { part = &one; });
-        const Weight weight = weightOf(*part);
+        const LumpedMass weight = lumpedMassOf(*part);
         const Load load = airLoad(scene, *part, -part->particles.front().velocity);
         const double pull = weight.mass * 9.80665;
         QVERIFY((load.force - Vec3(0.0, pull, 0.0)).norm() < 1e-6 * pull);

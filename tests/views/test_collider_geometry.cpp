@@ -1,6 +1,6 @@
 // Colliders in the view: what is kept from picture to picture, what is drawn, and where a ray ends.
+#include "look/collider_geometry.h"
 #include "scene/collider_shape.h"
-#include "viewport/collider_geometry.h"
 
 #include <QtTest>
 

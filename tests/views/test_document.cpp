@@ -1,7 +1,7 @@
 #include "document/document.h"
 
 #include "compile/compile.h"
-#include "document/gauge.h"
+#include "document/measurement.h"
 #include "document/selection.h"
 #include "document/words.h"
 #include "io/scene_file.h"
@@ -266,10 +266,10 @@ private slots:
         frame->torn = {0, 1};
         frame->panelLoad = {Vec3(0, 0, 12)};
         frame->gone = {0};
-        const Gauge gauge = gaugeOf(frame);
+        const Measurement measurement = measurementOf(frame);
         Scene scene;
         const auto find = [&](const char* condition) {
-            const auto ids = matching(scene, gauge, condition);
+            const auto ids = matching(scene, measurement, condition);
             return ids ? *ids : std::vector<Id>{settingsId};
         };
         using Ids = std::vector<Id>;

@@ -1,8 +1,8 @@
 // Drawing with the mouse: events at places of the picture, as the view passes them on.
+#include "camera/camera_projection.h"
 #include "document/document.h"
-#include "viewport/draw_tool.h"
-#include "viewport/projection.h"
-#include "viewport/scene_frame.h"
+#include "look/scene_frame.h"
+#include "tools/draw_tool.h"
 
 #include <QMouseEvent>
 #include <QtTest>
@@ -21,7 +21,7 @@ struct Board
     QStringList said;
     int begun = 0;
     DrawTool tool;
-    Turntable camera;
+    Camera camera;
     Look look;
     std::vector<ColliderBody> colliders;
     std::shared_ptr<const Frame> frame;
@@ -35,7 +35,7 @@ struct Board
         settings.plane = DrawSettings::Plane::Front;
     }
 
-    Sight sight()
+    CameraView view()
     {
         frame = sceneFrame(document.scene());
         look = lookOf(document.scene(), *frame->layout);
@@ -44,8 +44,8 @@ struct Board
 
     void click(const Vec3& place, Qt::KeyboardModifiers keys = Qt::ControlModifier)
     {
-        const Sight now = sight();
-        const OnScreen at = Projection(now)(place);
+        const CameraView now = view();
+        const OnScreen at = CameraProjection(now)(place);
         const auto event = [&](QEvent::Type type, Qt::MouseButtons buttons) {
             return QMouseEvent(type, QPointF(at.x, at.y), QPointF(at.x, at.y), Qt::LeftButton,
                                buttons, keys);

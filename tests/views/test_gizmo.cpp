@@ -2,8 +2,8 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
-#include "viewport/centre_mark.h"
-#include "viewport/transform_tool.h"
+#include "overlays/centre_mark.h"
+#include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 
 #include "small_scenes.h"
@@ -43,7 +43,10 @@ struct View
         return (arrow.first() + 0.7 * (arrow.last() - arrow.first())).toPoint();
     }
     QPoint middle() const { return tool.gizmo()->centre()->toPoint(); }
-    double metresPerPixel() const { return tool.gizmo()->lens.metresPerPixel(tool.gizmo()->pivot); }
+    double metresPerPixel() const
+    {
+        return tool.gizmo()->projection.metresPerPixel(tool.gizmo()->pivot);
+    }
 
     void press(QPoint at) { QTest::mousePress(&viewport, Qt::LeftButton, {}, at); }
     void release(QPoint at) { QTest::mouseRelease(&viewport, Qt::LeftButton, {}, at); }
@@ -228,7 +231,7 @@ private slots:
         view.tool.setShaping(Shaping::Move);
         view.tool.setSnap(Snap::Particle);
         view.selection.set({Id{3}});
-        const QPoint goal = view.tool.gizmo()->lens.pixel(view.place(Id{4}))->toPoint();
+        const QPoint goal = view.tool.gizmo()->projection.pixel(view.place(Id{4}))->toPoint();
         view.press(view.middle());
         view.move(goal + QPoint(4, -3), Qt::ControlModifier);
         QCOMPARE(view.place(Id{3}), view.place(Id{4}));
@@ -247,7 +250,7 @@ private slots:
         view.selection.set({Id{2}, Id{3}});
         view.tool.setPivot(Pivot::Particle);
         QVERIFY(view.tool.awaitsPivot());
-        const QPoint second = view.tool.gizmo()->lens.pixel(view.place(Id{2}))->toPoint();
+        const QPoint second = view.tool.gizmo()->projection.pixel(view.place(Id{2}))->toPoint();
         QTest::mouseClick(&view.viewport, Qt::LeftButton, {}, second + QPoint(3, 2));
         QVERIFY(!view.tool.awaitsPivot());
         QCOMPARE(view.selection.ids(), (std::vector{Id{2}, Id{3}}));

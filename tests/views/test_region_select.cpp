@@ -4,9 +4,9 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
-#include "viewport/pointing.h"
-#include "viewport/region_tool.h"
-#include "viewport/scene_frame.h"
+#include "look/scene_frame.h"
+#include "tools/pointing.h"
+#include "tools/region_tool.h"
 #include "viewport/viewport.h"
 #include "views/run_with_view.h"
 
@@ -92,7 +92,7 @@ struct View
     // In the picture, pixels; of a view from the front.
     QPointF at(double x, double y, double z) const
     {
-        const Turntable& camera = viewport.camera();
+        const Camera& camera = viewport.camera();
         const Eigen::Vector4d p = camera.projection(1.0) * Vec3(x, y, z).homogeneous();
         return {200.0 * (1.0 + p.x() / p.w()), 200.0 * (1.0 - p.y() / p.w())};
     }
@@ -251,7 +251,7 @@ private slots:
         View view(sheets.scene);
         view.viewport.setFocus();
         view.take(RegionTool::Shape::Box);
-        const Turntable before = view.viewport.camera();
+        const Camera before = view.viewport.camera();
         const std::vector<Id> ids{sheets.particle(true, 0, 0)};
         view.selection.set(ids);
         QSignalSpy left(&view.viewport.pointing(), &Pointing::toolLeft);
@@ -314,7 +314,7 @@ private slots:
         const Sheets sheets(12);
         View view(sheets.scene, false);
         view.viewport.view(PresetView::Iso);
-        const Turntable& camera = view.viewport.camera();
+        const Camera& camera = view.viewport.camera();
         const Part& part = std::get<Part>(sheets.scene.items[0].item);
         const Vec3 eye = camera.eye();
         int hidden = 0;
@@ -368,21 +368,21 @@ private slots:
 
         const auto frame = sceneFrame(scene);
         const Look look = lookOf(scene, *frame->layout);
-        Turntable camera;
+        Camera camera;
         camera.azimuth = std::atan2(towards.x(), towards.z());
         camera.elevation = std::asin(towards.y());
         camera.fit(corners, 1.0);
         camera.orthographic = true;
-        const Sight sight{*frame, look, {}, camera, 400.0, 400.0};
+        const CameraView view{*frame, look, {}, camera, 400.0, 400.0};
         const Region everything({{0, 0}, {400, 0}, {400, 400}, {0, 400}});
-        const std::vector<Id> seen = elementsIn(sight, {}, everything, Depth::Visible);
+        const std::vector<Id> seen = elementsIn(view, {}, everything, Depth::Visible);
         std::vector<Id> expected{Id{2}, Id{3}, Id{4}, Id{5}, Id{6}}; // but not the one at -z
         expected.insert(expected.end(), facing.begin(), facing.end());
         QString text;
         for (const Id one : seen)
             text += QString(" %1").arg(std::uint32_t(one));
         QVERIFY2(seen == expected, qPrintable(text));
-        QCOMPARE(elementsIn(sight, {}, everything, Depth::Through).size(), std::size_t(6 + 8));
+        QCOMPARE(elementsIn(view, {}, everything, Depth::Through).size(), std::size_t(6 + 8));
     }
 
     // On 100 000 particles a click, a hover and a box answer in less than 50 ms.
@@ -393,7 +393,7 @@ private slots:
         QVERIFY(scene);
         const auto frame = sceneFrame(*scene);
         const Look look = lookOf(*scene, *frame->layout);
-        Turntable camera;
+        Camera camera;
         camera.look(PresetView::Iso);
         camera.fit(frame->position, 1.25);
         double worst = 0.0;
@@ -408,28 +408,28 @@ private slots:
             worst = std::max(worst, best);
         };
         for (const double factor : {1.0, 0.05, 20.0}) {
-            Turntable near = camera;
+            Camera near = camera;
             near.focus = frame->position[158 * 316 + 158]; // the middle
             near.zoom(factor, 0.0, 0.0, 1.25);
-            const Sight sight{*frame, look, {}, near, 1000.0, 800.0};
+            const CameraView view{*frame, look, {}, near, 1000.0, 800.0};
             qInfo("the sheet %g times as large as the picture", 1.0 / factor);
             Id found = noId;
-            time("click", [&] { found = Picker{sight, {}}.at(500.0, 400.0); });
+            time("click", [&] { found = Picker{view, {}}.at(500.0, 400.0); });
             QVERIFY(found != noId);
             std::size_t count = 0;
             const Region box({{0, 0}, {1000, 0}, {1000, 800}, {0, 800}});
             time("box, particles seen", [&] {
-                count = elementsIn(sight, {{}, {true, false, false}}, box, Depth::Visible).size();
+                count = elementsIn(view, {{}, {true, false, false}}, box, Depth::Visible).size();
             });
             time("box, particles through", [&] {
-                count = elementsIn(sight, {{}, {true, false, false}}, box, Depth::Through).size();
+                count = elementsIn(view, {{}, {true, false, false}}, box, Depth::Through).size();
             });
             time("box, all through",
-                 [&] { count = elementsIn(sight, {}, box, Depth::Through).size(); });
+                 [&] { count = elementsIn(view, {}, box, Depth::Through).size(); });
             QVERIFY(count > 100);
             QElapsedTimer clock; // several threads
             clock.start();
-            count = elementsIn(sight, {}, box, Depth::Visible).size();
+            count = elementsIn(view, {}, box, Depth::Visible).size();
             qInfo("%-28s %6.1f ms", "box, all seen", 1e-6 * double(clock.nsecsElapsed()));
         }
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

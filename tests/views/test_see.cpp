@@ -1,11 +1,11 @@
 // Colours by tear limit, the peak, and arrows on elements.
-#include "viewport/design_ghost.h"
-#include "viewport/legend.h"
-#include "viewport/quantity_values.h"
-#include "viewport/range_editor.h"
-#include "viewport/trails.h"
-#include "viewport/vector_layer.h"
-#include "viewport/vectors.h"
+#include "layers/vector_layer.h"
+#include "look/design_ghost.h"
+#include "look/quantity_values.h"
+#include "look/trails.h"
+#include "look/vectors.h"
+#include "overlays/legend.h"
+#include "overlays/range_editor.h"
 #include "views/small_scenes.h"
 
 #include <QLineEdit>

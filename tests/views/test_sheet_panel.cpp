@@ -1,7 +1,7 @@
 // The table of a design, used with keys and mouse.
 #include "builders/builder.h"
 #include "document/document.h"
-#include "document/gauge.h"
+#include "document/measurement.h"
 #include "document/selection.h"
 #include "small_scenes.h"
 #include "table/sheet_panel.h"
@@ -23,7 +23,7 @@ struct Desk
 {
     Document document;
     Selection selection{document};
-    SheetPanel panel{document, selection, [] { return gaugeOf({}); }};
+    SheetPanel panel{document, selection, [] { return measurementOf({}); }};
 
     explicit Desk(Scene scene = oneOfEverything())
     {

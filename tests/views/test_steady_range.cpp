@@ -1,5 +1,5 @@
 // The range of the colours: close to the values, and calm.
-#include "viewport/steady_range.h"
+#include "look/steady_range.h"
 
 #include <QtTest>
 

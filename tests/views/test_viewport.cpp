@@ -6,10 +6,10 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
+#include "layers/wind_layer.h"
+#include "look/steady_range.h"
 #include "run/simulation.h"
-#include "viewport/hand.h"
-#include "viewport/steady_range.h"
-#include "viewport/wind_layer.h"
+#include "tools/hand.h"
 
 #include <Eigen/Geometry>
 #include <QApplication>
@@ -207,9 +207,9 @@ private slots:
             points.emplace_back(3.0 * std::sin(1.7 * i), 1.0 * std::cos(2.9 * i),
                                 2.0 * std::sin(0.3 * i));
         constexpr double aspect = 1.4;
-        const Covered covered{.left = 0.1, .right = 0.2, .top = 0.05, .bottom = 0.15};
+        const OverlayMargins covered{.left = 0.1, .right = 0.2, .top = 0.05, .bottom = 0.15};
         for (const bool orthographic : {false, true}) {
-            Turntable camera;
+            Camera camera;
             camera.look(PresetView::Iso);
             camera.orthographic = orthographic;
             camera.fit(points, aspect, covered);
@@ -246,7 +246,7 @@ private slots:
         QVERIFY(Hand(scene, Id{2}, Vec3::Zero()).isEmpty());
         const Hand hand(scene, Id{4}, Vec3(0.3, 0.2, 0.0));
         QCOMPARE(hand.controls(), (std::vector{Id{7}, Id{8}, Id{9}}));
-        Turntable camera;
+        Camera camera;
         for (const bool orthographic : {true, false}) {
             camera.orthographic = orthographic;
             const double perPixel = 2.0 * camera.halfHeight() / 300.0;
@@ -295,7 +295,7 @@ private slots:
     // Whatever is done to it, the camera never rolls: its right stays level and its up upwards.
     void theHorizonStaysLevel()
     {
-        Turntable camera;
+        Camera camera;
         for (int i = 0; i < 200; ++i) {
             camera.orbit(37.0 * (i % 5) - 60.0, 23.0 * (i % 7) - 70.0);
             QVERIFY(std::abs(camera.right().y()) < 1e-12);
@@ -306,12 +306,12 @@ private slots:
 
     void zoomKeepsThePointUnderTheCursor()
     {
-        Turntable camera;
+        Camera camera;
         camera.distance = 10.0;
         const double aspect = 4.0 / 3.0;
         const double x = 0.5;
         const double y = -0.25;
-        const auto under = [&](const Turntable& c) -> Vec3 {
+        const auto under = [&](const Camera& c) -> Vec3 {
             return c.focus + c.halfHeight() * (aspect * x * c.right() + y * c.up());
         };
         const Vec3 before = under(camera);

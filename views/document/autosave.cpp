@@ -128,7 +128,7 @@ void Autosave::collect()
         m_hasFailed = false;
         emit kept(outcome->place.scene());
     } else if (!std::exchange(m_hasFailed, true))
-        emit failed(tr("Unsaved work is not kept: %1").arg(spoken(outcome->failure->message)));
+        emit failed(tr("Unsaved work is not kept: %1").arg(translated(outcome->failure->message)));
 }
 
 } // namespace ripstop

@@ -273,7 +273,7 @@ bool Player::refuse()
     if (current && !m_problem.isEmpty())
         emit stopped(m_problem, m_culprit);
     else if (current && stands && !m_frame->stopped.empty())
-        emit stopped(spoken(m_frame->stopped), m_frame->culprit);
+        emit stopped(translated(m_frame->stopped), m_frame->culprit);
     else
         return false;
     return true;
@@ -296,7 +296,7 @@ void Player::takeCompiled(const Compiled& outcome)
     if (runs)
         m_runner.handle(m_hands); // and with empty hands
 
-    const QString problem = spoken(outcome.problem);
+    const QString problem = translated(outcome.problem);
     const bool disappoints = !problem.isEmpty() && (m_playing || m_orders);
     const bool isNews = problem != m_problem || disappoints;
     m_problem = problem;
@@ -351,7 +351,7 @@ void Player::takeFrame()
     if (halts)
         emit stateChanged();
     if (gotStuck)
-        emit stopped(spoken(m_frame->stopped), m_frame->culprit);
+        emit stopped(translated(m_frame->stopped), m_frame->culprit);
 }
 
 } // namespace ripstop

@@ -235,7 +235,7 @@ void Recordings::take()
         return; // back to live meanwhile
     if (!shown->frame) {
         pause();
-        emit failed(spoken(shown->failure));
+        emit failed(translated(shown->failure));
         return;
     }
     m_showsPast = true;
@@ -364,7 +364,7 @@ void Recordings::takeMoment()
         m_origin.clear();
     }
     if (!begin->moment && !m_cancelled)
-        emit failed(spoken(begin->failure));
+        emit failed(translated(begin->failure));
     emit stateChanged();
 }
 

@@ -4,9 +4,9 @@
 #include "document/worker.h"
 #include "run/recording.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
-#include <QElapsedTimer>
 #include <QTimer>
 
 #include <atomic>

@@ -44,7 +44,7 @@ QString translated(const char* context, const char* text)
 
 } // namespace
 
-QString spoken(std::string_view english)
+QString translated(std::string_view english)
 {
     return english.empty() ? QString()
                            : QCoreApplication::translate("Model", std::string(english).c_str());
@@ -61,20 +61,20 @@ QString counted(Kind kind, qsizetype n)
     return text.replace(QStringLiteral("(s)"), n == 1 ? QString() : QStringLiteral("s"));
 }
 
-QString countsOf(const Toll& toll)
+QString countsOf(const ElementCounts& counts)
 {
     QStringList counts;
     for (const auto& [kind, count] :
-         {std::pair{Kind::Particle, toll.particles}, std::pair{Kind::Link, toll.links},
-          std::pair{Kind::Panel, toll.panels}})
+         {std::pair{Kind::Particle, counts.particles}, std::pair{Kind::Link, counts.links},
+          std::pair{Kind::Panel, counts.panels}})
         if (count > 0)
             counts << counted(kind, qsizetype(count));
     return counts.join(QStringLiteral(", "));
 }
 
-QString labelOf(const Property& property) { return spoken(property.label); }
+QString labelOf(const Property& property) { return translated(property.label); }
 
-QString helpOf(const Property& property) { return spoken(property.help); }
+QString helpOf(const Property& property) { return translated(property.help); }
 
 QString englishLabel(std::string_view choice)
 {
@@ -88,7 +88,10 @@ QString englishLabel(std::string_view choice)
     return text;
 }
 
-QString choiceLabel(std::string_view choice) { return spoken(englishLabel(choice).toStdString()); }
+QString choiceLabel(std::string_view choice)
+{
+    return translated(englishLabel(choice).toStdString());
+}
 
 QString nameOf(const Scene& scene, Id id)
 {

@@ -1,7 +1,7 @@
 // Words for the things of a scene, the same in every view.
 #pragma once
 
-#include "author/toll.h"
+#include "author/element_counts.h"
 #include "scene/property.h"
 
 #include <QString>
@@ -9,12 +9,12 @@
 namespace ripstop {
 
 // A text of the model, which is written in English, in the language of the window.
-QString spoken(std::string_view english);
+QString translated(std::string_view english);
 
-QString kindLabel(Kind kind);            // "Particle"
-QString kindPluralLabel(Kind kind);      // "Particles"
-QString counted(Kind kind, qsizetype n); // "1 particle", "20,000 particles"
-QString countsOf(const Toll& toll);      // "5 particles, 10 links"; empty for nothing
+QString kindLabel(Kind kind);                  // "Particle"
+QString kindPluralLabel(Kind kind);            // "Particles"
+QString counted(Kind kind, qsizetype n);       // "1 particle", "20,000 particles"
+QString countsOf(const ElementCounts& counts); // "5 particles, 10 links"; empty for nothing
 
 QString labelOf(const Property& property);
 QString helpOf(const Property& property);

@@ -4,7 +4,8 @@
 
 namespace ripstop {
 
-// Words that say what is wrong, read as easily (4.5 : 1 at least) on a light ground as on a dark one.
+// Words that say what is wrong, read as easily (4.5 : 1 at least) on a light ground as on a dark
+// one.
 QColor wrongColor(const QPalette& ground);
 
 // A sentence in that colour; hidden while there is none.

@@ -44,7 +44,7 @@ QString sizeText(const Vec3& size)
 
 QString reportText(const MeshFinding& finding)
 {
-    QString text = spoken(finding.text());
+    QString text = translated(finding.text());
     const auto count = qulonglong(finding.count);
     return text.replace(QString::number(count), QLocale().toString(count));
 }

@@ -204,7 +204,7 @@ void ImportForm::fillMaterials(const Scene& scene)
             continue;
         if (preset.name == firstPreset)
             chosen = m_material->count();
-        m_material->addItem(spoken(preset.label));
+        m_material->addItem(translated(preset.label));
         m_material->setItemData(m_material->count() - 1, QString::fromStdString(preset.source),
                                 Qt::ToolTipRole);
         m_choices.push_back({noId, materialFrom(preset)});

@@ -48,7 +48,7 @@ bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress&
         Result<PolygonMesh> read =
             readPolygonFile(wish.file.toStdString(), stageOf(progress, 0.0, 0.4));
         if (!read) {
-            outcome.refusal = spoken(read.message());
+            outcome.refusal = translated(read.message());
             return false;
         }
         m_kept.file = wish.file;
@@ -64,7 +64,7 @@ bool ImportWork::prepare(const Job& job, ImportOutcome& outcome, const Progress&
         m_kept.mesh = nullptr;
         Result<PreparedMesh> mesh = prepared(read, wish.shape, stageOf(progress, 0.4, 0.7));
         if (!mesh) {
-            outcome.refusal = spoken(mesh.message());
+            outcome.refusal = translated(mesh.message());
             return false;
         }
         m_kept.shape = wish.shape;
@@ -92,7 +92,7 @@ ImportOutcome ImportWork::work(const Job& job)
         if (made)
             outcome.made = std::move(*made);
         else
-            outcome.refusal = spoken(made.message());
+            outcome.refusal = translated(made.message());
     } catch (const std::bad_alloc&) {
         outcome.refusal = tr("There is not enough memory for this mesh.");
     }

@@ -150,8 +150,9 @@ Field textField(const FieldPlace& place)
         if (place.property.key == "name" && text.trimmed().isEmpty())
             return words("A name is needed.");
         const auto reason = refusal(place.property, text.trimmed().toStdString());
-        return reason ? words("The %1 %2.").arg(labelOf(place.property).toLower(), spoken(*reason))
-                      : QString();
+        return reason
+                   ? words("The %1 %2.").arg(labelOf(place.property).toLower(), translated(*reason))
+                   : QString();
     };
     auto* edit = new ValueEdit(judge);
     QObject::connect(edit, &ValueEdit::complained, edit, place.complain);
@@ -171,7 +172,7 @@ Field rowsField(const FieldPlace& place)
         return value ? QString()
                      : words("Rows are numbers with commas between them and a semicolon after "
                              "each row; %1.")
-                           .arg(spoken(value.message()));
+                           .arg(translated(value.message()));
     });
     QObject::connect(edit, &ValueEdit::complained, edit, place.complain);
     QObject::connect(edit, &ValueEdit::committed, edit, [place](const QString& text) {

@@ -43,7 +43,7 @@ QString complaintAbout(const FieldPlace& place, const QString& text, int axis)
     const Typed typed = typedNumber(text.toStdString(), unitNow(place));
     if (!typed.number)
         return words("%1 %2; or change it by *1.1, +5 % or +0.2.")
-            .arg(labelOf(property), spoken(typed.complaint));
+            .arg(labelOf(property), translated(typed.complaint));
     const auto reason = place.subject.refusal(property, transformOf(*typed.number, axis));
     return reason ? QStringLiteral("%1 %2.").arg(labelOf(property), *reason) : QString();
 }

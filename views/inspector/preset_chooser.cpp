@@ -72,7 +72,7 @@ void PresetChooser::fillMenu()
     }
     for (const Preset& preset : allPresets()) {
         QAction* action = menus[std::size_t(preset.kind)]->addAction(
-            spoken(preset.label), this, [this, &preset] { apply(preset); });
+            translated(preset.label), this, [this, &preset] { apply(preset); });
         action->setToolTip(QStringLiteral("<qt>%1</qt>")
                                .arg(QString::fromStdString(preset.source).toHtmlEscaped()));
     }
@@ -83,12 +83,12 @@ void PresetChooser::apply(const Preset& preset)
 {
     const Scene& scene = m_subject.document().scene();
     if (const auto problem = firstError(scene, ElementIndex(scene))) {
-        m_warning = spoken(problem->message);
+        m_warning = translated(problem->message);
         return refresh();
     }
     Result<PresetEdit> made = presetEdit(scene, preset, m_subject.ids());
     if (!made) {
-        m_warning = spoken(made.message());
+        m_warning = translated(made.message());
         return refresh();
     }
     const bool isWeighed = made->notWeighed.empty();
@@ -102,7 +102,7 @@ void PresetChooser::apply(const Preset& preset)
 void PresetChooser::refresh()
 {
     const Preset* preset = presetOf(m_subject.refs());
-    m_button->setText(preset ? spoken(preset->label) : tr("Choose\u2026"));
+    m_button->setText(preset ? translated(preset->label) : tr("Choose\u2026"));
     QStringList notes{std::exchange(m_warning, {}),
                       preset ? QString::fromStdString(preset->source) : QString()};
     notes.removeAll({});

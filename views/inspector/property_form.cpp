@@ -181,7 +181,7 @@ void PropertyForm::toggleSlider(const Property& property)
     for (const Row& row : m_rows)
         if (row.property == &property) {
             row.slider->setChecked(m_sliders.has(property, m_subject.ids()));
-            row.complaint->setText(failure ? spoken(failure->message) : QString());
+            row.complaint->setText(failure ? translated(failure->message) : QString());
             row.complaint->setVisible(failure.has_value());
         }
 }

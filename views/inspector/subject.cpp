@@ -73,7 +73,7 @@ std::optional<QString> Subject::refusal(const Property& property, const Transfor
 {
     for (const Value& value : values(property))
         if (const auto reason = ripstop::refusal(property, transform(value)))
-            return spoken(*reason);
+            return translated(*reason);
     return std::nullopt;
 }
 

@@ -94,7 +94,7 @@ struct Sums
 // "Centre of gravity 0, 1.2, 0.1 m · inertia 0.2, 0.1, 0.3 kg m²", about x, y and z through it.
 QString balance(const Scene& scene, const std::vector<Id>& ids)
 {
-    const Weight weight = weightOf(scene, ids);
+    const MassProperties weight = massPropertiesOf(scene, ids);
     if (weight.mass <= 0.0 || weight.particles < 2)
         return {};
     const double size = std::max(weight.centre.norm(), 1e-3);

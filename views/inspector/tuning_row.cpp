@@ -113,12 +113,12 @@ ValueEdit* TuningRow::endEdit(double SliderRange::*end, const QString& name)
         const Typed typed = typedNumber(text.toStdString(), unit);
         SliderRange range = m_slider.range;
         if (!typed.number) {
-            complaint = spoken(typed.complaint);
+            complaint = translated(typed.complaint);
             return range;
         }
         range.*end = typed.number->appliedTo(range.*end);
         if (const auto reason = refusal(property, range))
-            complaint = spoken(*reason);
+            complaint = translated(*reason);
         return range;
     };
     auto* edit = new ValueEdit([rangeOf, name](const QString& text) {

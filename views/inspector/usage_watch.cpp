@@ -36,7 +36,7 @@ QString UsageWatch::whyIdle(const Property& property, const std::vector<Id>& ids
         if (!reason)
             return {};
         if (i == 0)
-            first = spoken(*reason);
+            first = translated(*reason);
     }
     return first;
 }

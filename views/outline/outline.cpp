@@ -1,6 +1,6 @@
 #include "outline/outline.h"
 
-#include "author/toll.h"
+#include "author/element_counts.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/shape_file.h"

@@ -1,8 +1,8 @@
 // What the probes have read since the run began.
 //
-// Memory is bounded: when `most` samples are held, seven minutes at 240 steps a second, every second
-// one is dropped and from then on only every second one is taken, and so on; sooner where there are
-// many probes. A long run is kept whole, in coarser steps; its recording has all of it.
+// Memory is bounded: when `most` samples are held, seven minutes at 240 steps a second, every
+// second one is dropped and from then on only every second one is taken, and so on; sooner where
+// there are many probes. A long run is kept whole, in coarser steps; its recording has all of it.
 #pragma once
 
 #include "run/frame.h"
@@ -27,7 +27,7 @@ public:
     // added in the middle of the run has read nothing (NaN) before.
     void add(const Frame& frame);
     void add(const ProbeSample& sample); // between two frames
-    void clear(); // forgets what was until now; the run goes on
+    void clear();                        // forgets what was until now; the run goes on
 
     std::span<const double> time() const { return m_time; }      // [samples] s, ascending
     std::span<const double> valuesOf(std::uint32_t probe) const; // [samples]; empty when unknown

@@ -117,7 +117,8 @@ void ProblemList::rebuild()
     m_list->clear();
     for (const Problem& problem : all) {
         const bool isError = problem.severity == Severity::Error;
-        auto* item = new QListWidgetItem(signOf(problem.severity), spoken(problem.message), m_list);
+        auto* item =
+            new QListWidgetItem(signOf(problem.severity), translated(problem.message), m_list);
         item->setData(Qt::UserRole, std::uint32_t(problem.culprit));
         item->setData(Qt::AccessibleTextRole,
                       (isError ? tr("Error: %1") : tr("Warning: %1")).arg(item->text()));

@@ -56,7 +56,8 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
     for (std::size_t row = 0; row < findings.size(); ++row) {
         const Finding& finding = findings[row];
         const bool isPoor = finding.verdict == Finding::Verdict::Poor;
-        auto* item = new QTreeWidgetItem(this, {spoken(finding.subject), spoken(finding.message)});
+        auto* item =
+            new QTreeWidgetItem(this, {translated(finding.subject), translated(finding.message)});
         item->setIcon(Subject, isPoor ? tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f))
                                       : tinted(QStringLiteral("ok"), QColor(0x3c, 0x9a, 0x5f)));
         item->setData(Subject, Qt::AccessibleTextRole,
@@ -64,7 +65,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
         item->setToolTip(Message, item->text(Message));
         if (!finding.repair)
             continue;
-        auto* button = new QPushButton(spoken(finding.repair->label));
+        auto* button = new QPushButton(translated(finding.repair->label));
         button->setToolTip(tr("Repairs it as one step that can be undone."));
         connect(button, &QPushButton::clicked, this, [this, row] { repair(row); });
         auto* place = new QWidget; // a row may be higher than its button

@@ -88,7 +88,7 @@ QString help(const Parameter& parameter)
         limits = ParameterField::tr("At first %1.")
                      .arg(choiceLabel(parameter.choices[std::size_t(parameter.initial)]));
     return QStringLiteral("<p>%1</p><p>%2<br>%3</p>")
-        .arg(spoken(parameter.help).toHtmlEscaped(), limits,
+        .arg(translated(parameter.help).toHtmlEscaped(), limits,
              ParameterField::tr("On the command line: %1").arg(text(parameter.key)));
 }
 

@@ -17,7 +17,7 @@ QString text(std::string_view words)
 
 QLabel* headingOf(std::string_view words)
 {
-    auto* heading = new QLabel(spoken(words));
+    auto* heading = new QLabel(translated(words));
     QFont bold = heading->font();
     bold.setBold(true);
     heading->setFont(bold);

@@ -152,8 +152,8 @@ QWidget* StartPage::builders()
         if (builder.family == Family::Obstacles)
             continue; // nothing that moves
         const QString name = QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size()));
-        QToolButton* button = entry(spoken(builder.label) + QStringLiteral("\u2026"),
-                                    QStringLiteral("builder"), spoken(builder.help));
+        QToolButton* button = entry(translated(builder.label) + QStringLiteral("\u2026"),
+                                    QStringLiteral("builder"), translated(builder.help));
         button->setObjectName(QStringLiteral("build ") + name);
         connect(button, &QToolButton::clicked, this, [this, name] { emit builderRequested(name); });
         layout->addWidget(button);
@@ -171,8 +171,9 @@ QWidget* StartPage::samples()
     const QStringList files = sampleFiles();
     for (const QString& file : files) {
         const Sample sample = readSample(file);
-        auto* card = new Card(spoken(sample.title.toStdString()), spoken(sample.note.toStdString()),
-                              pictureOf(sample), QStringLiteral("part"));
+        auto* card =
+            new Card(translated(sample.title.toStdString()), translated(sample.note.toStdString()),
+                     pictureOf(sample), QStringLiteral("part"));
         card->setObjectName(QStringLiteral("sample ") + sample.name);
         connect(card, &Card::clicked, this, [this, file] { emit openRequested(file); });
         grid->add(card);

@@ -221,7 +221,7 @@ bool SheetModel::setData(const QModelIndex& index, const QVariant& value, int ro
     auto edit = pasted(m_document.scene(), {m_ids[std::size_t(index.row())]}, {column},
                        typed.toStdString());
     if (!edit) {
-        const QString sentence = spoken(edit.message());
+        const QString sentence = translated(edit.message());
         emit refused(sentence.mid(sentence.indexOf(QStringLiteral(": ")) + 2)); // one cell
         return false;
     }

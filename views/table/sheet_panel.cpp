@@ -38,12 +38,12 @@ bool changesRows(const Edit& edit)
 
 } // namespace
 
-SheetPanel::SheetPanel(Document& document, Selection& selection, std::function<Gauge()> gauge,
-                       QWidget* parent)
+SheetPanel::SheetPanel(Document& document, Selection& selection,
+                       std::function<Measurement()> measurement, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
-    , m_gauge(std::move(gauge))
+    , m_measurement(std::move(measurement))
     , m_model(document)
     , m_sheets(new QComboBox)
     , m_filter(new QLineEdit)
@@ -151,9 +151,9 @@ void SheetPanel::reload()
     std::optional<std::vector<Id>> limit;
     const std::string condition = m_filter->text().trimmed().toStdString();
     if (!condition.empty()) {
-        auto found = matching(m_document.scene(), m_gauge(), condition);
+        auto found = matching(m_document.scene(), m_measurement(), condition);
         if (!found)
-            return complain(spoken(found.message()));
+            return complain(translated(found.message()));
         limit = std::move(*found);
     }
     if (m_onlySelected->isChecked()) {
@@ -177,10 +177,7 @@ void SheetPanel::describe()
     emit described();
 }
 
-void SheetPanel::complain(const QString& sentence)
-{
-    m_complaint->tell(sentence);
-}
+void SheetPanel::complain(const QString& sentence) { m_complaint->tell(sentence); }
 
 // Of the header and what stands in the first rows.
 void SheetPanel::widenColumns()
@@ -258,7 +255,7 @@ void SheetPanel::paste()
     const std::vector<SheetColumn> columns(
         firstColumn, isOne ? m_model.columns().begin() + right + 1 : m_model.columns().end());
     auto edit = pasted(m_document.scene(), ids, columns, block.toStdString());
-    complain(edit ? QString() : spoken(edit.message()));
+    complain(edit ? QString() : translated(edit.message()));
     if (edit)
         m_document.push(std::move(*edit));
 }

@@ -28,8 +28,8 @@ class SheetPanel final : public QWidget
     Q_OBJECT
 
 public:
-    // `gauge` is asked for what conditions can measure now.
-    SheetPanel(Document& document, Selection& selection, std::function<Gauge()> gauge,
+    // `measurement` is asked for what conditions can measure now.
+    SheetPanel(Document& document, Selection& selection, std::function<Measurement()> measurement,
                QWidget* parent = nullptr);
 
     void showSheet(SheetOf sheet);
@@ -54,7 +54,7 @@ private:
 
     Document& m_document;
     Selection& m_selection;
-    std::function<Gauge()> m_gauge;
+    std::function<Measurement()> m_measurement;
     SheetModel m_model;
     QComboBox* m_sheets;
     QLineEdit* m_filter;

@@ -177,7 +177,7 @@ void DifferenceDialog::take()
     m_list = outcome->list;
     m_bar->hide();
     if (!outcome->failure.empty())
-        m_text->setText(spoken(outcome->failure));
+        m_text->setText(translated(outcome->failure));
     else if (m_list.front().particles == 0)
         m_text->setText(tr("The two have no particle in common: they are of other designs."));
     else

@@ -316,7 +316,7 @@ void Timeline::refresh()
     if (count == 0)
         return m_where->setText({});
     const auto size = recording->size();
-    const QString trouble = spoken(recording->trouble());
+    const QString trouble = translated(recording->trouble());
     const QString time = tr("%1 s").arg(QLocale().toString(m_recordings.time(), 'f', 3));
     const QString where = tr("%1 \u00b7 frame %2 of %3")
                               .arg(time)

@@ -166,7 +166,7 @@ void Transport::refreshSubsteps()
     m_substeps->setText(frame ? frame->substeps == 1 ? tr("1 substep")
                                                      : tr("%1 substeps").arg(frame->substeps)
                               : QString());
-    const QString choice = frame ? spoken(frame->solverChoice) : QString();
+    const QString choice = frame ? translated(frame->solverChoice) : QString();
     m_substeps->setToolTip(choice.isEmpty()
                                ? tr("Parts that each time step is cut into")
                                : tr("Parts that the automatic solver cuts each time step into, "
@@ -180,7 +180,7 @@ void Transport::refreshBadge()
     const bool stuck = frame && !frame->stopped.empty();
     const bool runs = m_player.isPlaying() || (frame && frame->underWay);
     m_badge->setText(stuck ? tr("Stopped") : runs ? tr("Run") : tr("Edit"));
-    m_badge->setToolTip(stuck  ? spoken(frame->stopped)
+    m_badge->setToolTip(stuck  ? translated(frame->stopped)
                         : runs ? tr("Run: what you see is the simulation. Reset returns to the "
                                     "design; properties can be edited in both.")
                                : tr("Edit: what you see is the design. Play starts from here."));

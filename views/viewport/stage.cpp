@@ -1,8 +1,8 @@
 #include "viewport/stage.h"
 
-#include "viewport/design_ghost.h"
-#include "viewport/element_places.h"
-#include "viewport/scene_frame.h"
+#include "look/design_ghost.h"
+#include "look/element_places.h"
+#include "look/scene_frame.h"
 
 #include <vtkCamera.h>
 #include <vtkCullerCollection.h>
@@ -276,7 +276,7 @@ void Stage::prepare(const Scene& scene)
     m_layersAreOld = false;
 }
 
-void Stage::place(const Turntable& camera)
+void Stage::place(const Camera& camera)
 {
     // what is drawn lies within this far of the focus
     const Vec3 middle = m_bounds.isEmpty() ? camera.focus : Vec3(m_bounds.center());
@@ -292,7 +292,7 @@ void Stage::place(const Turntable& camera)
     target.SetPosition(eye.x(), eye.y(), eye.z());
     target.SetFocalPoint(camera.focus.x(), camera.focus.y(), camera.focus.z());
     target.SetViewUp(up.x(), up.y(), up.z());
-    target.SetViewAngle(Turntable::viewAngle * 180.0 / std::numbers::pi);
+    target.SetViewAngle(Camera::viewAngle * 180.0 / std::numbers::pi);
     target.SetParallelProjection(camera.orthographic);
     target.SetParallelScale(camera.halfHeight());
 

@@ -3,20 +3,20 @@
 // Setters only note what has changed. prepare() brings the layers up to date, once per picture.
 #pragma once
 
-#include "viewport/collider_layer.h"
-#include "viewport/ghost_layer.h"
-#include "viewport/ground_layer.h"
-#include "viewport/guide_layer.h"
-#include "viewport/highlight_layer.h"
-#include "viewport/link_layer.h"
-#include "viewport/panel_layer.h"
-#include "viewport/particle_layer.h"
-#include "viewport/shadow_layer.h"
-#include "viewport/trail_layer.h"
-#include "viewport/turntable.h"
-#include "viewport/vector_layer.h"
-#include "viewport/weight_layer.h"
-#include "viewport/wind_layer.h"
+#include "camera/camera.h"
+#include "layers/collider_layer.h"
+#include "layers/ghost_layer.h"
+#include "layers/ground_layer.h"
+#include "layers/guide_layer.h"
+#include "layers/highlight_layer.h"
+#include "layers/link_layer.h"
+#include "layers/panel_layer.h"
+#include "layers/particle_layer.h"
+#include "layers/shadow_layer.h"
+#include "layers/trail_layer.h"
+#include "layers/vector_layer.h"
+#include "layers/weight_layer.h"
+#include "layers/wind_layer.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkPoints.h>
@@ -45,7 +45,7 @@ public:
     void setDesignShown(bool shown);            // as a ghost; off at first
 
     void prepare(const Scene& scene);
-    void place(const Turntable& camera);
+    void place(const Camera& camera);
 
     void setPanelsShown(bool shown); // and their shadow
     void setWindShown(bool shown);   // the field of arrows

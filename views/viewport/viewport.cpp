@@ -1,7 +1,7 @@
 #include "viewport/viewport.h"
 
-#include "viewport/overlay_paint.h"
-#include "viewport/scene_frame.h"
+#include "look/scene_frame.h"
+#include "overlays/overlay_paint.h"
 #include "viewport/viewport_data.h"
 
 #include <QPainter>
@@ -70,13 +70,13 @@ void Viewport::Private::place()
     stage.place(camera);
 }
 
-std::optional<Sight> Viewport::Private::sight()
+std::optional<CameraView> Viewport::Private::view()
 {
     stage.prepare(document.scene());
     if (!stage.frame())
         return std::nullopt;
-    return Sight{*stage.frame(), stage.look(),           stage.colliders(),
-                 camera,         double(screen.width()), double(screen.height())};
+    return CameraView{*stage.frame(), stage.look(),           stage.colliders(),
+                      camera,         double(screen.width()), double(screen.height())};
 }
 
 void Viewport::Private::click(Id id, Qt::KeyboardModifiers keys)
@@ -92,7 +92,8 @@ void Viewport::Private::click(Id id, Qt::KeyboardModifiers keys)
 void Viewport::Private::fitNow()
 {
     stage.prepare(document.scene());
-    camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect(), covered());
+    camera.fit(wholeScene ? stage.shownPoints() : stage.subjectPoints(), aspect(),
+               overlayMargins());
     chase.settle(stage.frame().get());
     screen.renderSoon();
 }
@@ -287,7 +288,7 @@ QImage Viewport::image(const Shot& shot)
 
 // --- camera ----------------------------------------------------------------------------------
 
-const Turntable& Viewport::camera() const { return d->camera; }
+const Camera& Viewport::camera() const { return d->camera; }
 
 void Viewport::fit()
 {
@@ -304,12 +305,12 @@ void Viewport::fit(const std::vector<Id>& ids)
     if (places.empty())
         return fit();
     d->untouched = false;
-    d->camera.fit(places, d->aspect(), d->covered());
+    d->camera.fit(places, d->aspect(), d->overlayMargins());
     d->screen.renderSoon();
     emit cameraChanged();
 }
 
-void Viewport::look(const Turntable& camera)
+void Viewport::look(const Camera& camera)
 {
     d->untouched = false;
     d->draw([&] { d->camera = camera; });

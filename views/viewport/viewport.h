@@ -9,12 +9,12 @@
 // then turns by right drag.
 #pragma once
 
+#include "camera/camera.h"
+#include "look/quantity_values.h"
+#include "look/steady_range.h"
+#include "look/theme.h"
+#include "look/vectors.h"
 #include "scene/id.h"
-#include "viewport/quantity_values.h"
-#include "viewport/steady_range.h"
-#include "viewport/theme.h"
-#include "viewport/turntable.h"
-#include "viewport/vectors.h"
 
 #include <QImage>
 #include <QWidget>
@@ -69,11 +69,11 @@ public:
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
     void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
-    void look(const Turntable& camera); // as from there, once more
+    void look(const Camera& camera);      // as from there, once more
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
     void setOrthographic(bool orthographic);
-    const Turntable& camera() const;
+    const Camera& camera() const;
 
     // Also chosen by itself whenever the palette changes.
     void setTheme(const Theme& theme);

@@ -1,21 +1,21 @@
 // The inside of the viewport: what it shows, and what the mouse is about.
 #pragma once
 
+#include "camera/chase.h"
+#include "camera/overlay_margins.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
-#include "viewport/centre_mark.h"
-#include "viewport/chase.h"
-#include "viewport/compass.h"
-#include "viewport/covered.h"
-#include "viewport/gizmo_overlay.h"
-#include "viewport/grab_tool.h"
-#include "viewport/legend.h"
-#include "viewport/pointing.h"
-#include "viewport/probe_labels.h"
-#include "viewport/range_editor.h"
+#include "overlays/centre_mark.h"
+#include "overlays/compass.h"
+#include "overlays/legend.h"
+#include "overlays/probe_labels.h"
+#include "overlays/range_editor.h"
+#include "tools/gizmo_overlay.h"
+#include "tools/grab_tool.h"
+#include "tools/pointing.h"
+#include "tools/transform_tool.h"
 #include "viewport/stage.h"
-#include "viewport/transform_tool.h"
 #include "viewport/viewport.h"
 #include "viewport/vtk_widget.h"
 
@@ -32,7 +32,7 @@ public:
         , player(openPlayer)
         , screen(&widget)
         , stage(screen.window())
-        , pointing([this] { return sight(); }, &widget)
+        , pointing([this] { return view(); }, &widget)
         , legend(&widget)
         , rangeEditor(legend, &widget)
         , compass(&widget)
@@ -50,13 +50,13 @@ public:
     {
         return screen.height() > 0 ? double(screen.width()) / screen.height() : 1.0;
     }
-    Covered covered() const { return coveredOf(*screen.parentWidget()); }
+    OverlayMargins overlayMargins() const { return overlayMarginsOf(*screen.parentWidget()); }
     void sceneReplaced();
     bool sceneChanged(const Edit& edit); // true when it shows in the picture at once
     void showDesign();
     void prepare();
     void place();
-    std::optional<Sight> sight(); // what is seen now
+    std::optional<CameraView> view(); // what is seen now
     void click(Id id, Qt::KeyboardModifiers keys);
     void fitNow();
 
@@ -70,7 +70,7 @@ public:
     Document& document;
     Selection& selection;
     Player& player;
-    Turntable camera;
+    Camera camera;
     HandSettings hands;
     VtkWidget screen;
     Stage stage;

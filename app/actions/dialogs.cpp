@@ -1,0 +1,94 @@
+#include "actions/dialogs.h"
+
+#include "actions/keys_dialog.h"
+#include "actions/palette.h"
+#include "dialogs/condition_dialog.h"
+#include "dialogs/polar_dialog.h"
+#include "dialogs/result_page.h"
+#include "dialogs/rigidity_dialog.h"
+#include "dialogs/settle_dialog.h"
+#include "dialogs/verification_dialog.h"
+#include "document/document.h"
+#include "document/selection.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenuBar>
+
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+void bringUp(QWidget& dialog)
+{
+    dialog.show();
+    dialog.raise();
+    dialog.activateWindow();
+}
+
+} // namespace
+
+Dialogs::Dialogs(QMainWindow& window, Document& document, Selection& selection, Viewport& viewport)
+    : m_window(window)
+    , m_document(document)
+    , m_selection(selection)
+    , m_viewport(viewport)
+{}
+
+void Dialogs::showKeys(KeyMap& keys) { KeysDialog(keys, m_document.scene(), &m_window).exec(); }
+
+// The action runs when the palette is gone, as if it had been chosen in its menu.
+void Dialogs::showPalette()
+{
+    Palette palette(*m_window.menuBar(), &m_window);
+    if (palette.exec() == QDialog::Accepted)
+        QMetaObject::invokeMethod(palette.chosen(), &QAction::trigger, Qt::QueuedConnection);
+}
+
+void Dialogs::showVerification()
+{
+    if (!m_verification)
+        m_verification = new VerificationDialog(&m_window); // deletes itself
+    bringUp(*m_verification);
+    ResultPage& cases = m_verification->cases();
+    if (!cases.isRunning() && cases.done() == 0)
+        cases.start();
+}
+
+void Dialogs::showPolar()
+{
+    const auto& ids = m_selection.ids();
+    const bool one = ids.size() == 1 && findItem<Material>(m_document.scene(), ids.front());
+    const Id material = one ? ids.front() : noId;
+    if (m_polar)
+        m_polar->show(material);
+    else
+        m_polar = new PolarDialog(m_document, material, &m_window); // deletes itself when closed
+    bringUp(*m_polar);
+}
+
+void Dialogs::showCondition()
+{
+    if (!m_condition)
+        m_condition = new ConditionDialog(
+            m_document, m_selection, [this] { return m_viewport.frame(); }, &m_window);
+    bringUp(*m_condition);
+}
+
+void Dialogs::showRigidity()
+{
+    if (!m_rigidity)
+        m_rigidity = new RigidityDialog(m_document, m_selection, m_viewport, &m_window);
+    bringUp(*m_rigidity);
+}
+
+void Dialogs::showSettle(Player& player, std::function<void()> adoptPose)
+{
+    if (!m_settle) // deletes itself when closed
+        m_settle = new SettleDialog(player, std::move(adoptPose), &m_window);
+    bringUp(*m_settle);
+}
+
+} // namespace ripstop

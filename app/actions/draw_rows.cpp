@@ -1,0 +1,71 @@
+#include "actions/draw_rows.h"
+
+#include "actions/actions.h"
+#include "actions/dialogs.h"
+#include "dialogs/operation_dialog.h"
+#include "document/document.h"
+#include "document/selection.h"
+#include "tools/draw_tool.h"
+#include "tools/pointing.h"
+#include "tools/transform_tool.h"
+#include "viewport/viewport.h"
+
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace ripstop {
+namespace {
+
+constexpr int messageTime = 8000; // ms
+
+std::function<void()> drawing(const Workbench& bench, DrawTool::Shape shape)
+{
+    return [&bench, shape] {
+        TransformTool& shaping = bench.viewport.transformTool();
+        shaping.setShaping(Shaping::None); // its handles would be in the way
+        auto* status = bench.window.statusBar();
+        bench.viewport.pointing().setTool(std::make_unique<DrawTool>(
+            shape, bench.document, bench.drawSettings, [&shaping] { shaping.goToDesign(); },
+            [status](const QString& text) { status->showMessage(text, messageTime); }));
+        bench.viewport.setFocus(); // so that Escape reaches it
+    };
+}
+
+std::function<void()> operating(const Workbench& bench, const char* name)
+{
+    return [&bench, name] {
+        bench.viewport.transformTool().goToDesign();
+        OperationDialog(*findOperation(name), bench.document, bench.selection, &bench.window)
+            .exec();
+    };
+}
+
+} // namespace
+
+std::vector<MenuRow> drawRows(const Workbench& bench)
+{
+    const auto tr = [](const char* text) { return Actions::tr(text); };
+    const auto draw = [&](DrawTool::Shape shape) { return drawing(bench, shape); };
+    const auto operation = [&](const char* name) { return operating(bench, name); };
+    const auto no = Toggle::No;
+    const auto some = Needs::Selection;
+    using Shape = DrawTool::Shape;
+    const MenuRow line{"D&raw", nullptr, {}, nullptr, {}, {}, {}};
+    // clang-format off
+    return {
+        {"D&raw", "drawParticles", tr("&Particles"), "draw-particle", QKeySequence("Shift+A"), tr("Click where particles are to be: in a plane, on fabric."), draw(Shape::Particles), Toggle::Off, "tool"},
+        {"D&raw", "drawLinks",     tr("&Links"),     "draw-link",     QKeySequence("D"),       tr("Click from particle to particle, or where one is to be: rods, lines, springs, ropes of many segments."), draw(Shape::Links), Toggle::Off, "tool"},
+        {"D&raw", "drawPanels",    tr("P&anels"),    "draw-panel",    QKeySequence("Ctrl+D"),   tr("Click the three corners of a panel."), draw(Shape::Panels), Toggle::Off, "tool"},
+        line,
+        {"D&raw", "link",     tr("L&ink selected…"),   "link",  QKeySequence("J"),       tr("Tie the selected particles to each other, in a line, a ring, or each with each."), operation("link"), no, nullptr, some},
+        {"D&raw", "rope",     tr("&Rope…"),            nullptr, {},                      tr("A rope or line of many links between two selected particles."), operation("rope"), no, nullptr, some},
+        {"D&raw", "spar",     tr("&Spar…"),            nullptr, {},                      tr("A stiff spar along the selected particles."), operation("spar"), no, nullptr, some},
+        {"D&raw", "fill",     tr("&Fill with panels…"), "panel", QKeySequence("Shift+J"), tr("Close the hole that the selected particles surround."), operation("fill"), no, nullptr, some},
+        {"D&raw", "rigidity", tr("Ri&gidity particles…"), nullptr, {},                   tr("Particles on both sides of the selected ones, tied to each, so that they keep their shape."), operation("rigidity"), no, nullptr, some},
+        line,
+        {"D&raw", "floppy",   tr("What gives &way…"),  nullptr, QKeySequence("Ctrl+Shift+R"), tr("In which ways the selection, or the design, gives way without a link growing longer, and the rods that would stop it."), [&dialogs = bench.dialogs] { dialogs.showRigidity(); }},
+    };
+    // clang-format on
+}
+
+} // namespace ripstop

@@ -1,0 +1,150 @@
+#include "actions/insert_rows.h"
+
+#include "actions/actions.h"
+#include "author/rebuild.h"
+#include "dialogs/builder_dialog.h"
+#include "document/document.h"
+#include "document/selection.h"
+#include "document/words.h"
+#include "tools/transform_tool.h"
+#include "viewport/viewport.h"
+
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStatusBar>
+
+namespace ripstop {
+namespace {
+
+QString text(std::string_view words)
+{
+    return QString::fromUtf8(words.data(), qsizetype(words.size()));
+}
+
+// "insert delta_kite", which lives as long as the program.
+const char* idOf(std::size_t builder)
+{
+    static const std::vector<std::string> ids = [] {
+        std::vector<std::string> all;
+        for (const Builder& one : allBuilders())
+            all.push_back("insert " + std::string(one.name));
+        return all;
+    }();
+    return ids[builder].c_str();
+}
+
+// What is done to parts that a builder made.
+class Shop
+{
+public:
+    explicit Shop(const Workbench& bench)
+        : m_document(bench.document)
+        , m_selection(bench.selection)
+        , m_viewport(bench.viewport)
+        , m_window(bench.window)
+    {}
+
+    void changeParameters() const
+    {
+        const std::vector<Id> parts = builtParts(m_document.scene(), m_selection.ids());
+        if (parts.size() != 1)
+            return say(parts.empty() ? Actions::tr("Nothing of a builder is selected: parts that "
+                                                   "were drawn, imported or detached have no "
+                                                   "parameters.")
+                                     : Actions::tr("Select one part only."));
+        m_viewport.transformTool().goToDesign();
+        const Part& part = *findItem<Part>(m_document.scene(), parts.front());
+        BuilderDialog(QString::fromStdString(part.builder),
+                      {m_document, m_selection, m_viewport.camera().focus, parts.front()},
+                      &m_window)
+            .exec();
+    }
+
+    void detach() const
+    {
+        const std::vector<Id> parts = builtParts(m_document.scene(), m_selection.ids());
+        if (parts.empty())
+            return say(Actions::tr("Nothing of a builder is selected."));
+        QMessageBox box(QMessageBox::Question, Actions::tr("Detach from builder"), lossOf(parts),
+                        QMessageBox::Ok | QMessageBox::Cancel, &m_window);
+        box.button(QMessageBox::Ok)->setText(Actions::tr("Detach"));
+        if (box.exec() == QMessageBox::Ok)
+            m_document.push(detached(m_document.scene(), parts));
+    }
+
+private:
+    void say(const QString& words) const { m_window.statusBar()->showMessage(words, 8000); }
+
+    // "kite keeps its 75 particles ... It loses its 28 parameters: segments, height, ..."
+    QString lossOf(const std::vector<Id>& parts) const
+    {
+        QStringList lines;
+        for (const Id id : parts) {
+            const Part& part = *findItem<Part>(m_document.scene(), id);
+            QStringList labels;
+            for (const Parameter& parameter : builderOf(part)->parameters)
+                labels << choiceLabel(parameter.key).toLower();
+            const int shown = 6;
+            const QString some = labels.mid(0, shown).join(QStringLiteral(", "));
+            lines << Actions::tr("%1 keeps its %2 and %3 as they are, with all that was changed by "
+                                 "hand.")
+                         .arg(QString::fromStdString(part.name),
+                              counted(Kind::Particle, qsizetype(part.particles.size())),
+                              counted(Kind::Link, qsizetype(part.links.size())));
+            lines << Actions::tr("It loses its %1 parameters (%2\u2026): they can no longer be "
+                                 "changed, and the mesh no finer or coarser.")
+                         .arg(labels.size())
+                         .arg(some);
+        }
+        lines << Actions::tr("Undo attaches it again.");
+        return lines.join(QStringLiteral("\n\n"));
+    }
+
+    Document& m_document;
+    Selection& m_selection;
+    Viewport& m_viewport;
+    QMainWindow& m_window;
+};
+
+} // namespace
+
+std::vector<MenuRow> insertRows(const Workbench& bench)
+{
+    std::vector<MenuRow> rows;
+    const auto insert = bench.insert;
+    for (std::size_t i = 0; i < allBuilders().size(); ++i) {
+        const Builder& builder = allBuilders()[i];
+        if (i > 0 && builder.family != allBuilders()[i - 1].family)
+            rows.push_back({"&Insert", nullptr, {}, nullptr, {}, {}, {}});
+        const bool isObstacle = builder.family == Family::Obstacles;
+        rows.push_back({"&Insert",
+                        idOf(i),
+                        translated(builder.label) + QChar(0x2026),
+                        isObstacle ? "collider" : "builder",
+                        {},
+                        translated(builder.help),
+                        [insert, name = text(builder.name)] { insert(name); }});
+    }
+    const Shop shop(bench);
+    rows.push_back({"&Insert", nullptr, {}, nullptr, {}, {}, {}});
+    rows.push_back({"&Insert", "parameters", Actions::tr("Change &parameters\u2026"), "settings",
+                    QKeySequence("Shift+B"),
+                    Actions::tr("Build the selected part again with other parameters; it keeps its "
+                                "place and what was tuned."),
+                    [shop] { shop.changeParameters(); }, Toggle::No, nullptr, Needs::Selection});
+    rows.push_back({"&Insert",
+                    "detach",
+                    Actions::tr("&Detach from builder\u2026"),
+                    nullptr,
+                    {},
+                    Actions::tr("Keep the selected part as it is, to be shaped by hand only; says "
+                                "what is lost."),
+                    [shop] { shop.detach(); },
+                    Toggle::No,
+                    nullptr,
+                    Needs::Selection});
+    return rows;
+}
+
+} // namespace ripstop

@@ -1,0 +1,57 @@
+#include "actions/language_rows.h"
+
+#include "actions/actions.h"
+#include "language/language.h"
+
+#include <QMainWindow>
+#include <QStatusBar>
+
+#include <array>
+
+namespace ripstop {
+namespace {
+
+struct Choice
+{
+    const char* action;
+    const char* name; // in the language itself; of System in that of the window
+    const char* tip;
+};
+
+// In the order of Language.
+constexpr std::array<Choice, 3> choices{{
+    {"languageSystem", QT_TRANSLATE_NOOP("Actions", "&System"),
+     QT_TRANSLATE_NOOP("Actions", "The language of the desktop, from the next start on.")},
+    {"languageEnglish", "&English",
+     QT_TRANSLATE_NOOP("Actions", "English, from the next start on.")},
+    {"languageFrench", "&Fran\u00e7ais",
+     QT_TRANSLATE_NOOP("Actions", "French, from the next start on.")},
+}};
+
+void choose(Language language, QMainWindow& window)
+{
+    keepLanguage(language);
+    window.statusBar()->showMessage(
+        Actions::tr("The language is kept, and heard when Ripstop starts the next time."), 8000);
+}
+
+} // namespace
+
+std::vector<MenuRow> languageRows(const Workbench& bench)
+{
+    std::vector<MenuRow> rows;
+    const Language kept = keptLanguage();
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        rows.push_back({"&View/Lan&guage",
+                        choices[i].action,
+                        Actions::tr(choices[i].name),
+                        nullptr,
+                        {},
+                        Actions::tr(choices[i].tip),
+                        [&window = bench.window, i] { choose(Language(i), window); },
+                        Language(i) == kept ? Toggle::On : Toggle::Off,
+                        "language"});
+    return rows;
+}
+
+} // namespace ripstop

@@ -1,0 +1,117 @@
+#include "actions/measure_rows.h"
+
+#include "author/measure.h"
+#include "base/quantity.h"
+#include "document/document.h"
+#include "document/selection.h"
+#include "document/words.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+#include <QStatusBar>
+
+namespace ripstop {
+namespace {
+
+using Of = QuantityRow::Of;
+
+const char* menuOf(const QuantityRow& row)
+{
+    if (row.points > 1)
+        return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Between particles");
+    switch (row.of) {
+    case Of::Particles:
+        return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Place and motion");
+    case Of::Links:
+        return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Links");
+    case Of::Panels:
+    case Of::Canopy:
+        return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Air");
+    case Of::Whole:
+    case Of::Probes:
+        break;
+    }
+    return QT_TRANSLATE_NOOP("Actions", "&Tools/&Measure/&Whole scene");
+}
+
+QString labelOf(Quantity quantity)
+{
+    return choiceLabel(choiceNames<Quantity>[std::size_t(quantity)]);
+}
+
+std::string idOf(Quantity quantity)
+{
+    return "measure_" + std::string(choiceNames<Quantity>[std::size_t(quantity)]);
+}
+
+// The new probe is selected, so that the inspector shows it, and its value stands in the view.
+void measure(const Workbench& bench, const Actions& actions, Quantity quantity)
+{
+    const auto added = withProbe(bench.document.scene(), quantity, bench.selection.ids());
+    if (!added) {
+        bench.window.statusBar()->showMessage(
+            Actions::tr("%1 is measured on %2: select that first.")
+                .arg(labelOf(quantity), translated(asks(quantity))),
+            8000);
+        return;
+    }
+    bench.document.push(added->edit);
+    bench.selection.set({added->probe});
+    if (!actions["probeValues"]->isChecked())
+        actions["probeValues"]->trigger();
+}
+
+} // namespace
+
+std::vector<MenuRow> measureRows(const Workbench& bench, const Actions& actions)
+{
+    static const std::vector<std::string> ids = [] { // rows keep pointers
+        std::vector<std::string> all;
+        for (std::size_t i = 0; i < choiceNames<Quantity>.size(); ++i)
+            all.push_back(idOf(Quantity(i)));
+        return all;
+    }();
+    std::vector<MenuRow> rows;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto quantity = Quantity(i);
+        const QuantityRow& row = rowOf(quantity);
+        rows.push_back({menuOf(row),
+                        ids[i].c_str(),
+                        labelOf(quantity),
+                        nullptr,
+                        {},
+                        Actions::tr(row.help.data()),
+                        [&bench, &actions, quantity] { measure(bench, actions, quantity); }});
+    }
+    return rows;
+}
+
+void showViewMenu(const Workbench& bench, const Actions& actions, const QPoint& place)
+{
+    QMenu menu(&bench.window);
+    menu.setToolTipsVisible(true);
+    const auto add = [&](QMenu& to, const char* id) {
+        if (QAction* action = actions.find(id))
+            to.addAction(action);
+    };
+    const bool isAny = !bench.selection.ids().empty();
+    if (isAny) {
+        QMenu* measuring = menu.addMenu(Actions::tr("&Measure"));
+        measuring->setToolTipsVisible(true);
+        for (std::size_t i = 0; i < choiceNames<Quantity>.size(); ++i)
+            if (const auto quantity = Quantity(i);
+                rowOf(quantity).of != Of::Whole && rowOf(quantity).of != Of::Probes
+                && isMeasurable(bench.document.scene(), quantity, bench.selection.ids()))
+                add(*measuring, idOf(quantity).c_str());
+        for (const char* id : {"fitSelected", "pin", "group", "duplicate", "delete"})
+            add(menu, id);
+        menu.addSeparator();
+    }
+    for (const char* id : {"fit", "paste", "probeValues", "picture"})
+        add(menu, id);
+    menu.exec(place);
+}
+
+} // namespace ripstop

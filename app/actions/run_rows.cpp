@@ -1,0 +1,98 @@
+#include "actions/run_rows.h"
+
+#include "actions/actions.h"
+#include "actions/dialogs.h"
+#include "dialogs/pose_dialog.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "tools/cut_tool.h"
+#include "tools/fan_tool.h"
+#include "tools/grab_tool.h"
+#include "tools/pointing.h"
+#include "tools/transform_tool.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace ripstop {
+namespace {
+
+constexpr int messageTime = 8000; // ms
+
+void say(const Workbench& bench, const QString& text)
+{
+    bench.window.statusBar()->showMessage(text, messageTime);
+}
+
+// A gizmo would be in the way of a hand.
+void take(const Workbench& bench, std::unique_ptr<Tool> tool)
+{
+    bench.viewport.transformTool().setShaping(Shaping::None);
+    bench.viewport.pointing().setTool(std::move(tool));
+    bench.viewport.setFocus(); // so that keys reach it
+}
+
+void adoptPose(const Workbench& bench)
+{
+    const auto& frame = bench.player.frame();
+    if (!frame || !frame->underWay)
+        return say(bench, Actions::tr("The design stands at its start; run it first (Space)."));
+    if (!bench.player.isCurrent())
+        return say(bench, Actions::tr("What is shown is no run of the design as it is now: mend "
+                                      "its problems, or wait for the next step."));
+    bench.player.pause();
+    PoseDialog(bench.document, bench.player, &bench.window).exec();
+}
+
+void pullOutPins(const Workbench& bench)
+{
+    const std::vector<std::uint32_t> pins = bench.player.hands().hands.pins;
+    if (pins.empty())
+        return say(bench, Actions::tr("Nothing is pinned by hand: grab it and press P."));
+    for (const std::uint32_t particle : pins)
+        bench.player.handle(HandNote::Pin{particle, false});
+}
+
+} // namespace
+
+std::vector<MenuRow> handRows(const Workbench& bench, const Actions& actions)
+{
+    const auto tr = [](const char* text) { return Actions::tr(text); };
+    const auto grab = [&bench] {
+        Viewport& viewport = bench.viewport;
+        take(bench,
+             std::make_unique<GrabTool>(bench.document, bench.player, viewport.hands(),
+                                        [&viewport] { return viewport.pointing().pickable; }));
+    };
+    const auto cut = [&bench, &actions] {
+        take(bench, std::make_unique<CutTool>(bench.player, [&actions] {
+                 return actions["through"]->isChecked() ? Depth::Through : Depth::Visible;
+             }));
+    };
+    const auto fan = [&bench] {
+        take(bench,
+             std::make_unique<FanTool>(bench.player, bench.viewport.hands(), bench.handsChanged));
+    };
+    const auto settle = [&bench] {
+        bench.dialogs.showSettle(bench.player, [&bench] { adoptPose(bench); });
+    };
+    const auto adopt = [&bench] { adoptPose(bench); };
+    const auto unpin = [&bench] { pullOutPins(bench); };
+    const MenuRow line{"&Run", nullptr, {}, nullptr, {}, {}, {}};
+    // clang-format off
+    return {
+        line,
+        {"&Run", "toolGrab",   tr("&Grab"),          "grab",     QKeySequence("H"), tr("Pull at fabric and lines, carry colliders, move controls: drag them. The wheel moves the hand nearer or farther, P pins what it holds. Ctrl and a drag does this with any tool."), grab, Toggle::Off, "tool"},
+        {"&Run", "toolCut",    tr("&Cut"),           "tool-cut", QKeySequence("K"), tr("Draw a stroke across links and fabric: they part where it runs."), cut, Toggle::Off, "tool"},
+        {"&Run", "toolFan",    tr("&Fan"),           "tool-fan", QKeySequence("W"), tr("Blow with the mouse: hold the left button. The wheel makes it blow harder, with Ctrl wider."), fan, Toggle::Off, "tool"},
+        {"&Run", "unpinHands", tr("Pull &out pins"), nullptr,    {},                tr("Let go of all that was pinned by hand in this run."), unpin},
+        line,
+        {"&Run", "settle",     tr("S&ettle…"),       nullptr,    QKeySequence("Ctrl+Shift+Space"), tr("Run until all hangs still, then pause."), settle},
+        {"&Run", "adoptPose",  tr("&Adopt pose…"),   nullptr,    QKeySequence("Ctrl+Shift+A"), tr("Make the shape of the run the design. Undo brings the old design back."), adopt},
+    };
+    // clang-format on
+}
+
+} // namespace ripstop

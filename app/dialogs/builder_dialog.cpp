@@ -1,0 +1,357 @@
+#include "dialogs/builder_dialog.h"
+
+#include "dialogs/figures_text.h"
+#include "dialogs/place_form.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "document/words.h"
+#include "start/parameter_form.h"
+#include "viewport/viewport.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int patience = 120;            // ms after the last change
+constexpr std::size_t mostShown = 20000; // particles that are shown while one types
+constexpr int formWidth = 440;           // pixels
+constexpr int margin = 24;               // pixels, below the tool bar
+
+QString text(std::string_view words)
+{
+    return QString::fromUtf8(words.data(), qsizetype(words.size()));
+}
+
+} // namespace
+
+// A view with a document of its own.
+struct BuilderDialog::Preview
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    Viewport* view = new Viewport(document, selection, player); // the dialog owns it
+};
+
+BuilderDialog::BuilderDialog(const QString& builder, QWidget* parent)
+    : BuilderDialog(builder, std::nullopt, parent)
+{}
+
+BuilderDialog::BuilderDialog(const QString& builder, const OpenDesign& open, QWidget* parent)
+    : BuilderDialog(builder, std::optional(open), parent)
+{}
+
+BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> open,
+                             QWidget* parent)
+    : QDialog(parent)
+    , m_open(open)
+    , m_builders(new QComboBox)
+    , m_help(new QLabel)
+    , m_scroll(new QScrollArea)
+    , m_show(new QCheckBox(tr("Show in the view")))
+    , m_figures(new QLabel)
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel
+                                     | QDialogButtonBox::RestoreDefaults))
+    , m_worker(outcomeOf, [this] {
+        QMetaObject::invokeMethod(this, &BuilderDialog::collect, Qt::QueuedConnection);
+    })
+{
+    for (const Builder& one : allBuilders())
+        m_builders->addItem(translated(one.label), text(one.name));
+    const Part* part = m_open ? findItem<Part>(m_open->document.scene(), m_open->part) : nullptr;
+    if (part) {
+        setWindowTitle(tr("Parameters of %1").arg(QString::fromStdString(part->name)));
+        m_scene = std::make_shared<const Scene>(m_open->document.scene());
+    } else if (m_open) {
+        setWindowTitle(tr("Insert"));
+        m_ground = std::make_shared<const InsertGround>(groundOf(m_open->document.scene()));
+    } else {
+        setWindowTitle(tr("New from builder"));
+        m_preview = std::make_unique<Preview>();
+    }
+    if (m_open)
+        m_selected = m_open->selection.ids();
+    layOut();
+
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(patience);
+    connect(&m_delay, &QTimer::timeout, this, &BuilderDialog::post);
+    connect(m_builders, &QComboBox::currentIndexChanged, this, &BuilderDialog::showParameters);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
+            &BuilderDialog::restoreDefaults);
+
+    m_builders->setCurrentIndex(std::max(m_builders->findData(builder), 0));
+    m_builders->setEnabled(!part);
+    showParameters();
+    if (part)
+        showValuesOf(*part);
+    if (m_open && parent) // beside the design, not on it
+        move(parent->geometry().right() - width(), parent->geometry().top() + 3 * margin);
+}
+
+BuilderDialog::~BuilderDialog()
+{
+    if (m_preview)
+        delete m_preview->view; // before the document that it shows
+}
+
+void BuilderDialog::layOut()
+{
+    m_builders->setObjectName(QStringLiteral("builder"));
+    m_builders->setAccessibleName(tr("Design"));
+    m_help->setWordWrap(true);
+    m_help->setForegroundRole(QPalette::PlaceholderText);
+    m_figures->setObjectName(QStringLiteral("counts"));
+    m_figures->setWordWrap(true);
+    m_figures->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_figures->setMinimumHeight(4 * fontMetrics().lineSpacing()); // does not jump as it fills
+    m_show->setObjectName(QStringLiteral("show"));
+    m_show->setChecked(true);
+    m_show->setToolTip(tr("The design shows the outcome while this dialog is open."));
+    connect(m_show, &QCheckBox::toggled, this, &BuilderDialog::post);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_buttons->button(QDialogButtonBox::Ok)
+        ->setText(m_scene    ? tr("Change")
+                  : m_ground ? tr("Insert")
+                             : tr("Build"));
+    QPushButton* defaults = m_buttons->button(QDialogButtonBox::RestoreDefaults);
+    defaults->setText(tr("Defaults"));
+    defaults->setToolTip(tr("Sets every parameter to what it was at first."));
+
+    auto* form = new QVBoxLayout;
+    form->addWidget(m_builders);
+    form->addWidget(m_help);
+    form->addWidget(m_scroll, 1);
+    if (m_ground) {
+        m_place = new PlaceForm(*m_ground, m_open->focus);
+        form->addWidget(m_place);
+        connect(m_place, &PlaceForm::changed, this, [this] {
+            m_isNew = true; // it comes elsewhere
+            buildSoon();
+        });
+    }
+    if (m_open)
+        form->addWidget(m_show);
+    form->addWidget(m_figures);
+    form->addWidget(m_buttons);
+    auto* layout = new QHBoxLayout(this);
+    layout->addLayout(form);
+    if (m_preview) {
+        m_preview->view->setMinimumWidth(320);
+        layout->insertWidget(0, m_preview->view, 1);
+        resize(formWidth + 520, 620);
+    } else {
+        resize(formWidth, 660);
+    }
+}
+
+const Builder& BuilderDialog::chosen() const
+{
+    return allBuilders()[std::size_t(m_builders->currentIndex())];
+}
+
+void BuilderDialog::showParameters()
+{
+    const Builder& builder = chosen();
+    m_isNew = true;
+    m_help->setText(translated(builder.help));
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_form = new ParameterForm(builder.parameters);
+    layout->addWidget(m_form);
+    connect(m_form, &ParameterForm::changed, this, &BuilderDialog::buildSoon);
+    m_table = nullptr;
+    if (builder.table) {
+        m_table = new QPlainTextEdit;
+        m_table->setObjectName(text(builder.table->key));
+        m_table->setAccessibleName(choiceLabel(builder.table->key));
+        m_table->setTabChangesFocus(true);
+        m_table->setPlaceholderText(
+            tr("Empty: by the numbers above. Or paste from a spreadsheet."));
+        m_table->setToolTip(translated(builder.table->help));
+        m_table->setFixedHeight(5 * fontMetrics().lineSpacing());
+        auto* label = new QLabel(
+            tr("%1 (%2)").arg(choiceLabel(builder.table->key), text(builder.table->unit)));
+        label->setBuddy(m_table);
+        layout->addWidget(label);
+        layout->addWidget(m_table);
+        connect(m_table, &QPlainTextEdit::textChanged, this, &BuilderDialog::buildSoon);
+    }
+    layout->addStretch(1);
+    m_scroll->setWidget(page); // the page before it is deleted
+    m_scroll->setMinimumWidth(page->minimumSizeHint().width() + 20);
+    post();
+}
+
+// What the part was built with.
+void BuilderDialog::showValuesOf(const Part& part)
+{
+    m_form->setValues(part.parameters);
+    if (m_table) {
+        QStringList rows;
+        for (const std::vector<double>& row : tableOf(part.parameters, *chosen().table)) {
+            QStringList cells;
+            for (const double cell : row)
+                cells << QString::number(cell, 'g', QLocale::FloatingPointShortest);
+            rows << cells.join(QChar('\t'));
+        }
+        m_table->setPlainText(rows.join(QChar('\n')));
+    }
+    post();
+}
+
+void BuilderDialog::restoreDefaults()
+{
+    m_form->restoreDefaults();
+    if (m_table)
+        m_table->clear();
+    post();
+}
+
+void BuilderDialog::buildSoon()
+{
+    m_outcome.reset();
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
+    m_delay.start();
+}
+
+std::optional<BuildJob> BuilderDialog::job()
+{
+    BuildJob job;
+    job.builder = &chosen();
+    if (const QString refusal = m_form->refusal(); !refusal.isEmpty()) {
+        refuse(refusal);
+        return std::nullopt;
+    }
+    job.parameters = m_form->values();
+    if (m_table) {
+        Result<NumberRows> table =
+            tableFromText(*job.builder->table, m_table->toPlainText().toStdString());
+        if (!table) {
+            refuse(translated(table.message()));
+            return std::nullopt;
+        }
+        setTable(job.parameters, *job.builder->table, *table);
+    }
+    if (m_open)
+        job.nextId = m_open->document.scene().nextId;
+    if (m_scene) {
+        job.scene = m_scene;
+        job.part = m_open->part;
+    }
+    if (m_ground) {
+        if (const QString refusal = m_place->refusal(); !refusal.isEmpty()) {
+            refuse(refusal);
+            return std::nullopt;
+        }
+        job.ground = m_ground;
+        job.wish = m_place->wish();
+        job.wish.label = job.builder->label;
+    }
+    return job;
+}
+
+void BuilderDialog::post()
+{
+    m_delay.stop();
+    m_outcome.reset();
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
+    const int number = ++m_number; // what is being built is not wanted any more
+    if (std::optional<BuildJob> wanted = job()) {
+        wanted->number = number;
+        m_worker.post(std::move(*wanted));
+    }
+}
+
+void BuilderDialog::collect()
+{
+    auto outcome = m_worker.take();
+    if (!outcome || outcome->number != m_number || m_delay.isActive())
+        return; // of values that have changed since
+    if (!outcome->refusal.empty())
+        return refuse(translated(outcome->refusal));
+    m_outcome = std::move(outcome);
+    QStringList lines{textOf(m_outcome->figures)};
+    if (m_outcome->substeps > 0)
+        lines << tr("Raises the substeps of the scene to %1.").arg(m_outcome->substeps);
+    if (const QString lost = textOf(m_outcome->lost, m_outcome->letGo); !lost.isEmpty())
+        lines << lost;
+    if (m_outcome->figures.particles > mostShown)
+        lines << tr("Too large to be shown while you type.");
+    m_figures->setText(lines.join(QChar('\n')));
+    preview();
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(true);
+}
+
+void BuilderDialog::refuse(const QString& why)
+{
+    takeBack();
+    m_figures->setText(why);
+}
+
+void BuilderDialog::preview()
+{
+    takeBack();
+    if (m_outcome->figures.particles > mostShown)
+        return;
+    if (m_preview) {
+        m_preview->document.replace(m_outcome->scene);
+    } else if (m_show->isChecked()) {
+        m_gesture = m_open->document.beginGesture();
+        m_open->document.drag(m_outcome->edit, m_gesture);
+        if (m_isNew)
+            emit shown(m_outcome->bodies);
+        m_isNew = false;
+    }
+}
+
+void BuilderDialog::takeBack()
+{
+    if (m_preview && (!m_outcome || m_outcome->figures.particles > mostShown))
+        m_preview->document.replace(Scene{});
+    if (m_gesture == 0)
+        return;
+    m_open->document.cancel(m_gesture);
+    m_gesture = 0;
+    m_open->selection.set(m_selected);
+}
+
+void BuilderDialog::accept()
+{
+    if (!m_outcome)
+        return;
+    takeBack();
+    if (m_open) {
+        m_open->document.push(m_outcome->edit);
+        m_open->selection.set(m_outcome->bodies);
+        if (m_isNew)
+            emit shown(m_outcome->bodies);
+    }
+    QDialog::accept();
+}
+
+void BuilderDialog::reject()
+{
+    m_delay.stop();
+    ++m_number; // what comes now is not wanted
+    takeBack();
+    QDialog::reject();
+}
+
+} // namespace ripstop

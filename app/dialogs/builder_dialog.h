@@ -1,0 +1,101 @@
+#pragma once
+
+#include "dialogs/builder_work.h"
+
+#include <QDialog>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QPlainTextEdit;
+class QScrollArea;
+
+namespace ripstop {
+
+class Document;
+class ParameterForm;
+class PlaceForm;
+class Selection;
+
+// The open design that a builder's part goes into, or stands in.
+struct OpenDesign
+{
+    Document& document;
+    Selection& selection;
+    Vec3 focus = Vec3::Zero(); // m, what the view turns about
+    Id part = noId;            // to be built again with other parameters; none inserts one
+};
+
+// Chooses a builder and its parameters. The design is built anew, on a thread of its own, shortly
+// after each change, so that its shape, its figures and what is wrong with it are always on screen:
+// in the open design when it goes there, and in a view of the dialog's own when it is a new one.
+// Accepted, a change of the open design is one step of the history, and dismissed, none. It is
+// modal because the preview stands in the history until then: another edit would come to lie on it.
+class BuilderDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    explicit BuilderDialog(const QString& builder, QWidget* parent = nullptr); // a new design
+    BuilderDialog(const QString& builder, const OpenDesign& open, QWidget* parent = nullptr);
+    ~BuilderDialog() override;
+
+    // What was built for a new design; the dialog can only be accepted while there is something.
+    const Scene& scene() const { return m_outcome->scene; }
+
+    void accept() override;
+    void reject() override;
+
+signals:
+    // What comes is in the view, for the first time since its builder or its place was chosen: time
+    // to look at it.
+    void shown(const std::vector<ripstop::Id>& bodies);
+
+private:
+    struct Preview; // of a new design
+
+    BuilderDialog(const QString& builder, std::optional<OpenDesign> open, QWidget* parent);
+    void layOut();
+    void showParameters(); // of the chosen builder
+    void showValuesOf(const Part& part);
+    void restoreDefaults();
+    void buildSoon();
+    void post();
+    void collect();
+    void preview();
+    void takeBack();
+    void refuse(const QString& why);
+    std::optional<BuildJob> job(); // nothing, and a refusal, where the form cannot be read
+    const Builder& chosen() const;
+
+    std::optional<OpenDesign> m_open;
+    std::vector<Id> m_selected; // when the dialog was opened
+    QComboBox* m_builders;
+    QLabel* m_help;
+    QScrollArea* m_scroll;
+    ParameterForm* m_form = nullptr;
+    QPlainTextEdit* m_table = nullptr; // of a builder that takes one
+    QCheckBox* m_show;
+    QLabel* m_figures;
+    QDialogButtonBox* m_buttons;
+
+    // of a change of the open design
+    PlaceForm* m_place = nullptr;
+    std::shared_ptr<const InsertGround> m_ground; // of an insertion
+    std::shared_ptr<const Scene> m_scene;         // as it was, where a part is built again
+    int m_gesture = 0;                            // of the preview that stands in the history, or 0
+    bool m_isNew = true; // no design of this builder was shown at this place yet
+
+    std::unique_ptr<Preview> m_preview;
+    std::shared_ptr<const BuildOutcome> m_outcome; // of what the form says, or null
+    int m_number = 0;                              // of the newest job
+    QTimer m_delay;
+    BuildWork m_worker;
+};
+
+} // namespace ripstop

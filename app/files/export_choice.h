@@ -1,0 +1,43 @@
+// What the export dialog offers, and what it says about each choice.
+#pragma once
+
+#include "export/export_run.h"
+#include "export/format.h"
+#include "files/film.h"
+
+#include <QSize>
+#include <QString>
+
+#include <variant>
+#include <vector>
+
+namespace ripstop {
+
+enum class RunTable { Tears, Controls }; // of the run on the screen
+struct WholeRun                          // a bundle (bundle/bundle.h)
+{};
+
+struct ExportChoice
+{
+    std::variant<const ExportFormat*, const FilmFormat*, RunTable, WholeRun> what;
+    QString ending; // after the name of the scene
+    QString label;
+    QString note;
+
+    const ExportFormat* mesh() const; // null when it is something else
+    const FilmFormat* film() const;   // the same
+    bool isSeries() const;            // has frames
+    bool isBundle() const;
+    bool isFlown() const { return isSeries() || isBundle(); } // is not on the screen
+};
+
+std::vector<ExportChoice> exportChoices();
+
+// "Writes kite.pc2 and kite.obj. 251 frames, about 3.4 MB. kite.obj is there and will be replaced."
+QString previewOf(const ExportChoice& choice, const QString& target, const ExportRange& range,
+                  const Frame* now, QSize picture);
+
+// The files of a choice that are there already.
+QStringList replacedBy(const ExportChoice& choice, const QString& target, std::size_t frames);
+
+} // namespace ripstop

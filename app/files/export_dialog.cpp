@@ -1,0 +1,495 @@
+#include "files/export_dialog.h"
+
+#include "bundle/bundle.h"
+#include "compile/compile.h"
+#include "dialogs/ask_file.h"
+#include "document/words.h"
+#include "export/output_files.h"
+#include "io/tear_table.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+QDoubleSpinBox* seconds(double value)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setRange(0.0, 100000.0);
+    box->setDecimals(2);
+    box->setSuffix(" s");
+    box->setValue(value);
+    return box;
+}
+
+QSpinBox* pixels(int value)
+{
+    auto* box = new QSpinBox;
+    box->setRange(16, 16384);
+    box->setValue(value);
+    return box;
+}
+
+QWidget* inOneRow(std::initializer_list<QWidget*> widgets)
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins({});
+    for (QWidget* widget : widgets)
+        layout->addWidget(widget);
+    layout->addStretch();
+    return row;
+}
+
+bool wasDoneByHand(const Frame* frame)
+{
+    return frame && !(frame->commands.empty() && frame->hands.empty());
+}
+
+// Calls `draw` on the thread of the window and waits for it.
+DrawFrame drawnBy(QObject* window, const ExportDialog::Draw& draw, const FilmLook& look)
+{
+    return [window, &draw, look](const std::shared_ptr<const Frame>& frame) {
+        QImage picture;
+        QMetaObject::invokeMethod(
+            window,
+            [&] {
+                picture = draw(frame, look);
+                paintCaption(picture, *frame, look);
+            },
+            Qt::BlockingQueuedConnection);
+        return picture;
+    };
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw, QSize view,
+                           QWidget* parent)
+    : QDialog(parent)
+    , m_scene(matter.scene)
+    , m_now(matter.now)
+    , m_recording(matter.recording)
+    , m_stem(stem)
+    , m_draw(std::move(draw))
+    , m_choices(exportChoices())
+    , m_fields(new QWidget)
+    , m_form(new QFormLayout(m_fields))
+    , m_format(new QComboBox)
+    , m_target(new QLineEdit)
+    , m_source(new QComboBox)
+    , m_from(seconds(0.0))
+    , m_to(seconds(m_now && m_now->time > 0.0 ? m_now->time : 10.0))
+    , m_fps(new QDoubleSpinBox)
+    , m_speed(new QDoubleSpinBox)
+    , m_again(new QCheckBox(tr("Do again what the pilot and your hands did")))
+    , m_width(pixels(view.width()))
+    , m_height(pixels(view.height()))
+    , m_size(inOneRow({m_width, new QLabel(tr("×")), m_height, new QLabel(tr("pixels"))}))
+    , m_overlays(new QCheckBox(tr("&Legend and compass")))
+    , m_time(new QCheckBox(tr("T&ime")))
+    , m_probes(new QCheckBox(tr("&Probes that are plotted")))
+    , m_shown(inOneRow({m_time, m_probes, m_overlays}))
+    , m_transparent(new QCheckBox(tr("Transparent &background")))
+    , m_note(new QLabel)
+    , m_message(new QLabel)
+    , m_progress(new QProgressBar)
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Export"));
+    layOut();
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseFormat);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportDialog::start);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    m_target->setAccessibleName(tr("File"));
+    connect(m_target, &QLineEdit::textChanged, this, &ExportDialog::showPreview);
+    for (QDoubleSpinBox* box : {m_from, m_to, m_fps, m_speed})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showPreview);
+    for (QSpinBox* box : {m_width, m_height})
+        connect(box, &QSpinBox::valueChanged, this, &ExportDialog::showPreview);
+    connect(m_source, &QComboBox::currentIndexChanged, this, &ExportDialog::chooseSource);
+    connect(&m_watch, &QTimer::timeout, this, &ExportDialog::watch);
+    chooseSource();
+    if (matter.range) {
+        m_from->setValue(matter.range->first);
+        m_to->setValue(matter.range->second);
+    }
+    chooseFormat();
+}
+
+// A thread that draws waits for this one.
+ExportDialog::~ExportDialog()
+{
+    m_cancelled = true;
+    while (m_work.valid()
+           && m_work.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready)
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+}
+
+void ExportDialog::layOut()
+{
+    for (const ExportChoice& choice : m_choices)
+        m_format->addItem(choice.label);
+    m_format->setMaxVisibleItems(int(m_choices.size()));
+    if (m_recording)
+        m_source->addItem(tr("The run as it was recorded"));
+    m_source->addItem(tr("Simulated anew from the start of the scene"));
+    m_fps->setRange(0.1, 10000.0);
+    const double steps = 1.0 / m_scene.settings.timeStep;             // a second
+    m_fps->setValue(steps / std::max(1.0, std::round(steps / 25.0))); // a frame every so many steps
+    m_fps->setSuffix(tr(" per s"));
+    m_fps->setToolTip(tr("Frames per second: of simulated time for meshes and tables, of the film "
+                         "for films."));
+    m_speed->setRange(0.001, 1000.0);
+    m_speed->setDecimals(3);
+    m_speed->setValue(1.0);
+    m_speed->setPrefix(tr("× "));
+    m_speed->setToolTip(
+        tr("How fast the film shows the flight; 0.1 is ten times slower than it is."));
+    m_again->setChecked(true);
+    const std::pair<QWidget*, const char*> names[]{
+        {m_source, "source"},  {m_from, "from"},
+        {m_to, "to"},          {m_fps, "rate"},
+        {m_speed, "speed"},    {m_width, "width"},
+        {m_height, "height"},  {m_transparent, "transparent"},
+        {m_message, "message"}};
+    for (const auto& [field, name] : names)
+        field->setObjectName(name);
+    m_overlays->setChecked(true);
+    m_time->setChecked(true);
+
+    auto* browse = new QToolButton;
+    browse->setText(tr("…"));
+    browse->setToolTip(tr("Choose the file"));
+    connect(browse, &QToolButton::clicked, this, &ExportDialog::browse);
+    auto* file = new QWidget;
+    auto* fileRow = new QHBoxLayout(file);
+    fileRow->setContentsMargins({});
+    fileRow->addWidget(m_target);
+    fileRow->addWidget(browse);
+    file->setFocusProxy(m_target);
+
+    m_form->addRow(tr("F&ormat"), m_format);
+    m_note->setWordWrap(true);
+    m_note->setForegroundRole(QPalette::PlaceholderText);
+    m_form->addRow(QString(), m_note);
+    m_form->addRow(tr("Fi&le"), file);
+    m_form->addRow(tr("F&light"), m_source);
+    m_form->addRow(tr("F&rom"), m_from);
+    m_form->addRow(tr("&To"), m_to);
+    m_form->addRow(tr("R&ate"), m_fps);
+    m_form->addRow(tr("&Speed"), m_speed);
+    m_form->addRow(tr("Si&ze"), m_size);
+    m_form->addRow(tr("Show"), m_shown);
+    m_form->addRow(QString(), m_transparent);
+    m_form->addRow(QString(), m_again);
+
+    m_message->setWordWrap(true);
+    m_message->setMinimumHeight(3 * fontMetrics().lineSpacing());
+    m_message->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_progress->setRange(0, 1000);
+    QSizePolicy policy = m_progress->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(policy);
+    m_progress->hide();
+    m_go = m_buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    m_go->setDefault(true);
+
+    auto* layout = new QVBoxLayout(this);
+    m_form->setContentsMargins({});
+    for (int row = 0; row < m_form->rowCount(); ++row)
+        if (const QLayoutItem* label = m_form->itemAt(row, QFormLayout::LabelRole))
+            // an underlined letter breaks the kerning, which the hint forgets
+            label->widget()->setMinimumWidth(label->sizeHint().width() + 4);
+    layout->addWidget(m_fields);
+    layout->addWidget(m_message);
+    layout->addStretch();
+    layout->addWidget(m_progress);
+    layout->addWidget(m_buttons);
+    setMinimumWidth(560);
+    m_format->setFocus();
+}
+
+// With the ending of the format, which says what is meant.
+QString ExportDialog::target() const
+{
+    const QString ending = choice().ending;
+    const QString extension = ending.mid(ending.lastIndexOf('.'));
+    const QString typed = m_target->text();
+    return typed.endsWith(extension, Qt::CaseInsensitive) ? typed : typed + extension;
+}
+
+const ExportChoice& ExportDialog::choice() const
+{
+    return m_choices[std::size_t(m_format->currentIndex())];
+}
+
+ExportRange ExportDialog::range() const
+{
+    const double perSecond = choice().film() ? m_fps->value() / m_speed->value() : m_fps->value();
+    return {m_from->value(), std::max(m_to->value(), m_from->value()), perSecond};
+}
+
+bool ExportDialog::isRecorded() const { return m_recording && m_source->currentIndex() == 0; }
+
+ExportDialog::Job ExportDialog::job() const
+{
+    return {choice(),
+            target(),
+            range(),
+            isRecorded(),
+            m_now && m_again->isChecked() ? trackOf(*m_now) : ControlTrack(),
+            m_fps->value(),
+            {.size = QSize(m_width->value(), m_height->value()),
+             .overlays = m_overlays->isChecked(),
+             .time = m_time->isChecked(),
+             .probes = m_probes->isChecked(),
+             .transparent = m_transparent->isChecked()}};
+}
+
+// A recording has a beginning and an end; what is simulated goes on as long as one likes.
+void ExportDialog::chooseSource()
+{
+    if (isRecorded()) {
+        const RecordedFrames frames(m_recording);
+        // the fields show hundredths: up, then down, so that all of it is in reach
+        const double begin = std::ceil(100.0 * frames.begin() - 0.01) / 100.0;
+        const double end = std::max(begin, std::floor(100.0 * frames.end() + 0.01) / 100.0);
+        for (QDoubleSpinBox* box : {m_from, m_to})
+            box->setRange(begin, end);
+        m_from->setValue(begin);
+        m_to->setValue(end);
+    } else {
+        for (QDoubleSpinBox* box : {m_from, m_to})
+            box->setRange(0.0, 100000.0);
+    }
+    chooseFormat();
+}
+
+// QFormLayout of Qt 6.4 can hide whole rows.
+void ExportDialog::chooseFormat()
+{
+    const ExportChoice& chosen = choice();
+    if (!m_target->text().endsWith(chosen.ending) || m_target->text().isEmpty())
+        m_target->setText(m_stem + chosen.ending);
+    m_note->setText(chosen.note);
+    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // the longest has two
+    m_form->setRowVisible(m_source, chosen.isFlown() && m_recording);
+    for (QWidget* field : {m_from, m_fps})
+        m_form->setRowVisible(field, chosen.isSeries());
+    // a recording is bundled as a whole
+    m_form->setRowVisible(m_to, chosen.isSeries() || (chosen.isBundle() && !isRecorded()));
+    m_form->setRowVisible(m_again, chosen.isFlown() && !isRecorded() && wasDoneByHand(m_now.get()));
+    for (QWidget* field : std::initializer_list<QWidget*>{m_speed, m_size, m_shown})
+        m_form->setRowVisible(field, chosen.film() != nullptr);
+    m_form->setRowVisible(m_transparent,
+                          chosen.film() && chosen.film()->alpha == FilmFormat::Alpha::Kept);
+    showPreview();
+}
+
+// Why nothing can be written as the fields stand; empty when it can.
+QString ExportDialog::whyNot() const
+{
+    if (const FilmFormat* film = choice().film())
+        if (const QString why = whyNoFilm(*film); !why.isEmpty())
+            return why;
+    if (choice().isSeries() && m_to->value() <= m_from->value())
+        return tr("The series ends before it begins: make To later than From.");
+    const QFileInfo file(target());
+    if (!file.dir().exists())
+        return tr("There is no folder %1; choose another.")
+            .arg(QDir::toNativeSeparators(file.path()));
+    return {};
+}
+
+void ExportDialog::showPreview()
+{
+    if (m_work.valid())
+        return;
+    const QString why = whyNot();
+    m_go->setEnabled(why.isEmpty());
+    if (!why.isEmpty())
+        return m_message->setText(why);
+    QString text = previewOf(choice(), target(), range(), m_now.get(),
+                             QSize(m_width->value(), m_height->value()));
+    if (choice().isFlown())
+        text += ' '
+                + (isRecorded() ? tr("It is taken from the recording, as it was flown.")
+                                : tr("The scene is simulated anew from its start."));
+    m_message->setText(text);
+}
+
+void ExportDialog::browse()
+{
+    const QString ending = choice().ending;
+    const QString extension = ending.mid(ending.lastIndexOf('.'));
+    const QString file =
+        askWhereToSave(this, tr("Export as"), m_target->text(), "*" + extension, extension.mid(1));
+    if (file.isEmpty())
+        return;
+    m_target->setText(file);
+    m_mayReplace = file; // the file dialog has asked
+}
+
+void ExportDialog::start()
+{
+    showPreview(); // folders come and go
+    if (m_work.valid() || !m_go->isEnabled() || !mayWrite())
+        return;
+    if (!choice().isFlown()) {
+        const QString failure = writeNow();
+        return failure.isEmpty() ? accept() : end(failure);
+    }
+    m_cancelled = false;
+    m_done = 0.0;
+    m_progress->show();
+    m_progress->setValue(0);
+    setBusy(true);
+    m_work = std::async(std::launch::async, [this, job = job()] { return write(job); });
+    m_watch.start(50);
+}
+
+QString ExportDialog::writeNow() const
+{
+    if (!m_now)
+        return tr("There is nothing on the screen to export; see the list of problems.");
+    const std::filesystem::path file = target().toStdString();
+    const auto* table = std::get_if<RunTable>(&choice().what);
+    const auto failure = !table ? writeMoment(*m_now, MeshAppearance(m_scene), file)
+                         : *table == RunTable::Tears
+                             ? writeTears(m_scene, m_now->tears, file)
+                             : writeControlTrack(m_scene, trackOf(*m_now), file);
+    return failure ? translated(failure->message) : QString();
+}
+
+Result<std::unique_ptr<FrameSink>> ExportDialog::open(const Job& job)
+{
+    if (const FilmFormat* film = job.choice.film())
+        return openFilm(*film, job.target, job.picturesPerSecond, drawnBy(this, m_draw, job.look));
+    return openSink(*job.choice.mesh(), job.target.toStdString(), MeshAppearance(m_scene));
+}
+
+QString ExportDialog::writeBundle(const Job& job)
+{
+    BundleOrder order;
+    order.seconds = job.range.to;
+    order.controls = job.controls;
+    if (m_draw && m_now)
+        order.decorate = [picture = drawnBy(this, m_draw, job.look)(m_now)](
+                             const std::filesystem::path& folder) -> std::optional<Failure> {
+            const std::filesystem::path file = folder / "view.png";
+            if (picture.save(QString::fromStdString(file.string())))
+                return std::nullopt;
+            return notWritten(file, "the picture could not be saved");
+        };
+    const std::filesystem::path target = job.target.toStdString();
+    const Progress progress = [this](double done) {
+        m_done = done;
+        return !m_cancelled;
+    };
+    const BundleWritten written = job.recorded
+                                      ? ripstop::writeBundle(m_recording, order, target, progress)
+                                      : ripstop::writeBundle(m_scene, order, target, progress);
+    return written.failure ? translated(written.failure->message) : QString();
+}
+
+QString ExportDialog::write(const Job& job)
+{
+    if (job.choice.isBundle())
+        return writeBundle(job);
+    std::optional<Simulation> simulation;
+    std::unique_ptr<FrameSource> source;
+    if (job.recorded) {
+        source = std::make_unique<RecordedFrames>(m_recording);
+    } else {
+        const auto system = compile(m_scene);
+        if (!system)
+            return translated(system.message());
+        source = std::make_unique<FlownFrames>(simulation.emplace(*system), job.controls);
+    }
+    const auto sink = open(job);
+    if (!sink)
+        return translated(sink.message());
+    const auto failure = exportSeries(*source, job.range, **sink, [this](double done) {
+        m_done = done;
+        return !m_cancelled;
+    });
+    return failure ? translated(failure->message) : QString();
+}
+
+bool ExportDialog::mayWrite()
+{
+    const QString file = target();
+    const QStringList there =
+        replacedBy(choice(), file, choice().isSeries() ? frameCount(range()) : 1);
+    if (there.isEmpty() || (there == QStringList{file} && file == m_mayReplace))
+        return true;
+    const QString question =
+        there.size() == 1
+            ? tr("%1 exists already. Replace it?").arg(QDir::toNativeSeparators(there[0]))
+            : tr("%1 and %2 more exist already. Replace them?")
+                  .arg(QDir::toNativeSeparators(there[0]))
+                  .arg(there.size() - 1);
+    return QMessageBox::question(this, tr("Replace what is there?"), question) == QMessageBox::Yes;
+}
+
+void ExportDialog::choose(const QString& ending)
+{
+    for (std::size_t i = 0; i < m_choices.size(); ++i)
+        if (m_choices[i].ending == ending)
+            m_format->setCurrentIndex(int(i));
+}
+
+QString ExportDialog::ending() const { return choice().ending; }
+
+void ExportDialog::watch()
+{
+    m_progress->setValue(int(1000 * m_done));
+    if (m_work.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    m_watch.stop();
+    const QString failure = m_work.get();
+    emit ended();
+    if (failure.isEmpty())
+        accept(); // also when it was done before it saw that it should stop
+    else
+        end(m_cancelled ? tr("Cancelled; nothing was kept.") : failure);
+}
+
+void ExportDialog::setBusy(bool busy)
+{
+    m_fields->setEnabled(!busy);
+    m_go->setEnabled(!busy);
+}
+
+void ExportDialog::end(const QString& failure)
+{
+    setBusy(false);
+    m_progress->hide();
+    m_message->setText(failure);
+}
+
+void ExportDialog::reject()
+{
+    if (m_work.valid())
+        m_cancelled = true; // watch() sees the end of it
+    else
+        QDialog::reject();
+}
+
+} // namespace ripstop

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "files/export_choice.h"
+#include "files/film_look.h"
+#include "run/recording.h"
+#include "scene/scene.h"
+
+#include <QDialog>
+#include <QTimer>
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <optional>
+#include <utility>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace ripstop {
+
+// Writes meshes, series, films and tables for other programs. The moment on the screen is written
+// as it is; anything else is taken from a recording or simulated from the start, on a thread, with
+// progress and cancel.
+class ExportDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    using Draw = std::function<QImage(const std::shared_ptr<const Frame>&, const FilmLook&)>;
+
+    // What is there to be exported.
+    struct Matter
+    {
+        const Scene& scene;
+        std::shared_ptr<const Frame> now; // on the screen
+        // The run that is in the timeline, or null; and the part of it that is played again and
+        // again.
+        std::shared_ptr<const Recording> recording = nullptr;
+        std::optional<std::pair<double, double>> range = std::nullopt; // s
+    };
+
+    // `stem` is the suggested file without its extension. `draw` makes pictures of frames, in the
+    // size `view` unless asked for another.
+    ExportDialog(const Matter& matter, const QString& stem, Draw draw, QSize view, QWidget* parent);
+    ~ExportDialog() override;
+
+    QString target() const;
+
+    void reject() override; // first cancels what runs
+
+    // Of the choices, by its ending; what is not there is not chosen.
+    void choose(const QString& ending);
+    QString ending() const;
+
+signals:
+    void ended(); // what it wrote, or was told not to
+
+private:
+    // What a thread needs to know of the fields.
+    struct Job
+    {
+        ExportChoice choice;
+        QString target;
+        ExportRange range;
+        bool recorded; // as it was; else simulated anew
+        ControlTrack controls;
+        double picturesPerSecond; // of the film
+        FilmLook look;
+    };
+
+    void layOut();
+    void chooseFormat();
+    void chooseSource();
+    void showPreview();
+    QString whyNot() const;
+    void browse();
+    void start();
+    bool mayWrite();               // asks before it replaces a file
+    QString writeNow() const;      // the failure, or empty
+    QString write(const Job& job); // the same, on a thread
+    QString writeBundle(const Job& job);
+    Result<std::unique_ptr<FrameSink>> open(const Job& job);
+    void watch();
+    void setBusy(bool busy);
+    void end(const QString& failure);
+
+    const ExportChoice& choice() const;
+    bool isRecorded() const;
+    ExportRange range() const;
+    Job job() const;
+
+    const Scene m_scene;
+    const std::shared_ptr<const Frame> m_now;
+    const std::shared_ptr<const Recording> m_recording;
+    const QString m_stem;
+    const Draw m_draw;
+    const QSize m_view;
+    const std::vector<ExportChoice> m_choices;
+    QString m_mayReplace; // a file that the user has agreed to lose
+
+    QWidget* m_fields;
+    QFormLayout* m_form;
+    QComboBox* m_format;
+    QLineEdit* m_target;
+    QComboBox* m_source; // the recording, or anew
+    QDoubleSpinBox* m_from;
+    QDoubleSpinBox* m_to;
+    QDoubleSpinBox* m_fps;
+    QDoubleSpinBox* m_speed;
+    QCheckBox* m_again;
+    QSpinBox* m_width;
+    QSpinBox* m_height;
+    QWidget* m_size;
+    QCheckBox* m_overlays;
+    QCheckBox* m_time;
+    QCheckBox* m_probes;
+    QWidget* m_shown; // the three of them
+    QCheckBox* m_transparent;
+    QLabel* m_note;
+    QLabel* m_message;
+    QProgressBar* m_progress;
+    QDialogButtonBox* m_buttons;
+    QPushButton* m_go = nullptr;
+    QTimer m_watch;
+
+    std::atomic<double> m_done = 0.0;
+    std::atomic<bool> m_cancelled = false;
+    std::future<QString> m_work; // the failure, or empty
+};
+
+} // namespace ripstop

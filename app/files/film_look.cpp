@@ -1,0 +1,60 @@
+#include "files/film_look.h"
+
+#include <QCoreApplication>
+#include <QFontDatabase>
+#include <QLocale>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+QStringList linesOf(const Frame& frame, const FilmLook& look)
+{
+    QStringList lines;
+    if (look.time)
+        lines << QString("%L1 s").arg(frame.time, 0, 'f', 2);
+    for (std::size_t i = 0; look.probes && i < frame.probe.size(); ++i) {
+        const Layout::Probe& probe = frame.layout->probes[i];
+        if (!probe.plotted)
+            continue;
+        const QString value = std::isfinite(frame.probe[i])
+                                  ? QLocale().toString(frame.probe[i], 'g', 4)
+                                  : QCoreApplication::translate("Film", "none");
+        lines << QString("%1  %2 %3")
+                     .arg(QString::fromStdString(probe.name), value,
+                          QString::fromStdString(probe.unit));
+    }
+    return lines;
+}
+
+} // namespace
+
+void paintCaption(QImage& picture, const Frame& frame, const FilmLook& look)
+{
+    const QStringList lines = linesOf(frame, look);
+    if (lines.isEmpty() || picture.isNull())
+        return;
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+    font.setPixelSize(std::max(10, picture.height() / 36));
+    painter.setFont(font);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int margin = metrics.height() / 2;
+    int width = 0;
+    for (const QString& line : lines)
+        width = std::max(width, metrics.horizontalAdvance(line));
+    const QRect text(2 * margin, 2 * margin, width, int(lines.size()) * metrics.lineSpacing());
+
+    // dark on light, whatever is behind
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 200));
+    painter.drawRoundedRect(text.adjusted(-margin, -margin / 2, margin, margin / 2), margin / 2.0,
+                            margin / 2.0);
+    painter.setPen(QColor(32, 36, 44));
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignTop, lines.join('\n'));
+}
+
+} // namespace ripstop

@@ -1,0 +1,100 @@
+#include "language/language.h"
+
+#include <QAbstractSpinBox>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+
+#include <array>
+
+namespace ripstop {
+namespace {
+
+constexpr const char* settingKey = "language";
+constexpr const char* ownContext = "ripstop"; // of all texts in the file
+constexpr const char* modelContext = "Model"; // in which translated() asks
+
+// In the order of Language.
+constexpr std::array<const char*, 3> codes{"system", "en", "fr"};
+
+} // namespace
+
+std::optional<Language> languageFromCode(const QString& code)
+{
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        if (code == QLatin1String(codes[i]))
+            return Language(i);
+    return std::nullopt;
+}
+
+void keepLanguage(Language language)
+{
+    QSettings().setValue(settingKey, QString::fromLatin1(codes[std::size_t(language)]));
+}
+
+Language keptLanguage()
+{
+    return languageFromCode(QSettings().value(settingKey).toString()).value_or(Language::System);
+}
+
+QString Translation::Catalogue::translate(const char* context, const char* source,
+                                          const char* comment, int n) const
+{
+    if (context && *context == 'Q') // Qt's own, such as the names of keys
+        return {};
+    const QString text = QTranslator::translate(ownContext, source, comment, n);
+    const bool isOfModel = context && QLatin1String(context) == QLatin1String(modelContext);
+    return text.isEmpty() && isOfModel ? sentences.translated(QString::fromUtf8(source)) : text;
+}
+
+Translation::Translation(Language language)
+{
+    QCoreApplication::instance()->installEventFilter(this);
+    speak(language);
+}
+
+Translation::~Translation()
+{
+    QCoreApplication::removeTranslator(&m_own);
+    QCoreApplication::removeTranslator(&m_qt);
+    QLocale::setDefault(QLocale::system());
+}
+
+void Translation::install(Language language)
+{
+    QCoreApplication::removeTranslator(&m_own);
+    QCoreApplication::removeTranslator(&m_qt);
+    const QLocale system = QLocale::system();
+    const bool isFrench = language == Language::French
+                          || (language == Language::System && system.language() == QLocale::French);
+    const bool fits = system.language() == (isFrench ? QLocale::French : QLocale::English);
+    QLocale::setDefault(fits       ? system // with its own way of writing dates
+                        : isFrench ? QLocale(QLocale::French, QLocale::France)
+                                   : QLocale(QLocale::English, QLocale::UnitedStates));
+    if (!isFrench)
+        return;
+    if (m_qt.load("qtbase_fr", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&m_qt);
+    m_own.sentences.load(":/translations/sentences_fr.ts");
+    if (m_own.load(":/translations/ripstop_fr.qm"))
+        QCoreApplication::installTranslator(&m_own); // asked first, as the last one installed
+}
+
+bool Translation::eventFilter(QObject* target, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress || !qobject_cast<QAbstractSpinBox*>(target))
+        return false;
+    auto* key = static_cast<QKeyEvent*>(event);
+    const QString point = QLocale().decimalPoint();
+    if ((key->text() != QLatin1String(",") && key->text() != QLatin1String("."))
+        || key->text() == point)
+        return false;
+    QKeyEvent other(QEvent::KeyPress, point == QLatin1String(",") ? Qt::Key_Comma : Qt::Key_Period,
+                    key->modifiers(), point);
+    QCoreApplication::sendEvent(target, &other);
+    return true;
+}
+
+} // namespace ripstop

@@ -1,0 +1,195 @@
+#include "assembly/carry_over.h"
+
+#include "base/key_index.h"
+#include "constraints/guides.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+// Place of each item by its key.
+template <typename Items, typename KeyOf>
+KeyIndex indexOf(const Items& items, KeyOf keyOf)
+{
+    KeyIndex index(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i)
+        index.add(keyOf(items[i]), int(i));
+    return index;
+}
+
+// Spreads the motion of known particles along links until every tied particle has one.
+void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t>& placed)
+{
+    if (std::find(placed.begin(), placed.end(), 0) == placed.end())
+        return;
+    std::vector<std::size_t> known;
+    known.reserve(placed.size());
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        if (placed[i])
+            known.push_back(i);
+    const auto follow = [&](std::size_t from, const auto& link) {
+        const auto other = std::size_t(std::size_t(link.a) == from ? link.b : link.a);
+        if (placed[other])
+            return;
+        carried.position[other] =
+            to.start.position[other] + carried.position[from] - to.start.position[from];
+        carried.velocity[other] = carried.velocity[from];
+        carried.drift[other] = carried.drift[from];
+        placed[other] = 1;
+        known.push_back(other);
+    };
+    for (std::size_t next = 0; next < known.size() && known.size() < placed.size(); ++next) {
+        const std::size_t from = known[next];
+        for (int k = to.springsAt.start[from]; k < to.springsAt.start[from + 1]; ++k)
+            follow(from, to.springs[std::size_t(to.springsAt.items[std::size_t(k)])]);
+        for (int k = to.rodsAt.start[from]; k < to.rodsAt.start[from + 1]; ++k)
+            follow(from, to.rods[std::size_t(to.rodsAt.items[std::size_t(k)])]);
+    }
+}
+
+// Twins that are new stand where the particles that they came from do.
+void placeTwins(const System& to, State& carried, std::vector<std::uint8_t>& placed)
+{
+    if (carried.splits.empty())
+        return;
+    const KeyIndex particleOf = indexOf(to.key, [](Key key) { return key; });
+    for (const Split& split : carried.splits) {
+        const int from = particleOf(split.from);
+        const int twin = particleOf(split.twin);
+        if (from < 0 || twin < 0 || placed[std::size_t(twin)])
+            continue;
+        carried.position[std::size_t(twin)] = Vec3(carried.position[std::size_t(from)]);
+        carried.velocity[std::size_t(twin)] = Vec3(carried.velocity[std::size_t(from)]);
+        carried.drift[std::size_t(twin)] = Vec3(carried.drift[std::size_t(from)]);
+        placed[std::size_t(twin)] = placed[std::size_t(from)];
+    }
+}
+
+// A second link that is new takes its share of what the first holds, and waits as that does.
+void carryTwinLinks(const System& from, const System& to, State& carried)
+{
+    if (carried.splits.empty())
+        return;
+    const KeyIndex before = indexOf(from.links, [](const LinkPlace& link) { return link.key; });
+    const KeyIndex now = indexOf(to.links, [](const LinkPlace& link) { return link.key; });
+    for (const Split& split : carried.splits)
+        for (const Split::Cut& cut : split.cut) {
+            const int first = now(cut.link);
+            const int twin = now(cut.twin);
+            if (first < 0 || twin < 0 || before(cut.twin) >= 0)
+                continue;
+            const LinkPlace& place = to.links[std::size_t(first)];
+            const auto at = std::size_t(place.index);
+            const auto twinAt = std::size_t(to.links[std::size_t(twin)].index);
+            if (place.kind == LinkKind::Spring) {
+                carried.springTorn[twinAt] = std::uint8_t(carried.springTorn[at]);
+            } else {
+                carried.rodTorn[twinAt] = std::uint8_t(carried.rodTorn[at]);
+                carried.rodTension[twinAt] = cut.share * carried.rodTension[at];
+                carried.rodTension[at] *= 1.0 - cut.share;
+            }
+            const auto held =
+                std::find_if(carried.tearHolds.begin(), carried.tearHolds.end(),
+                             [&](const TearHold& hold) { return hold.link == first; });
+            if (held != carried.tearHolds.end())
+                carried.tearHolds.push_back({twin, held->ratio});
+        }
+}
+
+void carryHolds(const System& from, const State& state, const System& to, State& carried)
+{
+    carried.tearHolds.clear();
+    if (state.tearHolds.empty())
+        return;
+    const KeyIndex linkOf = indexOf(to.links, [](const LinkPlace& link) { return link.key; });
+    for (const TearHold& hold : state.tearHolds)
+        if (const int match = linkOf(from.links[std::size_t(hold.link)].key); match >= 0)
+            carried.tearHolds.push_back({match, hold.ratio});
+}
+
+void carryLinks(const System& from, const State& state, const System& to, State& carried)
+{
+    const KeyIndex linkOf = indexOf(from.links, [](const LinkPlace& link) { return link.key; });
+    for (const LinkPlace& link : to.links) {
+        const int match = linkOf(link.key);
+        if (match < 0)
+            continue;
+        const LinkPlace& old = from.links[std::size_t(match)];
+        const bool torn = isTorn(old, state);
+        (link.kind == LinkKind::Rod ? carried.rodTorn
+                                    : carried.springTorn)[std::size_t(link.index)] = torn;
+        if (link.kind == LinkKind::Rod && old.kind == LinkKind::Rod)
+            carried.rodTension[std::size_t(link.index)] = state.rodTension[std::size_t(old.index)];
+    }
+}
+
+} // namespace
+
+State carryOver(const System& from, const State& state, const System& to, State memory)
+{
+    State carried = std::move(memory);
+    carried = to.start;
+    carried.time = state.time;
+    carried.step = state.step;
+    carried.substep = state.substep;
+    carried.substeps = state.substeps;
+    carried.tears = state.tears;
+    carried.driftSubstep = state.driftSubstep;
+    carried.splits = state.splits;
+    carried.hands = state.hands;
+    carried.carried = state.carried;
+    carried.work = state.work;
+
+    const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
+    std::vector<std::uint8_t> placed(to.key.size(), 0);
+    for (std::size_t j = 0; j < to.key.size(); ++j)
+        if (const int match = particleOf(to.key[j]); match >= 0) {
+            carried.position[j] = state.position[std::size_t(match)];
+            carried.velocity[j] = state.velocity[std::size_t(match)];
+            carried.drift[j] = state.drift[std::size_t(match)];
+            placed[j] = 1;
+        }
+    placeTwins(to, carried, placed);
+    followNeighbours(to, carried, placed);
+    for (std::size_t j = 0; j < to.key.size(); ++j) {
+        if (!placed[j]) // has no previous step to remember
+            carried.drift[j] = carried.velocity[j];
+        if (to.inverseMass[j] == 0.0) { // what has just been pinned stops, for the air as well
+            carried.velocity[j].setZero();
+            carried.drift[j].setZero();
+        }
+    }
+    for (const GuidedParticle& guided : to.guided)
+        turnAlong(guided, carried);
+    carryLinks(from, state, to, carried);
+    carryHolds(from, state, to, carried);
+    carryTwinLinks(from, to, carried);
+
+    const KeyIndex panelOf = indexOf(from.panelKey, [](Key key) { return key; });
+    for (std::size_t j = 0; j < to.panelKey.size(); ++j)
+        if (const int match = panelOf(to.panelKey[j]); match >= 0)
+            carried.panelGone[j] = state.panelGone[std::size_t(match)];
+
+    const KeyIndex inputOf = indexOf(from.inputs, [](const Input& input) { return input.key; });
+    for (std::size_t j = 0; j < to.inputs.size(); ++j)
+        if (const int match = inputOf(to.inputs[j].key); match >= 0) {
+            carried.inputCommand[j] = state.inputCommand[std::size_t(match)];
+            carried.inputValue[j] = state.inputValue[std::size_t(match)];
+        }
+
+    const KeyIndex gustsOf = indexOf(from.gusts, [](const GustSpec& gusts) { return gusts.key; });
+    for (std::size_t j = 0; j < to.gusts.size(); ++j)
+        if (const int match = gustsOf(to.gusts[j].key); match >= 0)
+            carried.gusts[j] = state.gusts[std::size_t(match)];
+
+    for (std::size_t j = 0; j < to.canopies.size(); ++j) // of which there are few
+        for (std::size_t i = 0; i < from.canopies.size(); ++i)
+            if (from.canopies[i].part == to.canopies[j].part
+                && from.canopies[i].piece == to.canopies[j].piece)
+                carried.canopies[j] = state.canopies[i];
+    return carried;
+}
+
+} // namespace ripstop

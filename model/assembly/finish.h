@@ -1,0 +1,30 @@
+// Makes a System whole: whatever follows from its own arrays is filled in here, once when it is
+// made and again, in part, when it was changed in place.
+//
+// It stands above the rooms of system, forces and constraints, since the order of rods, the lists
+// of what bends and the first gusts are their knowledge. None of this may run beside a step.
+#pragma once
+
+#include "constraints/rod_order.h"
+#include "system/system.h"
+
+namespace ripstop {
+
+// Fills what follows from the rest: the order of `rods` (and of the indices that point into it),
+// incidence lists, the sizes of `start`. Call it once, last. Needs inverseMass, springs, rods,
+// panels and start.position. Keys and links that are left empty are numbered; masses that are left
+// empty follow from inverseMass; velocities are zero.
+void finish(System& system);
+
+// finish() for a system whose rods stand in this order already, and whose links say so.
+void finishOrdered(System& system, RodOrder order);
+
+// Whoever changes a finished system in place, and is its only owner, says so with these.
+void listTearable(System& system);  // after a tear rule
+void startGusts(System& system);    // after another seed
+void listDragLines(System& system); // after the air or the material of a link
+void listBends(System& system);     // after bending, lengths, pins or where particles start
+void touch(System& system, const Touched& changed); // after these inverse masses and rods
+void touchAll(System& system);
+
+} // namespace ripstop

@@ -1,0 +1,88 @@
+#include "author/design_figures.h"
+
+#include "author/insert.h"
+#include "scene/cloth_area.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+using NetSide = std::pair<Id, Id>;
+
+NetSide side(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::vector<NetSide> sidesOf(const Part& part)
+{
+    std::vector<NetSide> sides;
+    sides.reserve(3 * part.panels.size());
+    for (const Panel& panel : part.panels) {
+        sides.push_back(side(panel.a, panel.b));
+        sides.push_back(side(panel.b, panel.c));
+        sides.push_back(side(panel.c, panel.a));
+    }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+double lineLength(const Scene& scene, const Part& part)
+{
+    double length = 0.0;
+    std::vector<NetSide> sides;
+    Id looked = noId;
+    bool isShown = true;
+    for (const Link& link : part.links) {
+        if (link.resists != Resists::Tension)
+            continue;
+        if (sides.empty())
+            sides = sidesOf(part);
+        if (link.material != looked) {
+            const Material* material = findItem<Material>(scene, link.material);
+            isShown = !material || material->shown;
+            looked = link.material;
+        }
+        if (isShown && !std::binary_search(sides.begin(), sides.end(), side(link.from, link.to)))
+            length += link.restLength;
+    }
+    return length;
+}
+
+} // namespace
+
+DesignFigures designFiguresOf(const Scene& scene, Family family)
+{
+    DesignFigures figures;
+    Vec3 doubled = Vec3::Zero(); // m^2, twice the area as a vector
+    Eigen::AlignedBox3d cloth;
+    forEachPart(scene, [&](Id, const Part& part) {
+        figures.particles += part.particles.size();
+        figures.links += part.links.size();
+        figures.panels += part.panels.size();
+        for (const Particle& row : part.particles)
+            figures.mass += row.mass;
+        for (const Panel& panel : part.panels) {
+            const Vec3& a = findRow(part.particles, panel.a)->position;
+            const Vec3& b = findRow(part.particles, panel.b)->position;
+            const Vec3& c = findRow(part.particles, panel.c)->position;
+            doubled += (b - a).cross(c - a);
+            for (const Vec3& corner : {a, b, c})
+                cloth.extend(corner);
+        }
+        figures.area += ClothArea(part).whole();
+        figures.lineLength += lineLength(scene, part);
+    });
+    if (const Eigen::AlignedBox3d box = extentOf(scene); !box.isEmpty())
+        figures.size = box.sizes();
+    if (!cloth.isEmpty())
+        figures.span = cloth.sizes().z();
+    // a keel stands along the lift and shows nothing of itself
+    const double seen = 0.5 * std::hypot(doubled.x(), doubled.y());
+    if (family == Family::Wings && seen > 0.0)
+        figures.aspect = figures.span * figures.span / seen;
+    figures.substeps = scene.settings.substeps;
+    figures.timeStep = scene.settings.timeStep;
+    return figures;
+}
+
+} // namespace ripstop

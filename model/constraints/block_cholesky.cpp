@@ -1,0 +1,221 @@
+#include "constraints/block_cholesky.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+using Block = BlockCholesky::Block;
+
+std::vector<std::uint32_t> eliminationOrder(std::size_t nodes,
+                                            std::span<const std::pair<int, int>> pairs)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < nodes; ++i)
+        entries.emplace_back(int(i), int(i), 1.0);
+    for (const auto& [i, j] : pairs) {
+        entries.emplace_back(i, j, 1.0);
+        entries.emplace_back(j, i, 1.0);
+    }
+    const auto size = Eigen::Index(nodes);
+    Eigen::SparseMatrix<double> pattern(size, size);
+    pattern.setFromTriplets(entries.begin(), entries.end());
+    Eigen::AMDOrdering<int>::PermutationType order;
+    Eigen::AMDOrdering<int>()(pattern, order);
+    // Eigen gives, for each step of the elimination, the node.
+    std::vector<std::uint32_t> place(nodes);
+    for (std::size_t k = 0; k < nodes; ++k)
+        place[std::size_t(order.indices()[Eigen::Index(k)])] = std::uint32_t(k);
+    return place;
+}
+
+// Lower Cholesky factor of a 3 x 3 block, in place, with the inverses of its diagonal; false when
+// it is not positive definite.
+RIPSTOP_INLINE bool factorizeBlock(Block& a)
+{
+    auto& [x, y, z] = a.column;
+    if (!(x[0] > 0.0))
+        return false;
+    x[0] = 1.0 / __builtin_sqrt(x[0]);
+    x[1] *= x[0];
+    x[2] *= x[0];
+    const double second = y[1] - x[1] * x[1];
+    if (!(second > 0.0))
+        return false;
+    y[1] = 1.0 / __builtin_sqrt(second);
+    y[2] = (y[2] - x[2] * x[1]) * y[1];
+    const double third = z[2] - x[2] * x[2] - y[2] * y[2];
+    if (!(third > 0.0))
+        return false;
+    z[2] = 1.0 / __builtin_sqrt(third);
+    return true;
+}
+
+// b <- b L^-T
+RIPSTOP_INLINE void divideByTransposed(Block& b, const Block& l)
+{
+    const Pack x = pack(b.column[0]) * l.column[0][0];
+    const Pack y = (pack(b.column[1]) - x * l.column[0][1]) * l.column[1][1];
+    const Pack z = (pack(b.column[2]) - x * l.column[0][2] - y * l.column[1][2]) * l.column[2][2];
+    pack(b.column[0]) = x;
+    pack(b.column[1]) = y;
+    pack(b.column[2]) = z;
+}
+
+// Column `right` of a factor takes from every later block what it shares with it:
+// target -= left right^T.
+RIPSTOP_INLINE void subtractProducts(Block* left, std::size_t count, const Block& right,
+                                     const std::uint32_t* target, Block* block)
+{
+    double r[3][3];
+    for (int k = 0; k < 3; ++k)
+        for (int c = 0; c < 3; ++c)
+            r[k][c] = right.column[k][c];
+    for (std::size_t i = 0; i < count; ++i) {
+        const Pack x = pack(left[i].column[0]);
+        const Pack y = pack(left[i].column[1]);
+        const Pack z = pack(left[i].column[2]);
+        Block& into = block[target[i]];
+        for (int c = 0; c < 3; ++c)
+            pack(into.column[c]) -= x * r[0][c] + y * r[1][c] + z * r[2][c];
+    }
+}
+
+RIPSTOP_INLINE void forward(const Block& l, double* x)
+{
+    x[0] *= l.column[0][0];
+    x[1] = (x[1] - l.column[0][1] * x[0]) * l.column[1][1];
+    x[2] = (x[2] - l.column[0][2] * x[0] - l.column[1][2] * x[1]) * l.column[2][2];
+}
+
+RIPSTOP_INLINE void backward(const Block& l, double* x)
+{
+    x[2] *= l.column[2][2];
+    x[1] = (x[1] - l.column[1][2] * x[2]) * l.column[1][1];
+    x[0] = (x[0] - l.column[0][1] * x[1] - l.column[0][2] * x[2]) * l.column[0][0];
+}
+
+} // namespace
+
+void BlockCholesky::analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs)
+{
+    m_place = eliminationOrder(nodes, pairs);
+    const auto placesOf = [&](const std::pair<int, int>& pair) {
+        return std::pair(
+            std::minmax({m_place[std::size_t(pair.first)], m_place[std::size_t(pair.second)]}));
+    };
+
+    // Rows below the diagonal of each column, fill included: a column hands its rows on to the
+    // column of the first of them (its parent in the elimination tree).
+    std::vector<std::vector<std::uint32_t>> rows(nodes);
+    for (const auto& pair : pairs) {
+        const auto [low, high] = placesOf(pair);
+        rows[low].push_back(high);
+    }
+    for (std::size_t k = 0; k < nodes; ++k) {
+        auto& own = rows[k];
+        std::sort(own.begin(), own.end());
+        own.erase(std::unique(own.begin(), own.end()), own.end());
+        if (own.size() > 1)
+            rows[own[0]].insert(rows[own[0]].end(), own.begin() + 1, own.end());
+    }
+
+    m_start.assign(1, 0);
+    m_row.clear();
+    for (std::size_t k = 0; k < nodes; ++k) {
+        m_row.push_back(std::uint32_t(k));
+        m_row.insert(m_row.end(), rows[k].begin(), rows[k].end());
+        m_start.push_back(std::uint32_t(m_row.size()));
+    }
+    const auto blockAt = [&](std::uint32_t row, std::uint32_t column) {
+        const auto first = m_row.begin() + m_start[column];
+        const auto last = m_row.begin() + m_start[column + 1];
+        return std::uint32_t(std::lower_bound(first, last, row) - m_row.begin());
+    };
+
+    m_diagonal.resize(nodes);
+    for (std::size_t i = 0; i < nodes; ++i)
+        m_diagonal[i] = m_start[m_place[i]];
+    m_pair.clear();
+    for (const auto& pair : pairs) {
+        const auto [low, high] = placesOf(pair);
+        m_pair.push_back(blockAt(high, low));
+    }
+
+    // Column k changes every later block whose row and column are both among its rows.
+    m_target.clear();
+    for (std::size_t k = 0; k < nodes; ++k)
+        for (std::size_t j = 0; j < rows[k].size(); ++j)
+            for (std::size_t i = j; i < rows[k].size(); ++i)
+                m_target.push_back(blockAt(rows[k][i], rows[k][j]));
+    m_block.assign(m_row.size(), Block{});
+    m_x.resize(nodes);
+}
+
+void BlockCholesky::setZero() { std::fill(m_block.begin(), m_block.end(), Block{}); }
+
+bool BlockCholesky::factorize()
+{
+    return factorize(m_place.size(), m_start.data(), m_target.data(), m_block.data());
+}
+
+RIPSTOP_CLONES
+bool BlockCholesky::factorize(std::size_t nodes, const std::uint32_t* start,
+                              const std::uint32_t* target, Block* block)
+{
+    for (std::size_t k = 0; k < nodes; ++k) {
+        Block* const diagonal = block + start[k];
+        Block* const last = block + start[k + 1];
+        if (!factorizeBlock(*diagonal))
+            return false;
+        for (Block* b = diagonal + 1; b < last; ++b)
+            divideByTransposed(*b, *diagonal);
+        for (Block* b = diagonal + 1; b < last; ++b) {
+            const auto count = std::size_t(last - b);
+            subtractProducts(b, count, *b, target, block);
+            target += count;
+        }
+    }
+    return true;
+}
+
+void BlockCholesky::solve(std::span<Row> x)
+{
+    const std::size_t nodes = m_x.size();
+    for (std::size_t i = 0; i < nodes; ++i)
+        m_x[m_place[i]] = x[i];
+    solve(nodes, m_start.data(), m_row.data(), m_block.data(), m_x.data());
+    for (std::size_t i = 0; i < nodes; ++i)
+        x[i] = m_x[m_place[i]];
+}
+
+RIPSTOP_CLONES
+void BlockCholesky::solve(std::size_t nodes, const std::uint32_t* start, const std::uint32_t* row,
+                          Block* block, Row* x)
+{
+    for (std::size_t k = 0; k < nodes; ++k) {
+        double* const own = x[k].v;
+        forward(block[start[k]], own);
+        for (std::size_t i = start[k] + 1; i < start[k + 1]; ++i) {
+            Block& b = block[i];
+            pack(x[row[i]].v) -= pack(b.column[0]) * own[0] + pack(b.column[1]) * own[1]
+                                 + pack(b.column[2]) * own[2];
+        }
+    }
+    for (std::size_t k = nodes; k-- > 0;) {
+        Pack sum[3]{};
+        for (std::size_t i = start[k] + 1; i < start[k + 1]; ++i)
+            for (int c = 0; c < 3; ++c)
+                sum[c] += pack(block[i].column[c]) * pack(x[row[i]].v);
+        double* const own = x[k].v;
+        for (int c = 0; c < 3; ++c)
+            own[c] -= sum[c][0] + sum[c][1] + sum[c][2];
+        backward(block[start[k]], own);
+    }
+}
+
+} // namespace ripstop

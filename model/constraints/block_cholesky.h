@@ -1,0 +1,65 @@
+// Cholesky factorisation of symmetric matrices of 3 x 3 blocks with a fixed pattern.
+//
+// The pattern is analysed once: an order of little fill (approximate minimum degree, from Eigen)
+// and the place that every product of blocks goes to. Factorising is then a walk along that list,
+// without a search and without touching the heap, and with the same bits on every machine: vector
+// instructions work on the columns of blocks, and no operation is fused.
+#pragma once
+
+#include "parallel/simd_pack.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ripstop {
+
+class BlockCholesky
+{
+public:
+    struct alignas(32) Block
+    {
+        double column[3][4]; // the fourth row is zero
+    };
+
+    // `pairs` are the places off the diagonal, in any order, each pair of nodes once or more.
+    void analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs);
+
+    // Filling the matrix: set it to zero, then add symmetric blocks.
+    void setZero();
+    Block& diagonal(std::size_t node) { return m_block[m_diagonal[node]]; }
+    // The rows of a pair's block are those of the node that is eliminated later.
+    bool isLater(std::size_t node, std::size_t other) const
+    {
+        return m_place[node] > m_place[other];
+    }
+    Block& pair(std::size_t index) { return m_block[m_pair[index]]; }
+
+    // False when the matrix is not positive definite.
+    [[nodiscard]] bool factorize();
+
+    // Solves for `x`, [nodes], given the right-hand side in it.
+    void solve(std::span<Row> x);
+
+    std::size_t blocks() const { return m_block.size(); }    // of the factor, fill included
+    std::size_t products() const { return m_target.size(); } // of blocks, in factorize()
+
+private:
+    static bool factorize(std::size_t nodes, const std::uint32_t* start,
+                          const std::uint32_t* target, Block* block);
+    static void solve(std::size_t nodes, const std::uint32_t* start, const std::uint32_t* row,
+                      Block* block, Row* x);
+
+    std::vector<std::uint32_t> m_place;    // [nodes] row in the order of elimination
+    std::vector<std::uint32_t> m_start;    // [nodes + 1] columns; each begins with its diagonal
+    std::vector<std::uint32_t> m_row;      // [blocks]
+    std::vector<std::uint32_t> m_diagonal; // [nodes] block
+    std::vector<std::uint32_t> m_pair;     // [pairs] block
+    std::vector<std::uint32_t> m_target;   // [products] block, in the order of elimination
+    std::vector<Block> m_block;            // [blocks] the matrix, then its factor
+    std::vector<Row> m_x;                  // [nodes] scratch
+};
+
+} // namespace ripstop

@@ -1,0 +1,457 @@
+#include "constraints/direct_solver.h"
+
+#include "constraints/guides.h"
+#include "constraints/rod_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+constexpr double strainOfRigid = 1e-4; // under `greatLoad`
+constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
+constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
+constexpr double greatestSoftness = 1e-4;
+constexpr int halvings = 6;
+
+RIPSTOP_INLINE double dot(const Row& a, const Row& b)
+{
+    return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
+}
+
+} // namespace
+
+void DirectSolver::prepare(const System& system, std::span<const int> rods)
+{
+    m_rods.assign(rods.begin(), rods.end());
+    m_bars.clear();
+    m_particle.clear();
+    m_mass.clear();
+    constexpr auto none = std::uint32_t(-1);
+    std::vector<std::uint32_t> row(system.inverseMass.size(), none);
+    for (const bool pins : {false, true})
+        for (const int r : rods)
+            for (const int end : {system.rods[std::size_t(r)].a, system.rods[std::size_t(r)].b}) {
+                const auto p = std::size_t(end);
+                if (row[p] != none || (system.inverseMass[p] == 0.0) != pins)
+                    continue;
+                row[p] = std::uint32_t(m_particle.size());
+                m_particle.push_back(end);
+                if (!pins)
+                    m_mass.push_back(0.0);
+            }
+
+    std::vector<std::pair<int, int>> pairs;
+    for (const int r : rods) {
+        const Rod& rod = system.rods[std::size_t(r)];
+        Bar bar;
+        bar.rod = r;
+        bar.a = row[std::size_t(rod.a)];
+        bar.b = row[std::size_t(rod.b)];
+        if (bar.a == bar.b || std::min(bar.a, bar.b) >= nodes()) // nothing to move
+            continue;
+        if (bar.a < nodes() && bar.b < nodes()) {
+            bar.pair = int(pairs.size());
+            pairs.emplace_back(bar.a, bar.b);
+        }
+        m_bars.push_back(bar);
+    }
+    m_matrix.analyze(nodes(), pairs);
+    takeGuides(system);
+    findIslands();
+    takeValues(system);
+    m_position.assign(m_particle.size(), Row{});
+    m_move.assign(m_particle.size(), Row{});
+    m_guess.assign(nodes(), Row{});
+    m_from.assign(nodes(), Row{});
+}
+
+void DirectSolver::takeGuides(const System& system)
+{
+    m_guides.clear();
+    if (system.guided.empty())
+        return;
+    m_guides.resize(m_particle.size());
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if (const GuidedParticle* guide = guideOf(system, m_particle[i]))
+            m_guides[i] = {int(i), guide->guide, guide->axis};
+    for (Bar& bar : m_bars)
+        bar.guided = m_guides[bar.a].guide != Guide::None || m_guides[bar.b].guide != Guide::None;
+}
+
+void DirectSolver::findIslands()
+{
+    // Every row points to a lower one of its island until it points to the lowest; those that a pin
+    // holds point to -1 in the end.
+    std::vector<int> lower(m_particle.size());
+    std::iota(lower.begin(), lower.end(), 0);
+    const auto lowest = [&](std::uint32_t row) {
+        while (lower[row] != int(row))
+            row = std::uint32_t(lower[row]);
+        return int(row);
+    };
+    std::vector<std::uint8_t> held(lower.size(), 0);
+    for (const Bar& bar : m_bars)
+        if (bar.pair >= 0) {
+            const auto [low, high] = std::minmax({lowest(bar.a), lowest(bar.b)});
+            lower[std::size_t(high)] = low;
+        }
+    for (const Bar& bar : m_bars)
+        if (bar.pair < 0)
+            held[std::size_t(lowest(std::min(bar.a, bar.b)))] = 1;
+    for (std::size_t i = 0; i < m_guides.size(); ++i) // which push back across
+        if (m_guides[i].guide != Guide::None)
+            held[std::size_t(lowest(std::uint32_t(i)))] = 1;
+
+    m_island.assign(nodes(), -1);
+    m_islandMass.clear();
+    std::vector<int> number(nodes(), -1);
+    for (std::size_t i = 0; i < nodes(); ++i) {
+        const auto root = std::size_t(lowest(std::uint32_t(i)));
+        if (held[root])
+            continue;
+        if (number[root] < 0) {
+            number[root] = int(m_islandMass.size());
+            m_islandMass.push_back(0.0);
+        }
+        m_island[i] = number[root];
+    }
+    m_drift.assign(m_islandMass.size(), Row{});
+}
+
+void DirectSolver::refresh(const System& system)
+{
+    if (hasSamePins(system))
+        takeValues(system);
+    else
+        prepare(system, std::vector<int>(m_rods));
+}
+
+bool DirectSolver::hasSamePins(const System& system) const
+{
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if ((system.inverseMass[std::size_t(m_particle[i])] == 0.0) != (i >= nodes()))
+            return false;
+    const auto sameGuide = [&](std::size_t i) {
+        const GuidedParticle* guide = guideOf(system, m_particle[i]);
+        const Guide now = guide ? guide->guide : Guide::None;
+        return m_guides.empty()
+                   ? now == Guide::None
+                   : m_guides[i].guide == now && (!guide || m_guides[i].axis == guide->axis);
+    };
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if (!sameGuide(i))
+            return false;
+    return true;
+}
+
+void DirectSolver::takeValues(const System& system)
+{
+    m_h = 0.0;
+    std::fill(m_islandMass.begin(), m_islandMass.end(), 0.0);
+    for (std::size_t i = 0; i < nodes(); ++i) {
+        m_mass[i] = 1.0 / system.inverseMass[std::size_t(m_particle[i])];
+        if (m_island[i] >= 0)
+            m_islandMass[std::size_t(m_island[i])] += m_mass[i];
+    }
+    for (Bar& bar : m_bars) {
+        const Rod& rod = system.rods[std::size_t(bar.rod)];
+        bar.resists = rod.resists;
+        bar.weight =
+            system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+    }
+}
+
+// Rods move no centre of mass. Stiff ones next to light particles would do so by rounding errors.
+void DirectSolver::keepCenters()
+{
+    std::fill(m_drift.begin(), m_drift.end(), Row{});
+    for (std::size_t i = 0; i < m_island.size(); ++i)
+        if (m_island[i] >= 0)
+            pack(m_drift[std::size_t(m_island[i])].v) +=
+                m_mass[i] * (pack(m_position[i].v) - pack(m_guess[i].v));
+    for (std::size_t i = 0; i < m_island.size(); ++i)
+        if (m_island[i] >= 0) {
+            const auto island = std::size_t(m_island[i]);
+            pack(m_position[i].v) -= pack(m_drift[island].v) / m_islandMass[island];
+        }
+}
+
+void DirectSolver::soften(const System& system, double h)
+{
+    m_h = h;
+    const double load = greatLoad * std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
+    for (Bar& bar : m_bars) {
+        const Rod& rod = system.rods[std::size_t(bar.rod)];
+        const double unseen = strainOfRigid * rod.restLength / load;
+        bar.softness = rod.compliance / (h * h)
+                       + std::clamp(unseen / (h * h), leastSoftness * bar.weight,
+                                    greatestSoftness * bar.weight);
+    }
+}
+
+void DirectSolver::start(const RodTask& task, std::span<const double> multiplier)
+{
+    if (task.h != m_h)
+        soften(task.system, task.h);
+    for (Bar& bar : m_bars) {
+        const auto r = std::size_t(bar.rod);
+        bar.torn = task.torn[r] != 0;
+        bar.rest = task.restLength[r];
+        bar.multiplier = bar.torn ? 0.0 : multiplier[r];
+    }
+}
+
+int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int iterations,
+                          double tolerance)
+{
+    if (m_bars.empty())
+        return 0;
+    for (std::size_t i = 0; i < m_particle.size(); ++i) {
+        const Vec3& x = task.position[std::size_t(m_particle[i])];
+        m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
+    }
+    std::copy_n(m_position.begin(), nodes(), m_guess.begin());
+
+    measure();
+    int taken = 0;
+    for (bool near = false; !near && taken < iterations; ++taken) {
+        std::copy_n(m_position.begin(), nodes(), m_from.begin());
+        assemble();
+        const double before = merit();
+        if (!m_matrix.factorize()) // when something is not a number: the watchdog will see it
+            break;
+        m_matrix.solve(m_move);
+        moveAlongGuides();
+        foresee();
+        go(1.0);
+        near = error() < tolerance;
+        double share = 1.0;
+        for (int i = 0; i < halvings && !near && merit() > before; ++i)
+            go(share *= 0.5);
+        if (share < 1.0)
+            for (Bar& bar : m_bars)
+                bar.multiplier = bar.before + share * (bar.multiplier - bar.before);
+    }
+
+    keepCenters();
+    for (std::size_t i = 0; i < nodes(); ++i)
+        task.position[std::size_t(m_particle[i])] =
+            Vec3(m_position[i].v[0], m_position[i].v[1], m_position[i].v[2]);
+    for (const Bar& bar : m_bars) {
+        double& held = multiplier[std::size_t(bar.rod)];
+        held = bar.multiplier;
+        if (bar.resists == Resists::Tension)
+            held = std::max(held, 0.0);
+        if (bar.resists == Resists::Compression)
+            held = std::min(held, 0.0);
+    }
+    return taken;
+}
+
+// Lengths and directions of now.
+RIPSTOP_CLONES
+void DirectSolver::measure()
+{
+    for (Bar& bar : m_bars) {
+        const Pack d = pack(m_position[bar.b].v) - pack(m_position[bar.a].v);
+        bar.length = __builtin_sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        pack(bar.direction.v) = d * (bar.length > 0.0 ? 1.0 / bar.length : 0.0);
+        bar.stretch = bar.length - bar.rest;
+    }
+}
+
+// A rod of no length holds its ends together from every side; coincident ends of one that has a
+// length show no direction to move along.
+bool DirectSolver::acts(const Bar& bar)
+{
+    if (bar.torn || (bar.length == 0.0 && bar.rest > 0.0))
+        return false;
+    switch (bar.resists) {
+    case Resists::Tension:
+        return bar.rest == 0.0 || bar.multiplier * bar.weight + bar.stretch > 0.0;
+    case Resists::Compression:
+        return bar.multiplier * bar.weight + bar.stretch < 0.0;
+    case Resists::Both:
+        break;
+    }
+    return true;
+}
+
+RIPSTOP_CLONES
+void DirectSolver::assemble()
+{
+    const std::size_t count = m_mass.size();
+    m_matrix.setZero();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double mass = m_mass[i];
+        BlockCholesky::Block& block = m_matrix.diagonal(i);
+        for (int c = 0; c < 3; ++c)
+            block.column[c][c] = mass;
+        pack(m_move[i].v) = mass * (pack(m_guess[i].v) - pack(m_position[i].v));
+    }
+    for (Bar& bar : m_bars) {
+        bar.active = acts(bar);
+        if (bar.active && bar.guided)
+            addOnGuides(bar);
+        if (!bar.active || bar.guided)
+            continue;
+        const Pack n = pack(bar.direction.v);
+        const double along = 1.0 / bar.softness;
+        const double across = bar.rest == 0.0 ? along : std::max(bar.multiplier, 0.0) / bar.length;
+        Pack column[3];
+        for (int c = 0; c < 3; ++c) {
+            column[c] = n * ((along - across) * n[c]);
+            column[c][c] += across;
+        }
+        const Pack pull = n * (along * bar.stretch);
+        if (bar.a < count) {
+            BlockCholesky::Block& block = m_matrix.diagonal(bar.a);
+            for (int c = 0; c < 3; ++c)
+                pack(block.column[c]) += column[c];
+            pack(m_move[bar.a].v) += pull;
+        }
+        if (bar.b < count) {
+            BlockCholesky::Block& block = m_matrix.diagonal(bar.b);
+            for (int c = 0; c < 3; ++c)
+                pack(block.column[c]) += column[c];
+            pack(m_move[bar.b].v) -= pull;
+        }
+        if (bar.pair >= 0) {
+            BlockCholesky::Block& block = m_matrix.pair(std::size_t(bar.pair));
+            for (int c = 0; c < 3; ++c)
+                pack(block.column[c]) -= column[c];
+        }
+    }
+}
+
+// What assemble() adds of a bar, with P on either side. The row of a pair's block is the node that
+// is eliminated later.
+void DirectSolver::addOnGuides(const Bar& bar)
+{
+    const auto onto = [&](std::uint32_t row) {
+        Eigen::Matrix3d free;
+        for (int c = 0; c < 3; ++c)
+            free.col(c) = m_guides[row].freePart(Vec3::Unit(c));
+        return free;
+    };
+    const Vec3 n(bar.direction.v[0], bar.direction.v[1], bar.direction.v[2]);
+    const double along = 1.0 / bar.softness;
+    const double across = bar.rest == 0.0 ? along : std::max(bar.multiplier, 0.0) / bar.length;
+    const Eigen::Matrix3d stiffness =
+        (along - across) * n * n.transpose() + across * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d ontoA = onto(bar.a), ontoB = onto(bar.b);
+    const auto add = [](BlockCholesky::Block& block, const Eigen::Matrix3d& value) {
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r)
+                block.column[c][r] += value(r, c);
+    };
+    const auto pull = [&](std::uint32_t row, const Vec3& force) {
+        for (int c = 0; c < 3; ++c)
+            m_move[row].v[c] += force[c];
+    };
+    if (bar.a < nodes()) {
+        add(m_matrix.diagonal(bar.a), ontoA * stiffness * ontoA);
+        pull(bar.a, ontoA * (along * bar.stretch * n));
+    }
+    if (bar.b < nodes()) {
+        add(m_matrix.diagonal(bar.b), ontoB * stiffness * ontoB);
+        pull(bar.b, ontoB * (-along * bar.stretch * n));
+    }
+    if (bar.pair >= 0) {
+        const bool aIsRow = m_matrix.isLater(bar.a, bar.b);
+        add(m_matrix.pair(std::size_t(bar.pair)),
+            aIsRow ? Eigen::Matrix3d(-ontoA * stiffness * ontoB)
+                   : Eigen::Matrix3d(-ontoB * stiffness * ontoA));
+    }
+}
+
+// But for rounding errors, it does already.
+void DirectSolver::moveAlongGuides()
+{
+    for (std::size_t i = 0; i < std::min(m_guides.size(), nodes()); ++i) {
+        const Vec3 along =
+            m_guides[i].freePart(Vec3(m_move[i].v[0], m_move[i].v[1], m_move[i].v[2]));
+        for (int c = 0; c < 3; ++c)
+            m_move[i].v[c] = along[c];
+    }
+}
+
+// Multipliers at the end of the move, if rods were straight rails.
+void DirectSolver::foresee()
+{
+    for (Bar& bar : m_bars) {
+        bar.before = bar.multiplier;
+        bar.multiplier = 0.0;
+        if (!bar.active)
+            continue;
+        Row opening;
+        pack(opening.v) = pack(m_move[bar.b].v) - pack(m_move[bar.a].v);
+        if (bar.rest == 0.0) {
+            pack(opening.v) += bar.length * pack(bar.direction.v);
+            bar.multiplier = std::sqrt(dot(opening, opening)) / bar.softness;
+        } else {
+            bar.multiplier = (bar.stretch + dot(bar.direction, opening)) / bar.softness;
+        }
+    }
+}
+
+void DirectSolver::go(double share)
+{
+    for (std::size_t i = 0; i < m_from.size(); ++i)
+        pack(m_position[i].v) = pack(m_from[i].v) + share * pack(m_move[i].v);
+    measure();
+}
+
+// What an idle line is too long, or an idle strut too short, m.
+double DirectSolver::excess(const Bar& bar)
+{
+    if (bar.torn)
+        return 0.0;
+    switch (bar.resists) {
+    case Resists::Tension:
+        return std::max(bar.stretch, 0.0);
+    case Resists::Compression:
+        return std::min(bar.stretch, 0.0);
+    case Resists::Both:
+        break;
+    }
+    return 0.0; // coincident ends
+}
+
+// The sum that is minimised, for the rods that are active now; kg m^2.
+double DirectSolver::merit() const
+{
+    double twice = 0.0;
+    for (std::size_t i = 0; i < m_mass.size(); ++i) {
+        Row way;
+        pack(way.v) = pack(m_position[i].v) - pack(m_guess[i].v);
+        twice += m_mass[i] * dot(way, way);
+    }
+    for (const Bar& bar : m_bars) {
+        const double c = bar.active ? bar.stretch : excess(bar);
+        twice += c * c / bar.softness;
+    }
+    return 0.5 * twice;
+}
+
+// How far the worst rod is from where the linear system put it, as a share of its length; a line
+// that pushed counts with what that moved its ends.
+double DirectSolver::error() const
+{
+    double worst = 0.0;
+    for (const Bar& bar : m_bars) {
+        double off =
+            std::abs(bar.active ? bar.stretch - bar.softness * bar.multiplier : excess(bar));
+        if ((bar.resists == Resists::Tension && bar.multiplier < 0.0)
+            || (bar.resists == Resists::Compression && bar.multiplier > 0.0))
+            off += std::abs(bar.multiplier) * bar.weight;
+        if (!(off <= worst * bar.rest))
+            worst = bar.rest > 0.0 ? off / bar.rest : off;
+    }
+    return worst;
+}
+
+} // namespace ripstop

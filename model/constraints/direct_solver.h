@@ -1,0 +1,126 @@
+// Solves rods together by Newton's method: all of a system's, or a block of them.
+//
+// In a substep it looks for the positions x that minimise
+//
+//     sum of 1/2 m |x - y|^2  +  sum of C^2 / (2 s),      C = |d| - L,
+//
+// y being where the particles are without these rods: implicit Euler for what the rods do (Baraff
+// and Witkin 1998), and XPBD's functional (Macklin, Mueller and Chentanez 2016) solved at once
+// instead of rod by rod. A rod's block of the matrix is (n n^T + g s (1 - n n^T)) / s, n along the
+// rod; g = multiplier / length is the stiffness that its pull gives it across. The multiplier in g
+// is the one that the linear system gave before, at first that of the substep before: taken from
+// the stretch of the guess it would freeze all swinging, and without g a heavy load on a light line
+// diverges. Pushing rods count as g = 0, which keeps the matrix positive definite.
+//
+// s is the compliance of a rod over h^2. Rods without compliance get one that cannot be seen: ten
+// times the weight of the block stretches them by 1e-4. That much is needed where frames have more
+// rods than they can obey to rounding errors; it is 1e-8 to 1e-4 of the inverse masses of the ends.
+//
+// Each iteration goes only as far as it brings the sum down. Iterations end when no rod is further
+// than `tolerance` of its length from where the linear system put it: one is enough in most
+// substeps, and what it leaves is of second order. Which lines and struts act is decided anew in
+// each (primal-dual active sets: Hintermueller, Ito and Kunisch 2002).
+//
+// A particle on a guide (base/guide.h) moves by P: its rows and columns of the matrix are
+// multiplied by P on either side but for its mass. What the system gives is exact for it as well.
+//
+// Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. The cost of an
+// iteration grows like n for chains, n^1.5 for sheets: meant for up to some hundreds of particles.
+// Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h of its energy
+// per second, for waves on tight lines all of it at once. Explicit forces beside it, air above all,
+// keep their own limit of the step.
+#pragma once
+
+#include "constraints/block_cholesky.h"
+#include "parallel/simd_pack.h"
+#include "system/system.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ripstop {
+
+struct RodTask;
+
+class DirectSolver
+{
+public:
+    // Takes over `rods`, places in System::rods; others do not exist for it. The heap is used here
+    // and nowhere else.
+    void prepare(const System& system, std::span<const int> rods);
+
+    // Reads the numbers of the rods and the masses again, after they changed in place.
+    void refresh(const System& system);
+
+    // Reads what the block's rods start from: what is torn, rest lengths, and the multipliers of
+    // the substep before.
+    //   multiplier  [rods of the system]  kg m
+    void start(const RodTask& task, std::span<const double> multiplier);
+
+    // Moves the block's particles from where they are and fills the multipliers of its rods, in at
+    // most so many iterations; returns how many it took. Fewer than two cannot follow a sudden
+    // load.
+    int project(const RodTask& task, std::span<double> multiplier, int iterations,
+                double tolerance = 3e-4);
+
+    std::span<const int> rods() const { return m_rods; }         // that it was given
+    std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
+    std::size_t products() const { return m_matrix.products(); } // of blocks, in an iteration
+
+private:
+    struct Bar // a rod
+    {
+        Row direction{};     // unit, from `a` to `b`
+        std::uint32_t a = 0; // row of m_position; pins come last
+        std::uint32_t b = 0;
+        int rod = 0;         // in System::rods
+        int pair = -1;       // in the matrix; -1 when an end is pinned
+        bool guided = false; // an end is on a guide
+        Resists resists = Resists::Both;
+        bool torn = false;
+        bool active = false;     // takes part in this iteration
+        double weight = 0.0;     // 1/kg, of both ends
+        double softness = 0.0;   // 1/kg, s above
+        double rest = 0.0;       // m
+        double length = 0.0;     // m
+        double stretch = 0.0;    // m
+        double multiplier = 0.0; // kg m, that the linear system gave
+        double before = 0.0;     // kg m, of the iteration before
+    };
+
+    bool hasSamePins(const System& system) const;
+    void takeGuides(const System& system);
+    void takeValues(const System& system);
+    void soften(const System& system, double h);
+    void measure();
+    void assemble();
+    void foresee();
+    void go(double share);
+    double merit() const;
+    double error() const;
+    void findIslands();
+    void keepCenters();
+    void addOnGuides(const Bar& bar);
+    void moveAlongGuides();
+    static bool acts(const Bar& bar);
+    static double excess(const Bar& bar);
+
+    std::vector<int> m_rods; // that it was given
+    double m_h = 0.0;        // s, for which softness is right
+    BlockCholesky m_matrix;
+    std::vector<Bar> m_bars;
+    std::vector<int> m_particle;          // [rows] particle; nodes first, then pins
+    std::vector<double> m_mass;           // [nodes] kg
+    std::vector<GuidedParticle> m_guides; // [rows] by row instead of particle; empty without any
+    std::vector<int> m_island;            // [nodes] what rods join, or -1 when a pin is among it
+    std::vector<double> m_islandMass;     // [islands] kg
+    std::vector<Row> m_drift;             // [islands] kg m
+    std::vector<Row> m_position;          // [rows] m
+    std::vector<Row> m_guess;             // [nodes] m, y above
+    std::vector<Row> m_from;              // [nodes] m, before the iteration
+    std::vector<Row> m_move;              // [rows] the right-hand side, then m
+};
+
+} // namespace ripstop

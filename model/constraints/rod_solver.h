@@ -1,0 +1,67 @@
+// Rod solvers: they move particles until rods have their lengths. Every solver works on one
+// substep.
+#pragma once
+
+#include "constraints/coloured_sweeps.h"
+#include "constraints/direct_solver.h"
+#include "parallel/thread_pool.h"
+#include "system/system.h"
+
+#include <span>
+
+namespace ripstop {
+
+// What a solver reads and writes in one substep.
+struct RodTask
+{
+    const System& system;
+    Solver solver;                        // never Auto
+    int sweeps;                           // or iterations
+    std::span<const std::uint8_t> direct; // [rods] those of a direct block beside sweeps, or empty
+    std::span<const std::uint8_t> torn;   // [rods]
+    std::span<const double> restLength;   // [rods] m, weight shifts included
+    double h;                             // s
+    std::uint64_t seed;                   // of the order of the colours; the number of the substep
+    std::span<PaddedVec3> position;       // [particles] m, corrected in place
+    bool note = true;                     // what it takes counts for takeTensions()
+    bool shifted = true; // rest lengths of shifted rods may differ from the substep before
+};
+
+class RodSolver
+{
+public:
+    // Before the substeps of a step: the direct solver goes on from the tensions of the one before.
+    //   tension  [rods]  N
+    void start(const RodTask& task, std::span<const double> tension);
+
+    // All sweeps of one substep, with the solver that the system asks for.
+    void project(const RodTask& task, ThreadPool& pool);
+
+    // Tension of each rod, N, multiplier / h^2, positive when the rod pulls; `h` is the substep.
+    // It is the mean over the noted substeps since the last call, because single sweeps in changing
+    // order share a load out differently in each substep and their mean is what the rods carry. Of
+    // rods that are solved directly it is that of the last substep.
+    void takeTensions(const RodTask& task, ThreadPool& pool, std::span<double> tension);
+
+private:
+    void average(const RodTask& task, ThreadPool& pool);
+    void averagedSweep(const RodTask& task, ThreadPool& pool);
+    void countRods(const RodTask& task);
+    void prepareDirect(const RodTask& task);
+    void projectDirect(const RodTask& task, int iterations);
+
+    ColouredSweeps m_coloured;
+    DirectSolver m_direct;
+    std::vector<int> m_wanted; // scratch
+    std::vector<int> m_block;  // rods that m_direct is prepared for
+    std::uint64_t m_serial = 0;
+    std::uint64_t m_valuesSerial = 0;
+    int m_substeps = 0;               // since the last call of takeTensions()
+    std::vector<double> m_multiplier; // [rods] kg m, of this substep
+    std::vector<double> m_tension;    // [rods] N, of the substep before; of direct rods only
+    std::vector<double> m_sum;        // [rods] kg m, of all substeps; of averaged solvers only
+    std::vector<Vec3> m_pull;         // [rods] kg m, or m for the paper's averaging
+    std::vector<double> m_valence;    // [particles] rods that are not torn
+};
+
+} // namespace ripstop

@@ -1,0 +1,185 @@
+#include "contact/contact.h"
+
+#include "constraints/guides.h"
+#include "parallel/simd_pack.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+namespace ripstop {
+namespace {
+
+constexpr int lookInsideEvery = 16; // substeps: what an edit put into a closed mesh comes out
+
+struct Passage // of a particle past an obstacle, as seen from the obstacle
+{
+    Vec3 from; // m, at the start of the substep
+    Vec3 to;
+};
+
+std::optional<Touch> touchPlane(const Obstacle& obstacle, const Vec3& position, const Vec3& to)
+{
+    const double height = (to - position).dot(obstacle.normal) - obstacle.thickness;
+    if (height >= 0.0)
+        return std::nullopt;
+    return Touch{to - height * obstacle.normal, obstacle.normal};
+}
+
+// In the obstacle's own frame.
+std::optional<Touch> touchTurned(const Obstacle& obstacle, const Vec3& from, const Vec3& to,
+                                 bool inside)
+{
+    switch (obstacle.shape) {
+    case ColliderShape::Box:
+        return touchBox(0.5 * obstacle.size, obstacle.thickness, from, to);
+    case ColliderShape::HeightField:
+        return obstacle.grid
+                   ? touchGround(*obstacle.grid, obstacle.size, obstacle.thickness, from, to)
+                   : std::nullopt;
+    case ColliderShape::Mesh: {
+        if (!obstacle.mesh)
+            break;
+        const double units = 1.0 / obstacle.scale;
+        auto touch =
+            touchMesh(*obstacle.mesh, units * obstacle.thickness, units * from, units * to, inside);
+        if (touch)
+            touch->surface *= obstacle.scale;
+        return touch;
+    }
+    case ColliderShape::Plane:
+    case ColliderShape::Sphere:
+        break;
+    }
+    return std::nullopt;
+}
+
+std::optional<Touch> touch(const Obstacle& obstacle, const Vec3& position, const Passage& passage,
+                           bool inside)
+{
+    if (obstacle.shape == ColliderShape::Plane)
+        return touchPlane(obstacle, position, passage.to);
+    const Vec3 from = passage.from - position, to = passage.to - position;
+    const bool turns = obstacle.shape != ColliderShape::Sphere;
+    const Eigen::Matrix3d& turn = obstacle.turn;
+    std::optional<Touch> touch =
+        turns ? touchTurned(obstacle, turn.transpose() * from, turn.transpose() * to, inside)
+              : touchSphere(obstacle.radius + obstacle.thickness, from, to);
+    if (touch && turns)
+        touch = Touch{turn * touch->surface, turn * touch->normal};
+    if (touch)
+        touch->surface += position;
+    return touch;
+}
+
+struct Rebound
+{
+    Vec3 velocity; // m/s
+    double kept;   // share of the motion along the surface that is left
+};
+
+Rebound rebound(const Obstacle& obstacle, const Vec3& velocity, const Vec3& normal,
+                double restSpeed)
+{
+    const double inward = -velocity.dot(normal); // m/s
+    if (obstacle.response == Response::Stop)
+        return {Vec3::Zero(), 0.0};
+    if (inward <= 0.0)
+        return {velocity, 1.0};
+    const Vec3 along = velocity + inward * normal;
+    if (obstacle.response == Response::Slide)
+        return {along, 1.0};
+    const double restitution = inward > restSpeed ? obstacle.restitution : 0.0;
+    const double impulse = (1.0 + restitution) * inward; // per mass
+    const double sliding = along.norm();
+    const double kept =
+        sliding > 0.0 ? std::max(0.0, 1.0 - obstacle.friction * impulse / sliding) : 0.0;
+    return {kept * along + (restitution * inward) * normal, kept};
+}
+
+// What a particle on a guide meets of a surface: the normal is that within the guide, and the way
+// out leads along it. None where the guide runs along the surface, as nothing could be done.
+std::optional<Touch> touchOnGuide(const GuidedParticle& guided, const Touch& touch, const Vec3& at)
+{
+    constexpr double alongSurface = 0.02; // sine of the angle between guide and surface
+    const Vec3 within = guided.freePart(touch.normal);
+    const double steepness = within.norm();
+    if (steepness < alongSurface)
+        return std::nullopt;
+    const Vec3 normal = within / steepness;
+    const double depth = (touch.surface - at).dot(touch.normal);
+    return Touch{at + depth / steepness * normal, normal};
+}
+
+struct ContactWork
+{
+    const System& system;
+    State& state;
+    std::span<const PaddedVec3> before; // [particles] m
+    std::span<const PlacedObstacle> placed;
+    double h;         // s
+    double restSpeed; // m/s
+    bool planesOnly;
+    std::span<std::uint32_t> touches; // [particles]
+};
+
+// In the order of the obstacles: one may push a particle into the next. A particle is looked at
+// only if it may have touched one of them.
+void resolveContact(const ContactWork& work, std::size_t i)
+{
+    const auto& [system, state, before, placed, h, restSpeed, planesOnly, touches] = work;
+    if (system.inverseMass[i] == 0.0)
+        return;
+    const bool verlet = system.integrator == Integrator::Verlet;
+    const bool inside = state.substep % lookInsideEvery == 0;
+    const GuidedParticle* const guided = guideOf(system, int(i));
+    for (std::size_t o = 0; o < placed.size(); ++o) {
+        const Obstacle& obstacle = system.obstacles[o];
+        const Vec3 start = before[i] + placed[o].way; // as if the obstacle had been there already
+        std::optional<Touch> found =
+            touch(obstacle, placed[o].position, {start, state.position[i]}, inside);
+        if (found && guided)
+            found = touchOnGuide(*guided, *found, state.position[i]);
+        if (!found)
+            continue;
+        touches[i] |= touchOf(o);
+        const Vec3& n = found->normal;
+        const Vec3 pace = placed[o].way / h; // m/s, of the surface
+        const Rebound now = rebound(obstacle, state.velocity[i] - pace, n, restSpeed);
+        const Rebound lag = rebound(obstacle, state.drift[i] - pace, n, restSpeed);
+        state.velocity[i] = now.velocity + pace;
+        state.drift[i] = lag.velocity + pace;
+
+        // What holds a particle also takes back the way it went along the surface in this
+        // substep; else whatever sticks to a slope creeps down by g h sin(slope).
+        const Vec3 way = found->surface - start;
+        const double kept = verlet ? lag.kept : now.kept;
+        state.position[i] = found->surface - (1.0 - kept) * (way - way.dot(n) * n);
+    }
+}
+
+} // namespace
+} // namespace ripstop
+
+#define RIPSTOP_KERNEL "contact/contact_kernel.inl"
+#include "parallel/for_each_machine.inl"
+
+namespace ripstop {
+
+void resolveContacts(const System& system, State& state, std::span<const PaddedVec3> before,
+                     std::span<const PlacedObstacle> placed, double h, ThreadPool& pool,
+                     std::span<std::uint32_t> touches)
+{
+    if (system.obstacles.empty())
+        return;
+    const bool planesOnly =
+        std::all_of(system.obstacles.begin(), system.obstacles.end(),
+                    [](const Obstacle& o) { return o.shape == ColliderShape::Plane; });
+    const ContactWork work = {
+        system, state, before, placed, h, 2.0 * system.gravity.norm() * h, planesOnly, touches};
+    pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
+        (wideMachine ? wide::findContacts : anywhere::findContacts)(work, first, last);
+    });
+}
+
+} // namespace ripstop

@@ -1,0 +1,80 @@
+#include "export/appearance.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace ripstop {
+namespace {
+
+// "#rrggbb"; grey when it is not.
+std::array<double, 3> colorFrom(const std::string& text)
+{
+    unsigned value = 0xcccccc;
+    if (text.size() == 7)
+        std::from_chars(text.data() + 1, text.data() + 7, value, 16);
+    const auto part = [&](unsigned shift) { return double(value >> shift & 0xff) / 255.0; };
+    return {part(16), part(8), part(0)};
+}
+
+template <typename T>
+const T* find(const std::vector<std::pair<std::uint32_t, T>>& rows, std::uint32_t id)
+{
+    const auto row = std::ranges::lower_bound(rows, id, {}, &std::pair<std::uint32_t, T>::first);
+    return row != rows.end() && row->first == id ? &row->second : nullptr;
+}
+
+} // namespace
+
+MeshAppearance::MeshAppearance(const Scene& scene)
+{
+    Rows<std::size_t> materials;
+    for (const Entry& entry : scene.items)
+        if (const auto* material = std::get_if<Material>(&entry.item)) {
+            materials.emplace_back(std::uint32_t(entry.id), m_fabrics.size());
+            m_fabrics.push_back({material->name, colorFrom(material->color)});
+        }
+    std::ranges::sort(materials);
+
+    bool isTextured = false;
+    bool isNamed = false;
+    forEachPart(scene, [&](Id, const Part& part) {
+        if (!isNamed)
+            m_name = part.name;
+        isNamed = true;
+        for (const Particle& row : part.particles) {
+            m_texture.emplace_back(std::uint32_t(row.id), TexturePoint{row.textureU, row.textureV});
+            isTextured = isTextured || row.textureU != 0.0 || row.textureV != 0.0;
+        }
+        for (const Panel& row : part.panels) {
+            const std::size_t* fabric = find(materials, std::uint32_t(row.material));
+            m_fabricOf.emplace_back(std::uint32_t(row.id), fabric ? *fabric : 0);
+        }
+        for (const Link& row : part.links)
+            if (row.role != LinkRole::Line)
+                m_threads.push_back(std::uint32_t(row.id));
+    });
+    if (!isTextured)
+        m_texture.clear();
+    std::ranges::sort(m_texture, {}, &std::pair<std::uint32_t, TexturePoint>::first);
+    std::ranges::sort(m_fabricOf);
+    std::ranges::sort(m_threads);
+}
+
+MeshAppearance::TexturePoint MeshAppearance::textureOf(std::uint32_t particle) const
+{
+    const TexturePoint* point = find(m_texture, particle);
+    return point ? *point : TexturePoint{};
+}
+
+std::size_t MeshAppearance::fabricOf(std::uint32_t panel) const
+{
+    const std::size_t* fabric = find(m_fabricOf, panel);
+    return fabric ? *fabric : 0;
+}
+
+bool MeshAppearance::isLine(std::uint32_t link) const
+{
+    return !std::ranges::binary_search(m_threads, link);
+}
+
+} // namespace ripstop

@@ -1,0 +1,50 @@
+// What a scene gives to a mesh besides its shape: where the picture on the fabric lies and what
+// colour it has.
+#pragma once
+
+#include "run/frame.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ripstop {
+
+class MeshAppearance
+{
+public:
+    struct Fabric
+    {
+        std::string name;
+        std::array<double, 3> color; // red, green, blue, 0 to 1, as screens have them (sRGB)
+    };
+    using TexturePoint = std::array<double, 2>; // u to the right and v up, 0 to 1
+
+    MeshAppearance() = default;
+    explicit MeshAppearance(const Scene& scene);
+
+    // False when no particle has been given a place in the picture.
+    bool isTextured() const { return !m_texture.empty(); }
+    TexturePoint textureOf(std::uint32_t particle) const; // by id
+
+    const std::string& name() const { return m_name; } // of the scene's first part
+    const std::vector<Fabric>& fabrics() const { return m_fabrics; }
+    std::size_t fabricOf(std::uint32_t panel) const; // by id; index into fabrics()
+
+    // Whether a link is one by itself, a line or a spar, and no thread of the fabric. By id.
+    bool isLine(std::uint32_t link) const;
+
+private:
+    template <typename T>
+    using Rows = std::vector<std::pair<std::uint32_t, T>>; // by id, ascending
+
+    std::string m_name = "fabric";
+    Rows<TexturePoint> m_texture;
+    Rows<std::size_t> m_fabricOf;
+    std::vector<std::uint32_t> m_threads; // ids, ascending
+    std::vector<Fabric> m_fabrics{{"fabric", {0.8, 0.8, 0.8}}};
+};
+
+} // namespace ripstop

@@ -1,0 +1,56 @@
+#include "forces/air_step.h"
+
+#include "forces/panel_load.h"
+#include "forces/wind.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+constexpr double nudge = 0.01;     // of the apparent wind
+constexpr double leastWind = 0.01; // m/s
+
+// N s/m, at least 0: past the stall the air gives way to what moves.
+double dampingOf(const System& system, const State& state, const FabricPanel& panel)
+{
+    const auto place = [&](int corner) -> const Vec3& {
+        return state.position[std::size_t(panel.corner[std::size_t(corner)])];
+    };
+    Vec3 velocity = Vec3::Zero();
+    for (const int corner : panel.corner)
+        velocity += state.velocity[std::size_t(corner)] / 3.0;
+    const Vec3 middle = (place(0) + place(1) + place(2)) / 3.0;
+    const Vec3 wind = windAt(system, state, middle) - velocity;
+    const Vec3 normal = (place(1) - place(0)).cross(place(2) - place(0)).normalized();
+    const double step = nudge * std::max(wind.norm(), leastWind);
+    const auto loadAt = [&](const Vec3& apparent) {
+        return panelLoad(system.materialAir[std::size_t(panel.air)], place(0), place(1), place(2),
+                         apparent, system.airDensity)
+            .dot(normal);
+    };
+    const double slope = loadAt(wind + step * normal) - loadAt(wind - step * normal);
+    return std::max(0.0, slope / (2.0 * step));
+}
+
+} // namespace
+
+double airStepLimit(const System& system, const State& state, std::vector<double>& rate)
+{
+    rate.assign(state.position.size(), 0.0); // 1/s
+    for (std::size_t i = 0; i < system.panels.size(); ++i) {
+        if (state.panelGone[i])
+            continue;
+        const FabricPanel& panel = system.panels[i];
+        const double damping = dampingOf(system, state, panel);
+        for (const int corner : panel.corner)
+            rate[std::size_t(corner)] += damping / 3.0 * system.inverseMass[std::size_t(corner)];
+    }
+    const double largest = rate.empty() ? 0.0 : *std::ranges::max_element(rate);
+    return largest > 0.0 ? 2.0 / largest : std::numeric_limits<double>::infinity();
+}
+
+} // namespace ripstop

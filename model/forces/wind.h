@@ -1,0 +1,15 @@
+// The wind of a system: what is the same everywhere, and what depends on the place. All add up.
+#pragma once
+
+#include "system/system.h"
+
+namespace ripstop {
+
+Vec3 commonWind(const System& system, const State& state); // m/s, uniform wind and gusts
+Vec3 localWind(const System& system, const Vec3& place);   // m/s, profiles and jets
+bool hasLocalWind(const System& system, const State& state);
+Vec3 localWind(const System& system, const State& state,
+               const Vec3& place); // m/s, with the fan in a hand
+Vec3 windAt(const System& system, const State& state, const Vec3& place); // m/s, all of it
+
+} // namespace ripstop

@@ -1,0 +1,51 @@
+// Pack numbers in one vector register, for the loops where the time goes.
+//
+// One source for every machine, compiled once for any of them and once for AVX2 with FMA. Kernels
+// stand in files of their own, *_kernel.inl, which `parallel/for_each_machine.inl` includes once
+// for each way; `wideMachine` says which one to take. Products and sums are fused where the source
+// says `fused`, and nowhere else, so that every machine rounds alike. Internal to sim/.
+#pragma once
+
+#include "base/vec3.h"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define RIPSTOP_HAS_WIDE 1
+#else
+#define RIPSTOP_HAS_WIDE 0
+#endif
+
+// For functions outside of kernels, without `fused`: GCC picks the widest when the program starts.
+#if RIPSTOP_HAS_WIDE && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define RIPSTOP_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define RIPSTOP_CLONES
+#endif
+
+#define RIPSTOP_INLINE inline __attribute__((always_inline))
+
+namespace ripstop {
+
+using Pack = double __attribute__((vector_size(32)));
+
+// Aligned rows of x, y, z and a zero.
+struct alignas(32) Row
+{
+    double v[4];
+};
+
+// By reference: passed by value, vectors would differ between functions with and without AVX.
+RIPSTOP_INLINE Pack& pack(double* p) { return *reinterpret_cast<Pack*>(p); }
+RIPSTOP_INLINE const Pack& pack(const double* p) { return *reinterpret_cast<const Pack*>(p); }
+RIPSTOP_INLINE Pack& pack(PaddedVec3& v) { return pack(v.data()); }
+RIPSTOP_INLINE const Pack& pack(const PaddedVec3& v) { return pack(v.data()); }
+
+#if RIPSTOP_HAS_WIDE
+inline const bool wideMachine = [] {
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}();
+#else
+inline constexpr bool wideMachine = false;
+#endif
+
+} // namespace ripstop

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace ripstop {
+
+// Splits loops over threads. A loop body gets a range and writes only what belongs to that range,
+// so the result has the same bits whatever the number of threads. Small loops stay on the calling
+// thread.
+class ThreadPool
+{
+public:
+    explicit ThreadPool(int threads);
+    ~ThreadPool();
+    ThreadPool(ThreadPool&&) noexcept;
+    ThreadPool& operator=(ThreadPool&&) noexcept;
+
+    template <typename Body> // body(first, last)
+    void each(std::size_t count, Body body)
+    {
+        if (!m_arena || count < 2 * grain)
+            body(std::size_t(0), count);
+        else
+            spread(count, grain, &body, [](const void* b, std::size_t first, std::size_t last) {
+                (*static_cast<const Body*>(b))(first, last);
+            });
+    }
+
+    // Calls body(thread) for threads 0 .. threads() - 1, each on a thread of its own when there is
+    // one to spare; one after another otherwise.
+    template <typename Body>
+    void together(Body body)
+    {
+        const auto range = [&](std::size_t first, std::size_t last) {
+            for (std::size_t thread = first; thread < last; ++thread)
+                body(int(thread));
+        };
+        if (!m_arena)
+            range(0, 1);
+        else
+            spread(std::size_t(m_threads), 1, &range,
+                   [](const void* r, std::size_t first, std::size_t last) {
+                       (*static_cast<const decltype(range)*>(r))(first, last);
+                   });
+    }
+
+    int threads() const { return m_threads; }
+
+private:
+    static constexpr std::size_t grain = 4096; // handing out work takes some microseconds
+
+    void spread(std::size_t count, std::size_t least, const void* body,
+                void (*call)(const void*, std::size_t, std::size_t));
+
+    struct Arena;
+    int m_threads;
+    std::unique_ptr<Arena> m_arena; // null for one thread
+};
+
+} // namespace ripstop

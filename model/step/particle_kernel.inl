@@ -1,0 +1,179 @@
+// What a substep does to each particle, apart from the rods; see particle_motion.h.
+
+RIPSTOP_INLINE void stop(const ParticleMotion& m, std::size_t i) // a pinned particle
+{
+    pack(m.before[i]) = pack(m.position[i]);
+    pack(m.velocity[i]) = pack(m.drift[i]) = Pack{};
+}
+
+// Moves particles to where they would be without rods.
+template <Integrator integrator>
+RIPSTOP_INLINE void predict(const ParticleMotion& m, std::size_t first, std::size_t last)
+{
+    const Pack h = all(m.h);
+    for (std::size_t i = first; i < last; ++i) {
+        if (m.inverseMass[i] == 0.0) {
+            stop(m, i);
+            continue;
+        }
+        Pack x = pack(m.position[i]);
+        Pack v = pack(m.velocity[i]);
+        const Pack a = pack(m.acceleration[i]);
+        pack(m.before[i]) = x;
+        if constexpr (integrator == Integrator::ExplicitEuler) {
+            x += h * v;
+            v += h * a;
+        } else if constexpr (integrator == Integrator::SemiImplicitEuler) {
+            v += h * a;
+            x += h * v;
+        } else {
+            // x' = 2 x - previous + a h^2, Verlet 1967, with (x - previous) / h remembered instead
+            // of the previous position, which would lose digits far from the origin. The start
+            // previous = x - v h + a h^2 / 2 keeps it of second order, also after a substep of
+            // another length. Velocity Verlet goes the
+            // same way; from v at a full step it would count only half of the acceleration of what
+            // rods hold.
+            Pack drift = m.drifts ? pack(m.drift[i]) : Pack(v - 0.5 * h * a);
+            drift += h * a;
+            x += h * drift;
+            pack(m.drift[i]) = drift;
+        }
+        pack(m.position[i]) = x;
+        pack(m.velocity[i]) = v;
+        if constexpr (integrator == Integrator::ExplicitEuler)
+            pack(m.predicted[i]) = x;
+    }
+}
+
+RIPSTOP_INLINE bool isZero(Pack v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; }
+
+// Where predict() put a particle: what it did is done once more, since memory costs more.
+template <Integrator integrator>
+RIPSTOP_INLINE Pack predicted(const ParticleMotion& m, std::size_t i)
+{
+    if constexpr (integrator == Integrator::ExplicitEuler)
+        return pack(m.predicted[i]);
+    else if constexpr (integrator == Integrator::SemiImplicitEuler)
+        return pack(m.before[i]) + all(m.h) * pack(m.velocity[i]);
+    else
+        return pack(m.before[i]) + all(m.h) * pack(m.drift[i]);
+}
+
+// Velocities take over what the rods did to the positions.
+template <Integrator integrator>
+RIPSTOP_INLINE void followRods(const ParticleMotion& m, std::size_t first, std::size_t last)
+{
+    constexpr bool verlet =
+        integrator == Integrator::Verlet || integrator == Integrator::VelocityVerlet;
+    const Pack perStep = all(1.0 / m.h);
+    const Pack keep = all(m.keep);
+    for (std::size_t i = first; i < last; ++i) {
+        if (m.inverseMass[i] == 0.0)
+            continue;
+        const Pack correction = pack(m.position[i]) - predicted<integrator>(m, i);
+        if constexpr (verlet) {
+            // The half step of acceleration that turns the drift into the velocity of now is right
+            // for free motion only: at rest in a rod it would read as a fall.
+            const Pack drift = pack(m.drift[i]) + correction * perStep;
+            Pack v = drift;
+            if (isZero(correction))
+                v += 0.5 * all(m.h) * pack(m.acceleration[i]);
+            pack(m.velocity[i]) = v * keep;
+            pack(m.drift[i]) = drift * keep;
+        } else {
+            pack(m.velocity[i]) = (pack(m.velocity[i]) + correction * perStep) * keep;
+        }
+    }
+}
+
+// Drag and dampers keep velocity Verlet of second order only if they see the velocity of the end
+// of the step; for what rods hold, that is the way it went.
+template <Integrator integrator>
+RIPSTOP_INLINE void foreseeVelocities(const ParticleMotion& m, std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i) {
+        const Pack correction = pack(m.position[i]) - predicted<integrator>(m, i);
+        pack(m.velocity[i]) = pack(m.drift[i])
+                              + (isZero(correction) ? 0.5 * all(m.h) * pack(m.acceleration[i])
+                                                    : correction * all(1.0 / m.h));
+    }
+}
+
+// What bends take off the force on a particle. Kept out of line, as few scenes have it.
+__attribute__((noinline)) void takeBending(const System& system, const PaddedVec3* moment,
+                                           std::size_t particle, Pack& force)
+{
+    for (int k = system.bendsAt.start[particle]; k < system.bendsAt.start[particle + 1]; ++k) {
+        const int item = system.bendsAt.items[std::size_t(k)];
+        const Bend& bend = system.bends[std::size_t(item / 4)];
+        force -= all(bend.weight[std::size_t(item % 4)]) * pack(moment[item / 4]);
+    }
+}
+
+// Forces are computed per element and gathered per particle in the order of the elements, so that
+// sums do not depend on who computed what when.
+void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* acceleration,
+            std::size_t first, std::size_t last)
+{
+    const Pack gravity = {system.gravity[0], system.gravity[1], system.gravity[2], 0.0};
+    const int* const springs = system.springsAt.items.data();
+    const int* const panels = system.panelsAt.items.data();
+    const int* const lines = system.dragLinesAt.items.data();
+    constexpr double signs[2] = {1.0, -1.0};
+    const bool drags = !system.dragLines.empty();
+    const bool bends = !system.bends.empty();
+    for (std::size_t i = first; i < last; ++i) {
+        if (system.inverseMass[i] == 0.0) {
+            pack(acceleration[i]) = Pack{};
+            continue;
+        }
+        Pack force{};
+        for (int k = system.springsAt.start[i]; k < system.springsAt.start[i + 1]; ++k) {
+            const double sign = signs[forces.springIsAtB[k]]; // which a branch would guess wrong
+            force += all(sign) * pack(forces.spring[std::size_t(springs[k])]);
+        }
+        Pack air{};
+        for (int k = system.panelsAt.start[i]; k < system.panelsAt.start[i + 1]; ++k)
+            air += pack(forces.panel[std::size_t(panels[k])]);
+        force += air * all(1.0 / 3.0);
+        if (drags) {
+            Pack drag{};
+            for (int k = system.dragLinesAt.start[i]; k < system.dragLinesAt.start[i + 1]; ++k)
+                drag += pack(forces.line[std::size_t(lines[k])]);
+            force += drag * all(0.5);
+        }
+        if (bends) {
+            Pack left = force; // so that the force itself can stay in a register
+            takeBending(system, forces.bend, i, left);
+            force = left;
+        }
+        pack(acceleration[i]) = gravity + all(system.inverseMass[i]) * force;
+    }
+}
+
+template <Integrator integrator>
+RIPSTOP_INLINE void runWith(ParticlePass pass, const ParticleMotion& m, std::size_t first,
+                            std::size_t last)
+{
+    if (pass == ParticlePass::Predict)
+        predict<integrator>(m, first, last);
+    else if (pass == ParticlePass::FollowRods)
+        followRods<integrator>(m, first, last);
+    else
+        foreseeVelocities<integrator>(m, first, last);
+}
+
+void run(ParticlePass pass, Integrator integrator, const ParticleMotion& m, std::size_t first,
+         std::size_t last)
+{
+    switch (integrator) {
+    case Integrator::ExplicitEuler:
+        return runWith<Integrator::ExplicitEuler>(pass, m, first, last);
+    case Integrator::SemiImplicitEuler:
+        return runWith<Integrator::SemiImplicitEuler>(pass, m, first, last);
+    case Integrator::Verlet:
+        return runWith<Integrator::Verlet>(pass, m, first, last);
+    case Integrator::VelocityVerlet:
+        return runWith<Integrator::VelocityVerlet>(pass, m, first, last);
+    }
+}

@@ -1,0 +1,20 @@
+#include "step/particle_motion.h"
+
+#define RIPSTOP_KERNEL "step/particle_kernel.inl"
+#include "parallel/for_each_machine.inl"
+
+namespace ripstop {
+
+void runPass(ParticlePass pass, Integrator integrator, const ParticleMotion& motion,
+             std::size_t first, std::size_t last)
+{
+    (wideMachine ? wide::run : anywhere::run)(pass, integrator, motion, first, last);
+}
+
+void gatherAccelerations(const System& system, const ForcesOnElements& forces,
+                         PaddedVec3* acceleration, std::size_t first, std::size_t last)
+{
+    (wideMachine ? wide::gather : anywhere::gather)(system, forces, acceleration, first, last);
+}
+
+} // namespace ripstop

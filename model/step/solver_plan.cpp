@@ -1,0 +1,216 @@
+#include "step/solver_plan.h"
+
+#include "base/joined_sets.h"
+#include "base/portable_math.h"
+#include "constraints/direct_choice.h"
+#include "constraints/guides.h"
+#include "forces/air_step.h"
+#include "forces/bend_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ripstop {
+namespace {
+
+constexpr int mostSubsteps = 2000;
+constexpr double safety = 1.5;
+constexpr double leastGravity = 9.80665; // m/s^2; wind loads what floats in space too
+constexpr double manySubsteps = 100.0;   // in 10 ms
+constexpr double farLighter = 1000.0;
+constexpr std::size_t mostForBlocks = 20000; // particles; looking for blocks takes its time
+
+// Pinned, or on a guide, which bears a load as a pin does.
+bool bears(const System& system, int p)
+{
+    return system.inverseMass[std::size_t(p)] == 0.0 || guideOf(system, p);
+}
+
+// What rods join, without passing a pin or a guide.
+class Networks
+{
+public:
+    explicit Networks(const System& system)
+        : m_sets(system.inverseMass.size())
+        , m_mass(system.inverseMass.size(), 0.0)
+        , m_rodsAtPins(system.inverseMass.size(), 0)
+    {
+        const auto pinned = [&](int p) { return bears(system, p); };
+        for (const Rod& rod : system.rods)
+            if (!pinned(rod.a) && !pinned(rod.b))
+                m_sets.join(rod.a, rod.b);
+        for (std::size_t p = 0; p < m_mass.size(); ++p)
+            if (!pinned(int(p)))
+                m_mass[std::size_t(m_sets.of(int(p)))] += 1.0 / system.inverseMass[p];
+        for (const Rod& rod : system.rods)
+            if (pinned(rod.a) != pinned(rod.b))
+                ++m_rodsAtPins[std::size_t(m_sets.of(pinned(rod.a) ? rod.b : rod.a))];
+    }
+
+    double mass(int p) { return m_mass[std::size_t(m_sets.of(p))]; } // kg
+    int rodsAtPins(int p) { return m_rodsAtPins[std::size_t(m_sets.of(p))]; }
+
+private:
+    JoinedSets m_sets;
+    std::vector<double> m_mass;
+    std::vector<int> m_rodsAtPins;
+};
+
+struct Worst
+{
+    double substeps = 1.0;
+    int rod = -1;
+    bool hangsHeavy = false; // a network that is pinned holds a load by particles far lighter
+};
+
+// The rod that needs most substeps, of those that are not in `direct`.
+Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
+{
+    Networks networks(system);
+    const double pull = 2.0 * std::max(system.gravity.norm(), leastGravity);
+    const auto loadAt = [&](int p, int other) {
+        const double w = system.inverseMass[std::size_t(p)];
+        const bool holds = bears(system, p);
+        const double held = pull * networks.mass(other) / std::max(networks.rodsAtPins(other), 1);
+        if (w == 0.0)
+            return held;
+        const int rods =
+            system.rodsAt.start[std::size_t(p) + 1] - system.rodsAt.start[std::size_t(p)];
+        const double mass = 1.0 / w;
+        if (holds)
+            return std::max(held, pull * mass / rods);
+        const bool hangs = networks.rodsAtPins(p) > 0; // what is pinned takes any pull
+        return pull * (hangs ? mass : std::min(mass, networks.mass(p) - mass)) / rods;
+    };
+    Worst worst;
+    for (std::size_t r = 0; r < system.rods.size(); ++r) {
+        const Rod& rod = system.rods[r];
+        const double u = system.inverseMass[std::size_t(rod.a)];
+        const double w = system.inverseMass[std::size_t(rod.b)];
+        const double weight = u + w;
+        if ((!direct.empty() && direct[r]) || weight == 0.0 || rod.restLength <= 0.0
+            || rod.compliance > 0.0)
+            continue;
+        if (u > 0.0 && w > 0.0 && networks.rodsAtPins(rod.a) > 0)
+            worst.hangsHeavy |= std::max(u, w) > farLighter * std::min(u, w);
+        const double load = std::max(loadAt(rod.a, rod.b), loadAt(rod.b, rod.a));
+        const double substeps = safety * system.timeStep
+                                * std::sqrt(load * weight / (system.strainGoal * rod.restLength));
+        if (substeps > worst.substeps) {
+            worst.substeps = substeps;
+            worst.rod = int(r);
+        }
+    }
+    return worst;
+}
+
+std::string text(const char* pattern, auto... values)
+{
+    char buffer[300];
+    std::snprintf(buffer, sizeof buffer, pattern, values...);
+    return buffer;
+}
+
+int substepsWithin(double timeStep, double limit, double spare)
+{
+    return std::clamp(int(std::ceil(std::min(spare * timeStep / limit, double(mostSubsteps)))), 1,
+                      mostSubsteps);
+}
+
+// A twentieth to spare.
+int substepsForBends(const System& system)
+{
+    return substepsWithin(system.timeStep, bendStepLimit(system), 1.05);
+}
+
+} // namespace
+
+SolverPlan planFor(const System& system)
+{
+    SolverPlan plan;
+    plan.least = substepsForBends(system);
+    plan.substeps = std::max(system.substeps, plan.least);
+    const std::string bends =
+        plan.least > 1 ? text("; bending needs at least %d", plan.least) : std::string();
+    if (system.rods.empty()) {
+        plan.reason = "there are no rods" + bends;
+        return plan;
+    }
+    const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
+    std::string block;
+    const auto solveDirectly = [&](const std::vector<int>& rods, const std::string& why) {
+        plan.direct.resize(system.rods.size(), 0);
+        for (const int rod : rods)
+            plan.direct[std::size_t(rod)] = 1;
+        block += text("%d rods are solved directly, since ", int(rods.size())) + why + "; ";
+    };
+    if (mayHaveBlocks)
+        if (const std::vector<int> rods = rodsOfSmallFabric(system); !rods.empty())
+            solveDirectly(rods, "they hold fabric that is small enough for it");
+    Worst worst = worstRod(system, plan.direct);
+    const double many = manySubsteps * system.timeStep / 0.01;
+    // A heavy load on light lines stretches them little in a step, but the sweeps give back more
+    // than they took: it bounces higher and higher.
+    if ((worst.substeps > many || worst.hangsHeavy) && mayHaveBlocks)
+        if (const std::vector<int> rods = rodsForDirect(system); !rods.empty()) {
+            solveDirectly(rods, worst.substeps > many
+                                    ? text("their load would need %.0f substeps", worst.substeps)
+                                    : "their load is far heavier than what holds it");
+            worst = worstRod(system, plan.direct);
+        }
+    plan.substeps =
+        std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), plan.substeps);
+    const bool all = !plan.direct.empty() && worst.rod < 0;
+    plan.reason = block
+                  + (all ? text("%d substeps", plan.substeps)
+                         : text("small steps: %d substeps of one sweep to begin with, for a strain "
+                                "of %.3g %%",
+                                plan.substeps, 100.0 * system.strainGoal))
+                  + bends;
+    return plan;
+}
+
+double largestRodStrain(const System& system, const State& state,
+                        std::span<const double> restLength)
+{
+    double largest = 0.0;
+    for (std::size_t r = 0; r < system.rods.size(); ++r) {
+        const Rod& rod = system.rods[r];
+        const double rest = restLength[r];
+        const bool isHeld = system.inverseMass[std::size_t(rod.a)] == 0.0
+                            && system.inverseMass[std::size_t(rod.b)] == 0.0;
+        if (state.rodTorn[r] || rod.compliance > 0.0 || rest <= 0.0 || isHeld)
+            continue;
+        const double strain =
+            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm() / rest
+            - 1.0;
+        if (rod.resists != Resists::Compression)
+            largest = std::max(largest, strain);
+        if (rod.resists != Resists::Tension)
+            largest = std::max(largest, -strain);
+    }
+    return largest;
+}
+
+int substepsForAir(const System& system, const State& state, std::vector<double>& scratch)
+{
+    return substepsWithin(system.timeStep, airStepLimit(system, state, scratch), 1.5);
+}
+
+// The strain falls with about the 1.5th power of the number of substeps.
+int adaptedSubsteps(const System& system, int substeps, double strain)
+{
+    const double ratio = strain / system.strainGoal;
+    double next = substeps;
+    if (ratio > 1.0)
+        next = std::max(
+            substeps + 1.0,
+            std::ceil(substeps * (ratio < 2.8 ? portableExp(portableLog(ratio) / 1.5) : 2.0)));
+    else if (ratio < 0.4)
+        next = std::floor(substeps * 0.9);
+    return int(
+        std::clamp(next, double(system.substeps), double(std::max(mostSubsteps, system.substeps))));
+}
+
+} // namespace ripstop

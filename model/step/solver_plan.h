@@ -1,0 +1,81 @@
+// The choice that Solver::Auto makes: how many substeps of one sweep hold the rods to the strain
+// that is wanted, and which rods a direct block holds instead.
+//
+// A sweep finds a rod that carries the load F stretched by F h^2 (wa + wb), w the inverse masses of
+// its ends and h the substep. So what holds the fabric decides. At a particle of mass m in a
+// network of mass M, what rods join, the load is 2 g times the lighter of m and M - m, shared by
+// its rods; all of M is shared by the rods of all that is pinned. The worst rod, of length L, then
+// keeps within the strain e in
+//
+//     n = 1.5 T sqrt(F (wa + wb) / (e L))
+//
+// substeps of the step T; 1.5 is what square cloths of 10 to 100 particles a side need. Where n is
+// above 100 in 10 ms, and a direct block (direct_choice.h) can have such rods, it gets them; small
+// kites and gliders go there as a whole.
+//
+// Bends (bend_force.h) are forces and bound the substep themselves.
+//
+// That is the start. While a system runs, the strain is looked at every few steps and the number of
+// substeps follows it (adaptedSubsteps): wind and swings load rods as well.
+#pragma once
+
+#include "system/system.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+struct SolverPlan
+{
+    int substeps = 1;                 // to begin with, and never fewer than System::substeps
+    int least = 1;                    // that bends allow, with the springs beside them
+    std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
+    std::string reason;               // what was chosen and why, for people; one sentence
+};
+
+// Tells whether a plan still holds.
+class PlanFor
+{
+public:
+    PlanFor() = default;
+    explicit PlanFor(const System& system)
+        : m_serial(system.serial)
+        , m_valuesSerial(system.valuesSerial)
+        , m_timeStep(system.timeStep)
+        , m_strainGoal(system.strainGoal)
+        , m_gravity(system.gravity.norm())
+        , m_substeps(system.substeps)
+    {}
+    bool isOf(const System& system) const { return *this == PlanFor(system); }
+
+private:
+    friend bool operator==(const PlanFor&, const PlanFor&) = default;
+
+    std::uint64_t m_serial = 0;
+    std::uint64_t m_valuesSerial = 0;
+    double m_timeStep = 0.0;
+    double m_strainGoal = 0.0;
+    double m_gravity = 0.0;
+    int m_substeps = 0;
+};
+
+// The system must be finished.
+SolverPlan planFor(const System& system);
+
+// Largest strain, 1, of the rods that are whole, never stretch and resist it, but for those between
+// pins, which no solver can help.
+//   restLength  [rods]  m
+double largestRodStrain(const System& system, const State& state,
+                        std::span<const double> restLength);
+
+// Fewest substeps for what the air takes from the fabric, as it is in `state`, with a half to spare
+// for what it does in the next few steps. Rods that are solved directly say nothing of it by their
+// strain.
+int substepsForAir(const System& system, const State& state, std::vector<double>& scratch);
+
+// Substeps of the next step, given those of the last and the strain that they left.
+int adaptedSubsteps(const System& system, int substeps, double strain);
+
+} // namespace ripstop

@@ -1,0 +1,258 @@
+#include "step/stepper.h"
+
+#include "base/portable_math.h"
+#include "constraints/guides.h"
+#include "contact/contact.h"
+#include "forces/bend_force.h"
+#include "forces/gusts.h"
+#include "forces/line_drag.h"
+#include "forces/panel_load.h"
+#include "forces/spring_force.h"
+#include "step/inputs.h"
+#include "step/particle_motion.h"
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr int meanOver = 8;  // substeps, the last of a step, that tensions are the mean of
+constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses the substeps
+
+} // namespace
+
+int Stepper::step(const System& system, State& state)
+{
+    m_clock.start();
+    prepare(system, state);
+    const int substeps = substepsOf(system, state);
+    const double h = system.timeStep / substeps;
+    m_clock.lap(StepStage::Plan);
+    if (!system.fabricLayer.empty()) {
+        m_fabric.find(system, state);
+        m_clock.lap(StepStage::Contact);
+    }
+    const double startTime = state.time;
+    advanceGusts(system, state);
+    m_keep = portableExp(-system.viscosity * h);
+    for (int s = 0; s < substeps; ++s) {
+        state.time = startTime + (s + 1) * h;
+        RodTask task = rodTask(system, state, h);
+        if (s == 0) {
+            m_rods.start(task, state.rodTension);
+            m_clock.lap(StepStage::Rods);
+        }
+        task.note = m_tearsByForce || s + meanOver >= substeps;
+        task.shifted = s == 0;
+        m_judgesLinks = system.tearMesh == TearMesh::Vanish || s + 1 == substeps;
+        substep(task, state);
+        ++state.substep;
+    }
+    m_rods.takeTensions(rodTask(system, state, h), m_pool, state.rodTension);
+    m_clock.lap(StepStage::Tensions);
+    ++state.step;
+    if (system.solver == Solver::Auto && state.step % lookEvery == 0)
+        adapt(system, state, substeps);
+    m_clock.lap(StepStage::Plan);
+    return substeps;
+}
+
+void Stepper::prepare(const System& system, State& state)
+{
+    m_placed.resize(system.obstacles.size());
+    m_touches.assign(system.obstacles.empty() ? 0 : state.position.size(), 0);
+    m_springForce.resize(system.springs.size());
+    m_panelLoad.resize(system.panels.size());
+    m_lineDrag.resize(system.dragLines.size());
+    m_turn.resize(system.bends.size());
+    m_bend.resize(system.bends.size());
+    m_acceleration.resize(state.position.size());
+    m_before.resize(state.position.size());
+    m_predicted.resize(state.position.size());
+    m_restLength.resize(system.rods.size());
+    m_rodLength.resize(system.rods.size());
+    m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size());
+    m_canopies.prepare(system);
+    if (const auto& pull = state.hands.pull; pull && !m_grip.isOf(system, pull->grip))
+        m_grip = findGrip(system, pull->grip);
+    m_tears = state.tears.size();
+    if (m_serial != system.serial || m_valuesSerial != system.valuesSerial)
+        fillRestLengths(system, state, m_restLength);
+    else
+        shiftRestLengths(system, state, m_restLength); // those of another state, maybe
+    if (m_serial != system.serial)
+        noteSpringEnds(system);
+    m_serial = system.serial;
+    m_valuesSerial = system.valuesSerial;
+    m_onlyGravity = false;
+    if (system.solver == Solver::Auto && !m_planFor.isOf(system)) {
+        m_plan = planFor(system);
+        m_planFor = PlanFor(system);
+    }
+    m_tearsByForce =
+        std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
+            return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
+        });
+}
+
+void Stepper::noteSpringEnds(const System& system)
+{
+    const Rows& at = system.springsAt;
+    m_springIsAtB.resize(at.items.size());
+    for (std::size_t p = 0; p + 1 < at.start.size(); ++p)
+        for (int k = at.start[p]; k < at.start[p + 1]; ++k)
+            m_springIsAtB[std::size_t(k)] =
+                system.springs[std::size_t(at.items[std::size_t(k)])].a != int(p);
+}
+
+int Stepper::substepsOf(const System& system, const State& state) const
+{
+    if (system.solver != Solver::Auto)
+        return system.substeps;
+    const int least =
+        m_planFor.isOf(system) ? std::max(m_plan.least, system.substeps) : system.substeps;
+    if (state.substeps > 0)
+        return std::max(state.substeps, least);
+    return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForAir(system, state))
+                                  : system.substeps;
+}
+
+// Sweeps show by their strain when the air asks for more substeps.
+int Stepper::substepsForAir(const System& system, const State& state) const
+{
+    return m_plan.direct.empty() ? 1 : ripstop::substepsForAir(system, state, m_airRate);
+}
+
+void Stepper::adapt(const System& system, State& state, int substeps)
+{
+    const double strain = largestRodStrain(system, state, m_restLength);
+    state.substeps = std::max(
+        {adaptedSubsteps(system, substeps, strain), m_plan.least, substepsForAir(system, state)});
+}
+
+RodTask Stepper::rodTask(const System& system, State& state, double h) const
+{
+    const bool automatic = system.solver == Solver::Auto;
+    const bool small = automatic || system.solver == Solver::SmallSteps;
+    return {system,
+            small ? Solver::SmallSteps : system.solver,
+            small ? 1 : system.sweeps,
+            automatic ? m_plan.direct : system.direct,
+            state.rodTorn,
+            m_restLength,
+            h,
+            std::uint64_t(state.substep),
+            state.position};
+}
+
+void Stepper::substep(RodTask& task, State& state)
+{
+    const System& system = task.system;
+    const double h = task.h;
+    beginMoves(system, state, state.time - h, m_placed);
+    moveCarried(state, h);
+    if (moveInputs(system, state, h)) {
+        shiftRestLengths(system, state, m_restLength);
+        task.shifted = true;
+    }
+    endMoves(system, state, state.time, m_placed);
+    m_clock.lap(StepStage::Controls);
+    m_canopies.advance(system, state, h);
+    m_clock.lap(StepStage::Air);
+    fillAccelerations(system, state, h);
+    move(ParticlePass::Predict, system, state, h);
+    m_clock.lap(StepStage::Motion);
+    noteRodLengths(system, state);
+    m_clock.lap(StepStage::Tearing);
+    project(task, state);
+    m_clock.lap(StepStage::Rods);
+    if (system.integrator == Integrator::VelocityVerlet) {
+        move(ParticlePass::ForeseeVelocities, system, state, h);
+        m_clock.lap(StepStage::Motion);
+        fillAccelerations(system, state, h);
+    }
+    move(ParticlePass::FollowRods, system, state, h);
+    m_clock.lap(StepStage::Motion);
+    if (m_watch)
+        m_watch->beforeContact(system, state);
+    if (!system.fabricLayer.empty())
+        m_fabric.resolve(system, state);
+    resolveContacts(system, state, m_before, m_placed, h, m_pool, m_touches);
+    if (m_watch)
+        m_watch->afterContact(system, state);
+    keepOnGuides(system, m_before, state);
+    m_clock.lap(StepStage::Contact);
+    if (m_judgesLinks)
+        tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
+    m_clock.lap(StepStage::Tearing);
+    const bool drifts =
+        system.integrator == Integrator::Verlet || system.integrator == Integrator::VelocityVerlet;
+    state.driftSubstep = drifts ? h : 0.0;
+    if (m_watch) {
+        m_watch->afterSubstep(system, state, h);
+        m_clock.lap(StepStage::Watch);
+    }
+}
+
+void Stepper::fillAccelerations(const System& system, const State& state, double h)
+{
+    if (system.springs.empty() && system.panels.empty() && system.dragLines.empty()
+        && system.bends.empty() && !state.hands.pull && m_onlyGravity)
+        return;
+    m_onlyGravity = true;
+    fillSpringForces(system, state, m_pool, m_springForce);
+    fillBends(system, state, m_pool, m_turn, m_bend);
+    m_clock.lap(StepStage::Springs);
+    fillPanelLoads(system, state, m_pool, m_panelLoad);
+    m_wings.add(system, state, m_panelLoad);
+    addCanopyLoads(system, state, m_pool, m_panelLoad);
+    fillLineDrags(system, state, m_pool, m_lineDrag);
+    m_clock.lap(StepStage::Air);
+    m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
+        gatherAccelerations(system,
+                            {m_springForce.data(), m_springIsAtB.data(), m_panelLoad.data(),
+                             m_lineDrag.data(), m_bend.data()},
+                            m_acceleration.data(), first, last);
+    });
+    if (state.hands.pull)
+        addHandPull(system, state, m_grip, h, m_acceleration);
+    dropAcrossGuides(system, m_acceleration);
+    m_clock.lap(StepStage::Sum);
+}
+
+void Stepper::move(ParticlePass pass, const System& system, State& state, double h)
+{
+    const ParticleMotion motion{state.position.data(),
+                                state.velocity.data(),
+                                state.drift.data(),
+                                m_before.data(),
+                                m_predicted.data(),
+                                m_acceleration.data(),
+                                system.inverseMass.data(),
+                                h,
+                                m_keep,
+                                state.driftSubstep == h};
+    m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
+        runPass(pass, system.integrator, motion, first, last);
+    });
+}
+
+void Stepper::noteRodLengths(const System& system, const State& state)
+{
+    for (const int tearable : system.tearableRods) {
+        const Rod& rod = system.rods[std::size_t(tearable)];
+        m_rodLength[std::size_t(tearable)] =
+            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm();
+    }
+}
+
+void Stepper::project(const RodTask& task, State& state)
+{
+    m_rods.project(task, m_pool);
+    // Of single sweeps the tension of one substep says little; rods then tear by the mean over the
+    // step before.
+    if (m_tearsByForce && task.solver != Solver::SmallSteps)
+        m_rods.takeTensions(task, m_pool, state.rodTension);
+}
+
+} // namespace ripstop

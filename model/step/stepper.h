@@ -1,0 +1,106 @@
+#pragma once
+
+#include "constraints/rod_solver.h"
+#include "contact/fabric_contact.h"
+#include "contact/obstacle_motion.h"
+#include "forces/canopy_air.h"
+#include "forces/hand_pull.h"
+#include "forces/wing_load.h"
+#include "parallel/thread_pool.h"
+#include "step/particle_motion.h"
+#include "step/solver_plan.h"
+#include "step/step_times.h"
+#include "system/system.h"
+#include "tearing/tearing.h"
+
+namespace ripstop {
+
+// Looks at the state within a step, and changes nothing.
+class SubstepWatch
+{
+public:
+    virtual ~SubstepWatch() = default;
+    virtual void beforeContact(const System& system, const State& state) = 0;
+    virtual void afterContact(const System& system, const State& state) = 0;
+    virtual void afterSubstep(const System& system, const State& state, double h) = 0; // h in s
+};
+
+// Advances a State by one time step of its System. It holds scratch arrays only: two steppers
+// given the same system and state do exactly the same, whatever their number of threads.
+class Stepper
+{
+public:
+    explicit Stepper(int threads = 1)
+        : m_pool(threads)
+    {}
+
+    // Returns the number of substeps that it took.
+    int step(const System& system, State& state);
+
+    // Adds what each stage of the steps from now on takes; null stops that.
+    void keepTimes(StepTimes* times) { m_clock.giveTo(times); }
+
+    // Lets somebody look at the steps from now on; null stops that.
+    void watch(SubstepWatch* watch) { m_watch = watch; }
+
+    // Which obstacles each particle met in the last step, as touchOf() has it; empty without any.
+    std::span<const std::uint32_t> touches() const { return m_touches; }
+
+    // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
+    // for.
+    int substepsOf(const System& system, const State& state) const;
+
+    // What Solver::Auto began with and why, once there was a step; empty for other solvers.
+    std::string choice(const System& system) const
+    {
+        return m_planFor.isOf(system) && system.solver == Solver::Auto ? m_plan.reason
+                                                                       : std::string();
+    }
+
+private:
+    void prepare(const System& system, State& state);
+    void substep(RodTask& task, State& state);
+    void noteSpringEnds(const System& system);
+    RodTask rodTask(const System& system, State& state, double h) const;
+    void adapt(const System& system, State& state, int substeps);
+    int substepsForAir(const System& system, const State& state) const;
+    void fillAccelerations(const System& system, const State& state, double h);
+    void move(ParticlePass pass, const System& system, State& state, double h);
+    void noteRodLengths(const System& system, const State& state);
+    void project(const RodTask& task, State& state);
+
+    ThreadPool m_pool;
+    StepClock m_clock;
+    SubstepWatch* m_watch = nullptr;
+    RodSolver m_rods;
+    SolverPlan m_plan; // of Solver::Auto
+    PlanFor m_planFor;
+    FabricContact m_fabric;
+    HeldGrip m_grip; // of the hand that pulls
+    WingLoads m_wings;
+    CanopyFiller m_canopies;
+    std::vector<PaddedVec3> m_springForce;   // [springs] N, on end `a`
+    std::vector<std::uint8_t> m_springIsAtB; // [springsAt.items]
+    std::vector<PaddedVec3> m_panelLoad;     // [panels] N
+    std::vector<PaddedVec3> m_lineDrag;      // [dragLines] N
+    std::vector<PaddedVec3> m_turn;          // [bends] m
+    std::vector<PaddedVec3> m_bend;          // [bends] N
+    std::vector<PaddedVec3> m_acceleration;  // [particles] m/s^2, of forces, not of rods or contact
+    std::vector<PaddedVec3> m_before;        // [particles] m, at the start of the substep
+    std::vector<PaddedVec3> m_predicted;     // [particles] m, before projection
+    std::vector<PlacedObstacle> m_placed;    // [obstacles] in this substep
+    std::vector<std::uint32_t> m_touches;    // [particles] in this step, or empty
+    std::vector<double> m_restLength;        // [rods] m, with the weight shifts of now
+    std::vector<double> m_rodLength;         // [rods] m, before projection
+    mutable std::vector<double> m_airRate;   // scratch of substepsForAir()
+    std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
+    std::size_t m_tears = 0;           // before this time step
+    std::uint64_t m_serial = 0;        // of the system that m_restLength is of
+    std::uint64_t m_valuesSerial = 0;
+    bool m_onlyGravity = false;  // accelerations of this step are known, as nothing else acts
+    double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
+    bool m_judgesLinks = true;   // in this substep, which of them break
+    bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep
+};
+
+} // namespace ripstop

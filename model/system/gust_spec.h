@@ -1,0 +1,36 @@
+// Gusts after Dryden: what they are like and what they remember. gusts.h draws them.
+#pragma once
+
+#include "base/vec3.h"
+#include "system/key.h"
+
+#include <array>
+
+namespace ripstop {
+
+struct GustSpec
+{
+    Key key = 0;
+    Vec3 along = Vec3::UnitX();  // unit, level, with the mean wind
+    Vec3 across = Vec3::UnitZ(); // unit, level
+    double speed = 1.0;          // m/s, of the mean wind
+    double lengthAlong = 1.0;    // m, across as well
+    double lengthUp = 1.0;       // m
+    double sigmaAlong = 0.0;     // m/s, across as well
+    double sigmaUp = 0.0;        // m/s
+    int seed = 1;
+
+    friend bool operator==(const GustSpec&, const GustSpec&) = default;
+};
+
+// In standard deviations, so that it goes on when the gusts become stronger.
+struct GustState
+{
+    double along = 0.0;
+    std::array<double, 2> across{};
+    std::array<double, 2> up{};
+
+    friend bool operator==(const GustState&, const GustState&) = default;
+};
+
+} // namespace ripstop

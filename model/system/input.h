@@ -1,0 +1,38 @@
+// What controls move.
+#pragma once
+
+#include "base/laws.h"
+#include "base/vec3.h"
+#include "system/key.h"
+
+#include <vector>
+
+namespace ripstop {
+
+// One scalar input.
+struct Input
+{
+    Key key;
+    ControlKind kind;
+    Vec3 axis;                       // unit
+    double limit;                    // m
+    double rate;                     // m/s
+    double automaticRate;            // m/s
+    std::vector<int> targets;        // particle indices
+    std::vector<int> obstacles = {}; // that it moves, indices
+
+    friend bool operator==(const Input&, const Input&) = default;
+};
+
+// A rod whose rest length follows the weight shift of one of its ends:
+// it is scaled by |anchor - sum of (value x axis) over the inputs that shift `weight`| / |anchor|.
+struct ShiftedRod
+{
+    int rod;
+    int weight;  // the particle that is shifted
+    Vec3 anchor; // m, from the weight to the other end, in the design
+
+    friend bool operator==(const ShiftedRod&, const ShiftedRod&) = default;
+};
+
+} // namespace ripstop

@@ -1,0 +1,80 @@
+// Springs and rods, and the links that the author knows them by.
+#pragma once
+
+#include "base/laws.h"
+#include "system/key.h"
+
+#include <cstdint>
+
+namespace ripstop {
+
+struct TearLimit
+{
+    TearRule rule = TearRule::Never;
+    double limit = 0.0; // m, 1 or N
+
+    friend bool operator==(const TearLimit&, const TearLimit&) = default;
+};
+
+// A link that is a force: F = k (|d| - l) + nu (vb - va).u along u = d/|d|, on `a` towards `b`.
+struct Spring
+{
+    int a; // particle index
+    int b;
+    double restLength; // m
+    double stiffness;  // N/m
+    double damping;    // N s/m
+    Resists resists;
+    TearLimit tear;
+
+    friend bool operator==(const Spring&, const Spring&) = default;
+};
+
+// A link that is a constraint.
+struct Rod
+{
+    int a; // particle index
+    int b;
+    double restLength; // m
+    double compliance; // m/N, 0 never stretches
+    Resists resists;
+    TearLimit tear;
+
+    friend bool operator==(const Rod&, const Rod&) = default;
+};
+
+// A link as the author sees it: which spring or rod it became, and whom it joins.
+struct LinkPlace
+{
+    Key key;
+    LinkKind kind;
+    int index; // in springs or rods
+    int a;     // particle indices
+    int b;
+
+    friend bool operator==(const LinkPlace&, const LinkPlace&) = default;
+};
+
+// What a link takes its numbers from, so that an edit of a material finds the links made of it and
+// what it makes of them.
+struct LinkStuff
+{
+    Key material = 0;
+    std::uint8_t own = 0; // bits, one for each number that is the link's own
+    LinkRole role = LinkRole::Line;
+    double width = 0.0; // m, of the strip of fabric
+
+    friend bool operator==(const LinkStuff&, const LinkStuff&) = default;
+};
+
+struct DragLine // a link that the wind drags
+{
+    int link; // index into System::links
+    int a;    // particle indices
+    int b;
+    double width; // m, drag coefficient times diameter
+
+    friend bool operator==(const DragLine&, const DragLine&) = default;
+};
+
+} // namespace ripstop

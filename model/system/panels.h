@@ -1,0 +1,56 @@
+// Fabric: its panels, what the air does to them, and what keeps them apart.
+#pragma once
+
+#include "base/laws.h"
+#include "system/key.h"
+
+#include <array>
+#include <vector>
+
+namespace ripstop {
+
+inline constexpr int polarCells = 256;
+
+struct PolarPoint
+{
+    double lift; // 1, CL
+    double drag; // 1, CD
+
+    friend bool operator==(const PolarPoint&, const PolarPoint&) = default;
+};
+
+// What the air does to things of one material: to its panels (panel_load.h) and to its links as
+// lines (line_drag.h).
+struct MaterialAir
+{
+    Key key = 0; // of the material; 0 for none
+    AirLaw law = AirLaw::LinearNormal;
+    double normalCoefficient = 2.0; // 1, Ca
+    double saturation = 0.0;        // 1, Ca / C90 - 1; linear normal only
+    double skinFriction = 0.0;      // 1, Cs
+    double porosity = 0.0;          // 1, c
+    double stall = 0.0;             // 1, sine of the stall of a wing; 0 for what is none
+    double lineWidth = 0.0;         // m, drag coefficient times diameter
+    std::vector<PolarPoint> polar;  // [polarCells + 1] at equal steps of tan(alpha / 2) from 0 to 1
+
+    friend bool operator==(const MaterialAir&, const MaterialAir&) = default;
+};
+
+struct FabricPanel // one triangle of fabric
+{
+    std::array<int, 3> corner;
+    int air; // index into System::materialAir
+
+    friend bool operator==(const FabricPanel&, const FabricPanel&) = default;
+};
+
+// What keeps the particles of a part from its panels and those of others; see fabric_contact.h.
+struct FabricLayer
+{
+    double thickness = 0.0; // m, 0 goes through
+    double friction = 0.0;  // 1
+
+    friend bool operator==(const FabricLayer&, const FabricLayer&) = default;
+};
+
+} // namespace ripstop

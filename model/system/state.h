@@ -1,0 +1,116 @@
+// What changes while a system runs: time, motion, and whatever a step must remember.
+#pragma once
+
+#include "base/hands.h"
+#include "base/vec3.h"
+#include "system/canopy.h"
+#include "system/gust_spec.h"
+#include "system/links.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ripstop {
+
+// A particle that a tear has parted (tear_opening.h). All by keys, so that it outlives edits: what
+// it names and is no longer there is passed over.
+struct Split
+{
+    struct Cut // a link along the tear: each lip has one afterwards
+    {
+        Key link;     // of the lip of `from`
+        Key twin;     // of the lip of `twin`
+        double share; // 1, of stiffness, damping and breaking force, that the twin takes
+
+        friend bool operator==(const Cut&, const Cut&) = default;
+    };
+    Key from;                // particle; keeps pins and hands, and what the torn link leaves behind
+    Key twin;                // particle; new, at the same place with the same velocity
+    double share;            // 1, of the mass, that the twin takes
+    std::vector<Key> panels; // whose corner is the twin from now on
+    std::vector<Key> links;  // whose end is
+    std::vector<Cut> cut;
+
+    friend bool operator==(const Split&, const Split&) = default;
+};
+
+// A link where the mesh has just opened: it has let go and has to be given time to shrink.
+struct TearHold
+{
+    int link;     // index into System::links
+    double ratio; // 1, over its limit, of the link that tore
+
+    friend bool operator==(const TearHold&, const TearHold&) = default;
+};
+
+// Work since the start, J, on particles that are free; kept while a probe asks for it
+// (measure/energy_ledger.h).
+struct Work
+{
+    double air = 0.0;
+    double hands = 0.0;    // of hands and controls
+    double damping = 0.0;  // of dampers and viscosity
+    double contact = 0.0;  // with obstacles and of fabric with itself
+    double tearing = 0.0;  // what torn links held
+    double residual = 0.0; // that the solver made
+
+    friend bool operator==(const Work&, const Work&) = default;
+};
+
+// What changes while a system runs. Copying a State is a checkpoint.
+struct State
+{
+    double time = 0.0;         // s
+    std::int64_t step = 0;     // time steps since the start
+    std::int64_t substep = 0;  // substeps since the start
+    int substeps = 0;          // of the next step, where the solver chooses; 0 for its first choice
+    double driftSubstep = 0.0; // s, of the substep that `drift` is of; 0 when it is of none
+
+    std::vector<PaddedVec3> position; // [particles] m
+    std::vector<PaddedVec3> velocity; // [particles] m/s
+    std::vector<PaddedVec3> drift;    // [particles] m/s, (x - previous x) / h: Verlet's memory
+
+    std::vector<double> inputCommand; // [inputs] m, where the input is told to go
+    std::vector<double> inputValue;   // [inputs] m, where it is
+
+    Hands hands;               // as they were told
+    std::vector<Vec3> carried; // [hands.carries] m, how far each has come
+
+    std::vector<GustState> gusts;    // [gusts]
+    std::vector<CanopyAir> canopies; // [canopies]
+
+    std::vector<std::uint8_t> springTorn; // [springs]
+    std::vector<std::uint8_t> rodTorn;    // [rods]
+    std::vector<std::uint8_t> panelGone;  // [panels]
+    std::vector<double> rodTension;       // [rods] N, mean over the last step
+
+    struct Tear
+    {
+        double time;         // s
+        Key link;            // key of the link
+        double length;       // m, at the break
+        double strain;       // 1
+        double force;        // N
+        Vec3 place;          // m, middle of the link
+        double energy = 0.0; // J, that the link held and no longer does
+
+        friend bool operator==(const Tear&, const Tear&) = default;
+    };
+    std::vector<Tear> tears; // in order of time
+
+    std::vector<Split> splits; // in order of time; the system is one that was split by them
+    std::vector<TearHold> tearHolds;
+
+    Work work;
+
+    friend bool operator==(const State&, const State&) = default;
+};
+
+inline bool isTorn(const LinkPlace& link, const State& state)
+{
+    return link.kind == LinkKind::Rod ? state.rodTorn[std::size_t(link.index)]
+                                      : state.springTorn[std::size_t(link.index)];
+}
+
+} // namespace ripstop

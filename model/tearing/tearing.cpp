@@ -1,0 +1,246 @@
+#include "tearing/tearing.h"
+
+#include "assembly/split_system.h"
+#include "forces/spring_force.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+struct Load
+{
+    double length;     // m
+    double restLength; // m
+    double force;      // N, positive in tension
+    double strain() const { return restLength > 0.0 ? length / restLength - 1.0 : 0.0; }
+};
+
+// What the rule of the link looks at, in the unit of its limit.
+double measured(const Load& load, TearRule rule)
+{
+    switch (rule) {
+    case TearRule::Length:
+        return load.length;
+    case TearRule::Strain:
+        return load.strain();
+    case TearRule::Force:
+        return load.force;
+    case TearRule::Never:
+        break;
+    }
+    return -std::numeric_limits<double>::infinity();
+}
+
+Load loadOfRod(const State& state, const TearLoads& loads, std::size_t rod)
+{
+    return {loads.rodLength[rod], loads.restLength[rod], state.rodTension[rod]};
+}
+
+Load loadOfSpring(const System& system, const State& state, const TearLoads& loads, std::size_t i)
+{
+    const Spring& spring = system.springs[i];
+    const Vec3 along =
+        state.position[std::size_t(spring.b)] - state.position[std::size_t(spring.a)];
+    const double length = along.norm();
+    return {length, spring.restLength,
+            length > 0.0 ? loads.springForce[i].dot(along) / length : 0.0};
+}
+
+double releasedEnergy(const System& system, const LinkPlace& link, const Load& load)
+{
+    const auto index = std::size_t(link.index);
+    if (link.kind == LinkKind::Rod)
+        return 0.5 * load.force * load.force * system.rods[index].compliance;
+    const Spring& spring = system.springs[index];
+    return elasticEnergy(spring.stiffness, spring.resists, load.length - load.restLength);
+}
+
+void tear(const System& system, State& state, const TearLoads& loads, int number)
+{
+    const auto l = std::size_t(number);
+    const LinkPlace& link = system.links[l];
+    const auto index = std::size_t(link.index);
+    const bool isRod = link.kind == LinkKind::Rod;
+    const Load load =
+        isRod ? loadOfRod(state, loads, index) : loadOfSpring(system, state, loads, index);
+    if (isRod) {
+        state.rodTorn[index] = 1;
+        state.rodTension[index] = 0.0;
+    } else {
+        state.springTorn[index] = 1;
+    }
+    if (system.tearMesh == TearMesh::Vanish)
+        for (int k = system.panelsBeside.start[l]; k < system.panelsBeside.start[l + 1]; ++k)
+            state.panelGone[std::size_t(system.panelsBeside.items[std::size_t(k)])] = 1;
+    const Key key = state.splits.empty() ? link.key : TwinOrigins(state.splits).link(link.key);
+    const Vec3& a = state.position[std::size_t(link.a)];
+    const Vec3& b = state.position[std::size_t(link.b)];
+    state.tears.push_back({state.time, key, load.length, load.strain(), load.force, 0.5 * (a + b),
+                           releasedEnergy(system, link, load)});
+}
+
+// Whether a spring is far from breaking, told without a root or a quotient: that is what all but a
+// few are, in every substep.
+bool isSafe(const Spring& spring, const State& state, const Vec3& force)
+{
+    const Vec3 separation =
+        state.position[std::size_t(spring.b)] - state.position[std::size_t(spring.a)];
+    constexpr double nearly = 1.0 - 1e-9; // what is this near is looked at closely
+    switch (spring.tear.rule) {
+    case TearRule::Length:
+        return separation.squaredNorm() < nearly * spring.tear.limit * spring.tear.limit;
+    case TearRule::Strain: {
+        const double most = (1.0 + spring.tear.limit) * spring.restLength;
+        return separation.squaredNorm() < nearly * most * most;
+    }
+    case TearRule::Force:
+        return force.squaredNorm() < nearly * spring.tear.limit * spring.tear.limit;
+    case TearRule::Never:
+        break;
+    }
+    return true;
+}
+
+void judge(const Load& load, const TearLimit& tear, int link, std::vector<Overload>& overloads)
+{
+    const double value = measured(load, tear.rule);
+    if (value > tear.limit) // above a limit of 0 is infinitely far above it
+        overloads.push_back({link, value / tear.limit});
+}
+
+// Springs and rods are gone through as they lie in memory; the links that they are tell the order.
+void findOverloads(const System& system, const State& state, const TearLoads& loads,
+                   std::vector<Overload>& overloads)
+{
+    overloads.clear();
+    for (const int tearable : system.tearableSprings) {
+        const auto i = std::size_t(tearable);
+        const Spring& spring = system.springs[i];
+        if (!isSafe(spring, state, loads.springForce[i]) && !state.springTorn[i])
+            judge(loadOfSpring(system, state, loads, i), spring.tear, system.springLink[i],
+                  overloads);
+    }
+    for (const int tearable : system.tearableRods) {
+        const auto i = std::size_t(tearable);
+        if (!state.rodTorn[i])
+            judge(loadOfRod(state, loads, i), system.rods[i].tear, system.rodLink[i], overloads);
+    }
+}
+
+bool inOrder(const Overload& one, const Overload& other) { return one.link < other.link; }
+
+bool worstFirst(const Overload& one, const Overload& other)
+{
+    return one.ratio != other.ratio ? one.ratio > other.ratio : inOrder(one, other);
+}
+
+// Links that are held wait until they have been below their limit, or are far above it after all.
+void takeHeldOut(State& state, std::vector<Overload>& overloads)
+{
+    constexpr double farAbove = 1.25; // times the overload that opened the mesh
+    std::sort(overloads.begin(), overloads.end(), inOrder);
+    const auto find = [&](int link) {
+        const auto found =
+            std::lower_bound(overloads.begin(), overloads.end(), Overload{link, 0.0}, inOrder);
+        return found != overloads.end() && found->link == link ? found : overloads.end();
+    };
+    std::erase_if(state.tearHolds,
+                  [&](const TearHold& hold) { return find(hold.link) == overloads.end(); });
+    constexpr double waits = 0.0;
+    for (const TearHold& hold : state.tearHolds)
+        if (const auto found = find(hold.link); !(found->ratio > farAbove * hold.ratio))
+            found->ratio = waits;
+    std::erase_if(overloads, [](const Overload& overload) { return overload.ratio == waits; });
+}
+
+// Breaks at most `most`, and of edges of panels that share an end the worst alone: the mesh opens
+// there, and the others are about to lose their load.
+void tearApart(const System& system, State& state, const TearLoads& loads,
+               const std::vector<Overload>& overloads, std::size_t most)
+{
+    if (overloads.empty())
+        return;
+    std::vector<std::uint8_t> opens(state.position.size(), 0);
+    for (const Overload& overload : overloads) {
+        if (most == 0)
+            return;
+        const auto l = std::size_t(overload.link);
+        const LinkPlace& link = system.links[l];
+        if (system.panelsBeside.start[l] < system.panelsBeside.start[l + 1]) {
+            std::uint8_t& a = opens[std::size_t(link.a)];
+            std::uint8_t& b = opens[std::size_t(link.b)];
+            if (a || b)
+                continue;
+            a = b = 1;
+            std::erase_if(state.tearHolds,
+                          [&](const TearHold& hold) { return hold.link == overload.link; });
+            state.tearHolds.push_back({overload.link, overload.ratio});
+        }
+        tear(system, state, loads, overload.link);
+        --most;
+    }
+}
+
+} // namespace
+
+void tearLinks(const System& system, State& state, const TearLoads& loads,
+               std::vector<Overload>& scratch)
+{
+    const bool splits = system.tearMesh == TearMesh::Split;
+    const bool limited = system.tearsPerStep > 0;
+    const std::size_t before = state.tears.size() - loads.tearsBefore; // in this time step
+    if (limited && before >= std::size_t(system.tearsPerStep))
+        return;
+    const std::size_t most = limited ? std::size_t(system.tearsPerStep) - before
+                                     : std::numeric_limits<std::size_t>::max();
+    findOverloads(system, state, loads, scratch);
+    if (splits)
+        takeHeldOut(state, scratch);
+    if (limited || splits)
+        std::sort(scratch.begin(), scratch.end(), worstFirst);
+    else
+        std::sort(scratch.begin(), scratch.end(), inOrder);
+    if (splits)
+        return tearApart(system, state, loads, scratch, most);
+    scratch.resize(std::min(scratch.size(), most));
+    for (const Overload& overload : scratch)
+        tear(system, state, loads, overload.link);
+}
+
+void noteBreak(const System& system, State& state, int number)
+{
+    const LinkPlace& link = system.links[std::size_t(number)];
+    const auto index = std::size_t(link.index);
+    const Vec3& a = state.position[std::size_t(link.a)];
+    const Vec3& b = state.position[std::size_t(link.b)];
+    Load load{(b - a).norm(), 0.0, 0.0};
+    if (link.kind == LinkKind::Rod) {
+        load.restLength = system.rods[index].restLength;
+        load.force = state.rodTension[index];
+    } else {
+        load.restLength = system.springs[index].restLength;
+        load.force = springTension(system.springs[index], b - a,
+                                   state.velocity[std::size_t(link.b)]
+                                       - state.velocity[std::size_t(link.a)]);
+    }
+    const Key key = state.splits.empty() ? link.key : TwinOrigins(state.splits).link(link.key);
+    state.tears.push_back({state.time, key, load.length, load.strain(), load.force, 0.5 * (a + b),
+                           releasedEnergy(system, link, load)});
+}
+
+void breakLink(const System& system, State& state, int number)
+{
+    noteBreak(system, state, number);
+    const LinkPlace& link = system.links[std::size_t(number)];
+    const auto index = std::size_t(link.index);
+    if (link.kind == LinkKind::Rod) {
+        state.rodTorn[index] = 1;
+        state.rodTension[index] = 0.0;
+    } else {
+        state.springTorn[index] = 1;
+    }
+}
+
+} // namespace ripstop

@@ -1,0 +1,2 @@
+// Stands for the tests while their precompiled headers are made.
+int main() {}

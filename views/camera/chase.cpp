@@ -1,0 +1,49 @@
+#include "camera/chase.h"
+
+namespace ripstop {
+namespace {
+
+// What a following camera keeps in place: the fabric, or the network where there is none.
+Vec3 middleOf(const Frame& frame)
+{
+    Vec3 sum = Vec3::Zero();
+    double count = 0.0;
+    for (std::size_t i = 0; i < frame.gone.size(); ++i)
+        if (!frame.gone[i])
+            for (const int particle : frame.layout->panelCorners[i]) {
+                sum += frame.position[particle];
+                count += 1.0;
+            }
+    for (std::size_t i = 0; count == 0.0 && i < frame.position.size(); ++i)
+        sum += frame.position[i] / double(frame.position.size());
+    return count > 0.0 ? Vec3(sum / count) : sum;
+}
+
+} // namespace
+
+void Chase::set(bool on, const Frame* now)
+{
+    m_on = on;
+    m_last.reset();
+    settle(now);
+}
+
+void Chase::settle(const Frame* now)
+{
+    if (m_on && now)
+        m_last = middleOf(*now);
+}
+
+void Chase::move(Camera& camera, const Frame& frame, const Frame* before)
+{
+    const Vec3 middle = middleOf(frame);
+    if (!m_on || !middle.allFinite())
+        return;
+    const bool isShaped =
+        frame.step == 0 && before && before->step == 0 && frame.generation != before->generation;
+    if (m_last && !isShaped)
+        camera.focus += middle - *m_last;
+    m_last = middle;
+}
+
+} // namespace ripstop

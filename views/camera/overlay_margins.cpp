@@ -1,0 +1,35 @@
+#include "camera/overlay_margins.h"
+
+#include <QWidget>
+
+#include <algorithm>
+
+namespace ripstop {
+namespace {
+
+constexpr double tall = 1.0 / 3.0;   // of the height of the view
+constexpr double narrow = 1.0 / 3.0; // of its width; what is wider cannot be spared
+constexpr double most = 0.3;         // of the width that one side may take
+
+} // namespace
+
+OverlayMargins overlayMarginsOf(const QWidget& view)
+{
+    OverlayMargins margins;
+    for (const QObject* object : view.children()) {
+        const auto* child = qobject_cast<const QWidget*>(object);
+        if (!child || child->isHidden() || child->height() < tall * view.height()
+            || child->width() > narrow * view.width() || child->y() > tall * view.height())
+            continue;
+        const QRect place = child->geometry();
+        if (place.center().x() < view.width() / 2)
+            margins.left = std::max(margins.left, double(place.right()) / view.width());
+        else
+            margins.right = std::max(margins.right, 1.0 - double(place.left()) / view.width());
+    }
+    margins.left = std::min(margins.left, most);
+    margins.right = std::min(margins.right, most);
+    return margins;
+}
+
+} // namespace ripstop

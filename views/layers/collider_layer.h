@@ -1,0 +1,39 @@
+#pragma once
+
+#include "layers/layer.h"
+#include "layers/vtk_data.h"
+#include "look/collider_geometry.h"
+
+#include <vtkActor.h>
+#include <vtkMatrix4x4.h>
+#include <vtkSmartPointer.h>
+
+namespace ripstop {
+
+// Colliders that have an end: spheres, boxes, height fields and meshes, where the frame has them. A
+// selected one has the accent colour. Planes are drawn by the ground layer.
+class ColliderLayer final : public Layer
+{
+public:
+    void addTo(vtkRenderer& renderer) override { m_renderer = &renderer; }
+    void setShown(bool shown) override;
+    void rebuild(const Picture& picture) override;
+    void update(const Picture& picture) override;
+
+private:
+    struct Drawn
+    {
+        Id collider;
+        vtkSmartPointer<vtkPolyData> surface;
+        vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();
+        vtkSmartPointer<vtkMatrix4x4> matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+    };
+
+    Drawn taken(const ColliderBody& body); // as it is drawn already, or new
+
+    vtkRenderer* m_renderer = nullptr;
+    std::vector<Drawn> m_drawn;
+    bool m_shown = true;
+};
+
+} // namespace ripstop

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "layers/layer.h"
+#include "layers/vtk_data.h"
+
+#include <vtkActor.h>
+#include <vtkPoints.h>
+
+#include <memory>
+
+namespace ripstop {
+
+// Another run at the same time, or the design, as a pale shape that one sees through. It has a
+// layout of its own; what is hidden in the picture is hidden in it.
+class GhostLayer final : public Layer
+{
+public:
+    enum class Of { Run, Design };
+    explicit GhostLayer(Of of);
+
+    void show(std::shared_ptr<const Frame> frame); // null: nothing
+
+    void addTo(vtkRenderer& renderer) override;
+    void setShown(bool shown) override;
+    void rebuild(const Picture& picture) override;
+    void update(const Picture&) override {}
+
+private:
+    void build();
+
+    Of m_of;
+    std::shared_ptr<const Frame> m_frame; // whose network is drawn
+    std::vector<std::uint32_t> m_hidden;  // links and panels, ascending
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkPolyData> m_panels;
+    vtkNew<vtkPolyData> m_links;
+    vtkNew<vtkActor> m_panelActor;
+    vtkNew<vtkActor> m_linkActor;
+};
+
+} // namespace ripstop

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "layers/layer.h"
+#include "layers/vtk_data.h"
+
+#include <vtkActor.h>
+
+#include <memory>
+
+namespace ripstop {
+
+// Plane colliders: a disc of ground with a grid in round metres that fades out towards its rim.
+// It is centred below what is shown and goes with it; its lines stay where they are in the world.
+class GroundLayer final : public Layer
+{
+public:
+    void addTo(vtkRenderer& renderer) override { m_renderer = &renderer; }
+    void setShown(bool shown) override;
+    void rebuild(const Picture& picture) override;
+    void update(const Picture& picture) override;
+
+private:
+    struct Ground;
+
+    vtkRenderer* m_renderer = nullptr;
+    std::vector<std::shared_ptr<Ground>> m_grounds;
+    bool m_shown = true;
+};
+
+// Metres from the middle of the disc to its rim, a round number well beyond what is shown.
+double groundRadius(const Eigen::AlignedBox3d& bounds);
+
+} // namespace ripstop

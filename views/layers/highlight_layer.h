@@ -1,0 +1,32 @@
+#pragma once
+
+#include "layers/layer.h"
+#include "layers/vtk_data.h"
+
+#include <vtkActor.h>
+
+namespace ripstop {
+
+// What is selected, in the accent colour: rings, thick lines, a veil over panels. An item stands
+// for its elements: a part, a material or a group lights up as a whole.
+class HighlightLayer final : public Layer
+{
+public:
+    HighlightLayer();
+
+    void addTo(vtkRenderer& renderer) override;
+    void setShown(bool shown) override;
+    void rebuild(const Picture& picture) override;
+    void update(const Picture& picture) override;
+
+private:
+    struct Overlay
+    {
+        vtkNew<vtkPolyData> data;
+        vtkNew<vtkPolyDataMapper> mapper;
+        vtkNew<vtkActor> actor;
+    };
+    Overlay m_rings, m_lines, m_veil;
+};
+
+} // namespace ripstop

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "layers/layer.h"
+#include "layers/vtk_data.h"
+
+#include <vtkActor.h>
+
+#include <array>
+
+namespace ripstop {
+
+// Springs as thin lines, rods as thick ones. Torn links are gone.
+class LinkLayer final : public Layer
+{
+public:
+    LinkLayer();
+
+    void addTo(vtkRenderer& renderer) override;
+    void setShown(bool shown) override;
+    void rebuild(const Picture& picture) override;
+    void update(const Picture& picture) override;
+
+private:
+    struct Lines // of one kind
+    {
+        std::vector<int> drawn; // [cells] index of the link
+        ColorArray colors;
+        vtkNew<vtkPolyData> data;
+        vtkNew<vtkPolyDataMapper> mapper;
+        vtkNew<vtkActor> actor;
+    };
+    static void paint(const Picture& picture, Lines& lines);
+
+    std::array<Lines, 2> m_lines; // by LinkKind
+};
+
+} // namespace ripstop

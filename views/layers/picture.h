@@ -1,0 +1,39 @@
+// All that the layers need to know to draw one instant.
+#pragma once
+
+#include "look/color_map.h"
+#include "look/look.h"
+#include "look/quantity_values.h"
+#include "look/theme.h"
+
+#include <Eigen/Geometry>
+
+class vtkPoints;
+
+namespace ripstop {
+
+struct ColliderBody;
+
+struct Picture
+{
+    const Scene& scene;
+    const Frame& frame;
+    const Look& look;
+    const Theme& theme;
+    vtkPoints* points; // the positions of the frame, in place
+    const std::vector<Id>& selected;
+    const std::vector<ColliderBody>& colliders;
+
+    ColorBy colorBy = ColorBy::Material;
+    const QuantityValues& values; // empty when coloured by material
+    const ColorMap& colors;
+    ValueRange range;
+
+    Eigen::AlignedBox3d bounds; // m, of what is shown, without the ground
+    double pixelRatio = 1.0;    // device pixels per pixel
+
+    const Layout& layout() const { return *frame.layout; }
+    Color colorOf(double value) const { return colors.at(value, range); }
+};
+
+} // namespace ripstop

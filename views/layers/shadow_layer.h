@@ -1,0 +1,34 @@
+#pragma once
+
+#include "layers/layer.h"
+#include "layers/vtk_data.h"
+
+#include <vtkActor.h>
+#include <vtkMatrix4x4.h>
+
+namespace ripstop {
+
+// Towards the sun, not unit.
+inline const Vec3 sunDirection(0.45, 1.0, 0.55);
+
+// The shadow of the fabric on the first plane collider: it tells how high things are.
+class ShadowLayer final : public Layer
+{
+public:
+    // `fabric` is what the panel layer draws.
+    explicit ShadowLayer(vtkPolyData& fabric);
+
+    void addTo(vtkRenderer& renderer) override;
+    void setShown(bool shown) override;
+    void rebuild(const Picture& picture) override;
+    void update(const Picture&) override {}
+
+private:
+    vtkNew<vtkPolyDataMapper> m_mapper;
+    vtkNew<vtkActor> m_actor;
+    vtkNew<vtkMatrix4x4> m_projection;
+    bool m_shown = true;
+    bool m_hasGround = false;
+};
+
+} // namespace ripstop

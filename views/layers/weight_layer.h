@@ -1,0 +1,28 @@
+#pragma once
+
+#include "layers/layer.h"
+#include "layers/vtk_data.h"
+
+#include <vtkActor.h>
+
+namespace ripstop {
+
+// Pilots, payloads and bobs: free particles that carry a fair share of the mass of their part, as
+// big balls, whether or not particles are shown.
+class WeightLayer final : public Layer
+{
+public:
+    WeightLayer();
+
+    void addTo(vtkRenderer& renderer) override;
+    void setShown(bool shown) override { m_actor->SetVisibility(shown); }
+    void rebuild(const Picture& picture) override;
+    void update(const Picture& picture) override;
+
+private:
+    vtkNew<vtkPolyData> m_data;
+    vtkNew<vtkPolyDataMapper> m_mapper;
+    vtkNew<vtkActor> m_actor;
+};
+
+} // namespace ripstop

@@ -1,0 +1,182 @@
+#include "look/look.h"
+
+#include <map>
+
+#include <algorithm>
+#include <charconv>
+
+namespace ripstop {
+namespace {
+
+constexpr Color unknownColor{150, 150, 150};
+
+// Where the elements of the scene are, by id. Not an array indexed by id: a file may number its
+// three particles in the billions.
+class Directory
+{
+public:
+    struct Row
+    {
+        std::uint32_t id;
+        std::uint32_t index; // in the table of its kind
+        const Part* part;
+    };
+
+    explicit Directory(const Scene& scene)
+    {
+        forEachPart(scene, [this](Id, const Part& part) {
+            add(part, part.particles);
+            add(part, part.links);
+            add(part, part.panels);
+        });
+        if (!std::ranges::is_sorted(m_rows, {}, &Row::id))
+            std::ranges::sort(m_rows, {}, &Row::id);
+    }
+
+    const Row* find(std::uint32_t id)
+    {
+        // A layout is in the order of the tables: what is asked for mostly follows the last answer.
+        if (m_next >= m_rows.size() || m_rows[m_next].id != id)
+            m_next =
+                std::size_t(std::ranges::lower_bound(m_rows, id, {}, &Row::id) - m_rows.begin());
+        return m_next < m_rows.size() && m_rows[m_next].id == id ? &m_rows[m_next++] : nullptr;
+    }
+
+private:
+    template <typename Element>
+    void add(const Part& part, const std::vector<Element>& table)
+    {
+        for (std::uint32_t i = 0; i < table.size(); ++i)
+            m_rows.push_back({std::uint32_t(table[i].id), i, &part});
+    }
+
+    std::vector<Row> m_rows; // ascending ids
+    std::size_t m_next = 0;
+};
+
+struct Paint
+{
+    Color color = unknownColor;
+    bool shown = true;
+    TearBound tear = {};
+};
+
+std::vector<std::pair<Id, Paint>> paintsOf(const Scene& scene)
+{
+    std::vector<std::pair<Id, Paint>> paints;
+    for (const Entry& entry : scene.items)
+        if (const Material* material = std::get_if<Material>(&entry.item))
+            paints.push_back({entry.id,
+                              {colorFromText(material->color),
+                               material->shown,
+                               {material->tearRule, material->tearLimit}}});
+    return paints;
+}
+
+Paint paintOf(const std::vector<std::pair<Id, Paint>>& paints, Id material)
+{
+    const auto found = std::ranges::find(paints, material, &std::pair<Id, Paint>::first);
+    return found != paints.end() ? found->second : Paint{};
+}
+
+// From this share of the mass of its part on, a particle is drawn as a weight.
+constexpr double heavyShare = 0.2;
+
+double massOf(const Part& part)
+{
+    double sum = 0.0;
+    for (const Particle& particle : part.particles)
+        sum += particle.mass;
+    return sum;
+}
+
+void lookAtParticles(Directory& directory, const Layout& layout, Look& look)
+{
+    const std::size_t count = layout.particleId.size();
+    look.particleShown.assign(count, 0);
+    look.isWeight.assign(count, 0);
+    std::map<const Part*, double> partMass;
+    look.texture.assign(count, {0.0F, 0.0F});
+    bool textured = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Directory::Row* row = directory.find(layout.particleId[i]);
+        if (!row || row->index >= row->part->particles.size())
+            continue;
+        const Particle& particle = row->part->particles[row->index];
+        look.particleShown[i] = row->part->shown;
+        const auto [mass, isNew] = partMass.try_emplace(row->part, 0.0);
+        if (isNew)
+            mass->second = massOf(*row->part);
+        look.isWeight[i] = !particle.pinned && particle.mass >= heavyShare * mass->second
+                           && row->part->particles.size() > 1;
+        look.texture[i] = {float(particle.textureU), float(particle.textureV)};
+        textured |= particle.textureU != 0.0 || particle.textureV != 0.0;
+    }
+    if (!textured)
+        look.texture.clear();
+}
+
+} // namespace
+
+Look lookOf(const Scene& scene, const Layout& layout)
+{
+    Directory directory(scene);
+    const auto paints = paintsOf(scene);
+    Look look;
+    lookAtParticles(directory, layout, look);
+
+    look.linkShown.assign(layout.links.size(), 0);
+    look.linkColor.assign(layout.links.size(), unknownColor);
+    look.linkTear.assign(layout.links.size(), {});
+    look.linkWidth.assign(layout.links.size(), 0.0);
+    for (std::size_t i = 0; i < layout.links.size(); ++i) {
+        const Directory::Row* row = directory.find(layout.links[i].id);
+        if (!row || row->index >= row->part->links.size())
+            continue;
+        const Paint paint = paintOf(paints, row->part->links[row->index].material);
+        look.linkShown[i] = row->part->shown && paint.shown;
+        look.linkColor[i] = paint.color;
+        const Link& link = row->part->links[row->index];
+        look.linkTear[i] = {paint.tear.rule, link.tearLimit.value_or(paint.tear.limit)};
+        look.linkWidth[i] = link.role == LinkRole::Line ? 0.0 : link.width;
+    }
+
+    look.panelShown.assign(layout.panelId.size(), 0);
+    look.panelColor.assign(layout.panelId.size(), unknownColor);
+    for (std::size_t i = 0; i < layout.panelId.size(); ++i) {
+        const Directory::Row* row = directory.find(layout.panelId[i]);
+        if (!row || row->index >= row->part->panels.size())
+            continue;
+        const Paint paint = paintOf(paints, row->part->panels[row->index].material);
+        look.panelShown[i] = row->part->shown && paint.shown;
+        look.panelColor[i] = paint.color;
+    }
+    return look;
+}
+
+bool changesLook(const Edit& edit)
+{
+    return std::ranges::any_of(edit.changes, [](const Change& change) {
+        const auto* set = std::get_if<SetValues>(&change);
+        if (!set)
+            return true;
+        const Property& property = *set->property;
+        return property.effect == Effect::DisplayOnly || property.kind == Kind::Collider
+               || property.kind == Kind::Wind || property.key == "material"
+               || property.key == "tearRule" || property.key == "tearLimit"
+               || property.key == "width" || property.key == "role";
+    });
+}
+
+Color colorFromText(const std::string& text)
+{
+    std::uint32_t value = 0;
+    const char* first = text.data() + 1;
+    const char* last = text.data() + text.size();
+    if (text.size() != 7 || text.front() != '#'
+        || std::from_chars(first, last, value, 16).ptr != last)
+        return unknownColor;
+    return {std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
+}
+
+} // namespace ripstop

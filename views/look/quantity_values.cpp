@@ -1,0 +1,123 @@
+#include "look/quantity_values.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+void takeLinks(const Frame& frame, const std::vector<double>& source, QuantityValues& values)
+{
+    constexpr double none = std::numeric_limits<double>::lowest();
+    const std::vector<Layout::Link>& links = frame.layout->links;
+    values.link.assign(links.size(), 0.0);
+    values.particle.assign(frame.position.size(), none);
+    for (std::size_t i = 0; i < std::min(links.size(), source.size()); ++i) {
+        if (frame.torn[i])
+            continue;
+        values.link[i] = source[i];
+        for (const int end : {links[i].a, links[i].b})
+            values.particle[end] = std::max(values.particle[end], source[i]);
+    }
+    std::ranges::replace(values.particle, none, 0.0);
+}
+
+double area(const Frame& frame, const std::array<int, 3>& corners)
+{
+    const auto& x = frame.position;
+    const auto [a, b, c] = corners;
+    return 0.5 * (x[b] - x[a]).cross(x[c] - x[a]).norm();
+}
+
+double tearLoad(const Frame& frame, std::size_t link, const TearBound& bound)
+{
+    if (!(bound.limit > 0.0))
+        return 0.0;
+    switch (bound.rule) {
+    case TearRule::Never:
+        break;
+    case TearRule::Length:
+        return frame.layout->links[link].restLength * (1.0 + frame.strain[link]) / bound.limit;
+    case TearRule::Strain:
+        return std::max(frame.strain[link], 0.0) / bound.limit;
+    case TearRule::Force:
+        return std::max(frame.tension[link], 0.0) / bound.limit;
+    }
+    return 0.0;
+}
+
+} // namespace
+
+QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
+{
+    QuantityValues values;
+    switch (colorBy) {
+    case ColorBy::Material:
+        break;
+    case ColorBy::Strain:
+        takeLinks(frame, frame.strain, values);
+        break;
+    case ColorBy::Tension:
+        takeLinks(frame, frame.tension, values);
+        break;
+    case ColorBy::Speed:
+        values.particle.reserve(frame.velocity.size());
+        for (const Vec3& velocity : frame.velocity)
+            values.particle.push_back(velocity.norm());
+        break;
+    case ColorBy::TearLoad: {
+        std::vector<double> loads;
+        const std::size_t count = std::min(look.linkTear.size(), frame.strain.size());
+        for (std::size_t i = 0; i < count; ++i)
+            loads.push_back(tearLoad(frame, i, look.linkTear[i]));
+        values.isKnown = std::ranges::any_of(
+            look.linkTear, [](const TearBound& bound) { return bound.rule != TearRule::Never; });
+        takeLinks(frame, loads, values);
+        break;
+    }
+    case ColorBy::Stress: {
+        std::vector<double> stresses(frame.tension.size(), 0.0);
+        for (std::size_t i = 0; i < std::min(look.linkWidth.size(), stresses.size()); ++i)
+            if (look.linkWidth[i] > 0.0)
+                stresses[i] = frame.tension[i] / look.linkWidth[i];
+        values.isKnown =
+            std::ranges::any_of(look.linkWidth, [](double width) { return width > 0.0; });
+        takeLinks(frame, stresses, values);
+        break;
+    }
+    case ColorBy::PanelLoad: {
+        const auto& panels = frame.layout->panelCorners;
+        values.panel.assign(panels.size(), 0.0);
+        for (std::size_t i = 0; i < std::min(panels.size(), frame.panelLoad.size()); ++i)
+            if (const double a = area(frame, panels[i]); a > 0.0 && !frame.gone[i])
+                values.panel[i] = frame.panelLoad[i].norm() / a;
+        break;
+    }
+    }
+    return values;
+}
+
+Peak peakOf(const Frame& frame, const QuantityValues& values)
+{
+    const auto largest = [](const std::vector<double>& all) {
+        return std::size_t(std::ranges::max_element(all) - all.begin());
+    };
+    const Layout& layout = *frame.layout;
+    if (!values.link.empty()) {
+        const std::size_t i = largest(values.link);
+        return {layout.links[i].id, values.link[i]};
+    }
+    if (!values.panel.empty()) {
+        const std::size_t i = largest(values.panel);
+        return {layout.panelId[i], values.panel[i]};
+    }
+    if (!values.particle.empty()) {
+        const std::size_t i = largest(values.particle);
+        return {layout.particleId[i], values.particle[i]};
+    }
+    return {};
+}
+
+} // namespace ripstop

@@ -1,0 +1,46 @@
+// The quantities that the view can be coloured by, taken from a frame.
+#pragma once
+
+#include "look/look.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace ripstop {
+
+enum class ColorBy { Material, Strain, Tension, Speed, PanelLoad, TearLoad, Stress };
+inline constexpr std::size_t colorByCount = 7;
+
+// One quantity of one frame. Only the arrays that it has are filled; the others are empty.
+struct QuantityValues
+{
+    std::vector<double> particle; // [particles]
+    std::vector<double> link;     // [links]
+    std::vector<double> panel;    // [panels]
+    bool isKnown = true;          // false when nothing has what the quantity is measured by
+};
+
+// Strain (1) and tension (N) belong to links; a particle gets the largest of the links that end
+// there. Speed (m/s) belongs to particles. Panel load is per area (N/m^2), so that it does not
+// depend on how fine the mesh is. Tear load (1) is how much of what it tears at a link bears; links
+// that never tear read 0, and so do torn links and panels that are gone. Stress (N/m) is the
+// tension of a thread or bias over the width of the strip of fabric that it stands for: the
+// membrane force per width, as the strength of fabrics is given; links without a width read 0.
+QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look);
+
+// Where the largest value is.
+struct Peak
+{
+    std::uint32_t id = 0; // of a link, panel or particle; 0 when there is none
+    double value = 0.0;
+};
+Peak peakOf(const Frame& frame, const QuantityValues& values);
+
+// Values that lie on either side of zero with a different meaning: pulled or pressed.
+constexpr bool isSigned(ColorBy colorBy)
+{
+    return colorBy == ColorBy::Strain || colorBy == ColorBy::Tension || colorBy == ColorBy::Stress;
+}
+
+} // namespace ripstop

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "camera/camera.h"
+#include "look/theme.h"
+
+#include <QWidget>
+
+namespace ripstop {
+
+// In the corner of the view: which way the axes point, and the wind as an arrow that blows across
+// a level ring, with its speed.
+class Compass final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit Compass(QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void setCamera(const Camera& camera);
+    void setWind(const Vec3& velocity); // m/s
+    void setWindShown(bool shown);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QPointF onScreen(const Vec3& direction) const; // of the unit sphere
+    void paintRing(QPainter& painter) const;
+    void paintAxes(QPainter& painter) const;
+    void paintWind(QPainter& painter) const;
+
+    Theme m_theme = Theme::light();
+    Camera m_camera;
+    Vec3 m_wind = Vec3::Zero(); // m/s
+    bool m_windShown = true;
+};
+
+} // namespace ripstop

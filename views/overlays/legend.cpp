@@ -1,0 +1,178 @@
+#include "overlays/legend.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr int inset = 12;      // pixels
+constexpr int barWidth = 16;   // pixels
+constexpr int barHeight = 200; // pixels
+constexpr int gap = 8;         // pixels
+
+struct Caption
+{
+    QString quantity; // empty: no legend
+    QString unit;
+    QString unknown = {}; // instead of the peak, when nothing has what it is measured by
+};
+
+Caption captionOf(ColorBy colorBy)
+{
+    switch (colorBy) {
+    case ColorBy::Material:
+        break;
+    case ColorBy::Strain:
+        return {Legend::tr("Strain"), QStringLiteral("%")};
+    case ColorBy::Tension:
+        return {Legend::tr("Tension"), QStringLiteral("N")};
+    case ColorBy::Speed:
+        return {Legend::tr("Speed"), QStringLiteral("m/s")};
+    case ColorBy::PanelLoad:
+        return {Legend::tr("Panel load"), QStringLiteral("N/m\u00b2")};
+    case ColorBy::TearLoad:
+        return {Legend::tr("Of tear limit"), QStringLiteral("%"), Legend::tr("nothing tears here")};
+    case ColorBy::Stress:
+        return {Legend::tr("Fabric stress"), QStringLiteral("N/m"),
+                Legend::tr("no link has a width")};
+    }
+    return {};
+}
+
+// Four or five steps over a range whose ends are round.
+double markStep(const ValueRange& range)
+{
+    return roundedUp((range.high - range.low) / 5.0 * 0.999);
+}
+
+} // namespace
+
+Legend::Legend(QWidget* parent)
+    : QWidget(parent)
+{
+    setToolTip(tr("Click the colours to type their range. The largest value of the moment stands "
+                  "below; click that to select what has it."));
+    setCursor(Qt::PointingHandCursor);
+    hide();
+}
+
+void Legend::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    update();
+}
+
+void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors)
+{
+    const bool isShare = colorBy == ColorBy::Strain || colorBy == ColorBy::TearLoad;
+    m_shown = isShare ? 100.0 : 1.0; // per cent
+    const ValueRange scaled{range.low * m_shown, range.high * m_shown};
+    const auto [quantity, unit, unknown] = captionOf(colorBy);
+    const QString title =
+        quantity.isEmpty() ? QString() : QStringLiteral("%1, %2").arg(quantity, unit);
+    if (title == m_title && scaled == m_range && &colors == m_colors)
+        return;
+    m_title = title;
+    m_unit = unit;
+    m_unknown = unknown;
+    m_range = scaled;
+    m_colors = &colors;
+    setVisible(!m_title.isEmpty());
+
+    const QFontMetrics metrics(font());
+    int widest = 0;
+    for (const Mark& mark : marks())
+        widest = std::max(widest, metrics.horizontalAdvance(mark.text));
+    const int content =
+        std::max({barWidth + gap + widest, metrics.horizontalAdvance(m_title),
+                  metrics.horizontalAdvance(m_unknown),
+                  metrics.horizontalAdvance(tr("peak %1").arg(QStringLiteral("0000.00")))});
+    resize(content + 2 * inset,
+           barHeight + 2 * (metrics.height() + gap) + metrics.ascent() + 2 * inset);
+    update();
+}
+
+void Legend::setPeak(const std::optional<Peak>& peak)
+{
+    m_peak = peak.value_or(Peak{});
+    m_isKnown = peak.has_value();
+    update();
+}
+
+QString Legend::peakText() const
+{
+    if (!m_isKnown)
+        return m_unknown;
+    return m_peak.id == 0 ? QString()
+                          : tr("peak %1").arg(locale().toString(m_peak.value * m_shown, 'g', 4));
+}
+
+void Legend::mousePressEvent(QMouseEvent*) {}
+
+void Legend::mouseReleaseEvent(QMouseEvent* event)
+{
+    const int peakTop = height() - inset - QFontMetrics(font()).height() - gap;
+    if (event->position().y() < peakTop)
+        emit rangeClicked();
+    else if (m_peak.id != 0)
+        emit peakClicked(Id{m_peak.id});
+}
+
+std::vector<Legend::Mark> Legend::marks() const
+{
+    std::vector<Mark> result;
+    const double span = m_range.high - m_range.low;
+    const double step = markStep(m_range);
+    if (!(step > 0.0))
+        return result;
+    const int decimals = std::max(0, int(std::ceil(-std::log10(step) - 1e-9)));
+    const auto first = std::llround(std::ceil(m_range.low / step - 1e-9));
+    const auto last = std::llround(std::floor(m_range.high / step + 1e-9));
+    for (auto i = first; i <= last; ++i) {
+        const double value = double(i) * step;
+        const bool plain = decimals <= 4 && std::abs(m_range.high) < 1e6;
+        const QString text =
+            plain ? locale().toString(value, 'f', decimals) : locale().toString(value, 'g', 3);
+        result.push_back({(value - m_range.low) / span, text});
+    }
+    return result;
+}
+
+QStringList Legend::labels() const
+{
+    QStringList texts;
+    for (const Mark& mark : marks())
+        texts.push_back(mark.text);
+    return texts;
+}
+
+void Legend::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.card);
+    painter.drawRoundedRect(rect(), 8, 8);
+
+    const QFontMetrics metrics(font());
+    painter.setPen(m_theme.text);
+    painter.drawText(inset, inset + metrics.ascent(), m_title);
+
+    const QRect bar(inset, inset + metrics.height() + gap, barWidth, barHeight);
+    for (int y = 0; y < bar.height(); ++y) {
+        const auto [r, g, b] = m_colors->at(1.0 - (y + 0.5) / bar.height());
+        painter.fillRect(bar.left(), bar.top() + y, bar.width(), 1, QColor(r, g, b));
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (const Mark& mark : marks()) {
+        const int y = bar.top() + int(std::lround((1.0 - mark.share) * (bar.height() - 1)));
+        painter.drawLine(bar.right() + 1, y, bar.right() + 4, y);
+        painter.drawText(bar.right() + gap, y + metrics.ascent() / 2 - 1, mark.text);
+    }
+    painter.drawText(inset, height() - inset - metrics.descent(), peakText());
+}
+
+} // namespace ripstop

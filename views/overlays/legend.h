@@ -1,0 +1,68 @@
+#pragma once
+
+#include "look/color_map.h"
+#include "look/quantity_values.h"
+#include "look/theme.h"
+#include "scene/id.h"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace ripstop {
+
+// The scale of colours: name, unit and round numbers beside a bar, the largest value of the moment
+// below it. A click on the bar asks for another range, one on the largest value goes to what has
+// it. Hidden when the view shows materials.
+class Legend final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit Legend(QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& colors);
+    // The largest value of the moment, in SI units; nothing when there is nothing to measure.
+    void setPeak(const std::optional<Peak>& peak);
+
+    QString title() const { return m_title; }
+    QString unit() const { return m_unit; }
+    const ValueRange& range() const { return m_range; } // in that unit
+    ValueRange meant(const ValueRange& shown) const     // in SI units
+    {
+        return {shown.low / m_shown, shown.high / m_shown};
+    }
+    QStringList labels() const; // from the bottom up
+
+    QString peakText() const; // "peak 12.3"; empty when there is none
+
+signals:
+    void peakClicked(ripstop::Id id);
+    void rangeClicked();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override; // neither is the view's
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    struct Mark
+    {
+        double share; // 0 at the bottom, 1 at the top
+        QString text;
+    };
+    std::vector<Mark> marks() const;
+
+    Theme m_theme = Theme::light();
+    const ColorMap* m_colors = nullptr;
+    ValueRange m_range; // as shown: strain in per cent
+    QString m_title;
+    QString m_unit;
+    QString m_unknown; // said instead of the peak
+    bool m_isKnown = true;
+    double m_shown = 1.0; // what values are multiplied by
+    Peak m_peak;
+};
+
+} // namespace ripstop

@@ -1,0 +1,25 @@
+#include "overlays/overlay_paint.h"
+
+#include <QPainter>
+#include <QWidget>
+
+#include <algorithm>
+
+namespace ripstop {
+
+void paintOver(QImage& picture, std::initializer_list<QWidget*> overlays, QSize view)
+{
+    const double scale = double(picture.height()) / std::max(view.height(), 1);
+    const int wider = int(picture.width() / scale) - view.width(); // than the view
+    QPainter painter(&picture);
+    painter.scale(scale, scale);
+    for (QWidget* overlay : overlays) {
+        if (overlay->isHidden())
+            continue;
+        const bool isRight = overlay->geometry().left() > view.width() / 2;
+        overlay->render(&painter, overlay->pos() + QPoint(isRight ? wider : 0, 0), {},
+                        QWidget::RenderFlags{});
+    }
+}
+
+} // namespace ripstop

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "camera/camera_projection.h"
+#include "look/theme.h"
+#include "run/frame.h"
+#include "scene/id.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+namespace ripstop {
+
+class Document;
+
+// What probes read, on cards beside what they look at. Those of one target share a card; those of
+// the whole scene have one in the upper left corner. Off at first.
+class ProbeLabels final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ProbeLabels(Document& document, QWidget* parent);
+
+    void setWanted(bool wanted);
+    void setTheme(const Theme& theme);
+    void show(const std::shared_ptr<const Frame>& frame, const Camera& camera);
+    using QWidget::show;
+
+    // For tests: the lines of the card of a target, noId for the whole scene.
+    QStringList linesOf(Id target) const;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct Card
+    {
+        Id target; // noId for the whole scene
+        std::vector<Id> probes;
+    };
+
+    void collect();
+
+    Document& m_document;
+    Theme m_theme = Theme::light();
+    Camera m_camera;
+    std::shared_ptr<const Frame> m_frame;
+    std::vector<Card> m_cards;
+    bool m_old = true; // the cards
+};
+
+} // namespace ripstop

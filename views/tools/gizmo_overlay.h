@@ -1,0 +1,31 @@
+#pragma once
+
+#include "look/theme.h"
+
+#include <QPointer>
+#include <QWidget>
+
+namespace ripstop {
+
+class TransformTool;
+
+// Draws the handles of the tool over the view, and beside them what a drag comes to.
+class GizmoOverlay final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    GizmoOverlay(TransformTool& tool, QWidget* parent);
+
+    void setTheme(const Theme& theme);
+    void refresh(); // the camera or the tool has changed
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    TransformTool& m_tool;
+    Theme m_theme = Theme::light();
+};
+
+} // namespace ripstop
