@@ -16,7 +16,7 @@
 // come from the compiler and are for people.
 #pragma once
 
-#include <source_location>
+#include <cstddef>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -32,11 +32,12 @@ struct Since
     int version = 1;
 };
 
+// The compiler tells what `member` is: "... [with auto member = &State::time; ..." or "...]".
 template <auto member>
-consteval std::string_view memberName()
+constexpr std::string_view memberName()
 {
-    std::string_view name = std::source_location::current().function_name();
-    name.remove_prefix(name.rfind("member = &"));
+    std::string_view name = __PRETTY_FUNCTION__;
+    name = name.substr(name.rfind("member = &"));
     name = name.substr(0, name.find_first_of(";,]"));
     return name.substr(name.rfind(':') + 1);
 }
