@@ -155,11 +155,6 @@ std::vector<Value> otherValues(const Scene& scene, const Property& property, Id 
     return values;
 }
 
-QString nameOf(std::string_view field)
-{
-    return QString::fromLatin1(field.data(), qsizetype(field.size()));
-}
-
 // A scene that is edited, with a simulation that follows in place and one that is given the whole
 // compiled scene every time.
 class Pair
@@ -202,17 +197,17 @@ public:
             m_patched = *made.system;
         else
             ripstop::apply(*made.patch, m_patched);
-        if (const auto field = differingField(m_patched, **whole); !field.empty())
-            return "another system: " + nameOf(field);
+        if (const std::string field(differingField(m_patched, **whole)); !field.empty())
+            return QString::fromStdString("another system: " + field);
 
         m_following.load(made);
         m_loaded.load(*whole);
         for (int i = 0; i < 3; ++i)
             if (m_following.step() != m_loaded.step())
                 return "only one of them can go on";
-        const auto field = differingField(m_following.state(), m_loaded.state());
+        const std::string field(differingField(m_following.state(), m_loaded.state()));
         if (!field.empty())
-            return "another motion: " + nameOf(field);
+            return QString::fromStdString("another motion: " + field);
         if (!isAlike(*m_following.frame()->layout, *m_loaded.frame()->layout))
             return "another layout";
         if (m_following.trouble())
