@@ -43,7 +43,7 @@ constexpr std::string_view memberName()
 }
 
 template <auto member, auto... marks>
-struct Field
+struct StructField
 {
     static constexpr auto pointer = member;
 
@@ -69,12 +69,12 @@ struct Field
 };
 
 template <auto member, auto... marks>
-inline constexpr Field<member, marks...> field;
+inline constexpr StructField<member, marks...> field;
 
 template <auto member>
 struct AsField
 {
-    using Type = Field<member>;
+    using Type = StructField<member>;
 };
 template <auto field>
 requires(!std::is_member_object_pointer_v<decltype(field)>) struct AsField<field>
@@ -82,8 +82,8 @@ requires(!std::is_member_object_pointer_v<decltype(field)>) struct AsField<field
     using Type = std::remove_const_t<decltype(field)>;
 };
 
-template <typename Struct, typename Field>
-using TypeIn = std::remove_reference_t<decltype(Field::of(std::declval<Struct&>()))>;
+template <typename Struct, typename Listed>
+using TypeIn = std::remove_reference_t<decltype(Listed::of(std::declval<Struct&>()))>;
 
 template <typename Struct, typename... Fields>
 concept BeginsWith = requires
@@ -111,7 +111,7 @@ inline constexpr bool areAllFields =
     BeginsWith<Struct, Fields...> && !GoesOnAfter<Struct, Fields...>;
 
 template <typename Struct, typename... Each>
-struct Fields
+struct FieldList
 {
     static_assert(areAllFields<Struct, Each...>,
                   "this list names all fields of the struct, in the order of their declarations");
@@ -126,7 +126,7 @@ struct Fields
 
 // A list: of pointers to members, and of fields with marks.
 template <typename Struct, auto... members>
-inline constexpr Fields<Struct, typename AsField<members>::Type...> fields;
+inline constexpr FieldList<Struct, typename AsField<members>::Type...> fields;
 
 // The list of a struct; a specialization beside the struct says it. Nothing for what has none.
 template <typename Struct>

@@ -10,7 +10,7 @@ using namespace ripstop;
 
 namespace {
 
-struct Sample
+struct Specimen
 {
     int number = 0;
     Vec3 place = Vec3::Zero();
@@ -20,7 +20,7 @@ struct Sample
     std::string name;
     bool late = false;
 
-    friend bool operator==(const Sample&, const Sample&) = default;
+    friend bool operator==(const Specimen&, const Specimen&) = default;
 };
 
 enum class Flavour { Plain, Sweet };
@@ -28,38 +28,39 @@ enum class Flavour { Plain, Sweet };
 } // namespace
 
 template <>
-inline constexpr auto ripstop::fieldsOf<Sample> =
-    fields<Sample, field<&Sample::number, Flavour::Sweet, Since{2}>, &Sample::place, &Sample::pull,
-           &Sample::some, &Sample::pair, &Sample::name, field<&Sample::late, Compared::No>>;
+inline constexpr auto ripstop::fieldsOf<Specimen> =
+    fields<Specimen, field<&Specimen::number, Flavour::Sweet, Since{2}>, &Specimen::place,
+           &Specimen::pull, &Specimen::some, &Specimen::pair, &Specimen::name,
+           field<&Specimen::late, Compared::No>>;
 
 namespace {
 
 // What is left of the list without some of it is not all of it, whatever type the field has.
 template <auto... members>
-constexpr bool isWhole = areAllFields<Sample, Field<members>...>;
+constexpr bool isWhole = areAllFields<Specimen, StructField<members>...>;
 
-static_assert(isWhole<&Sample::number, &Sample::place, &Sample::pull, &Sample::some, &Sample::pair,
-                      &Sample::name, &Sample::late>);
-static_assert(!isWhole<&Sample::place, &Sample::pull, &Sample::some, &Sample::pair, &Sample::name,
-                       &Sample::late>);
-static_assert(!isWhole<&Sample::number, &Sample::pull, &Sample::some, &Sample::pair, &Sample::name,
-                       &Sample::late>);
-static_assert(!isWhole<&Sample::number, &Sample::place, &Sample::pull, &Sample::some, &Sample::pair,
-                       &Sample::name>);
-static_assert(
-    !isWhole<&Sample::number, &Sample::place, &Sample::pull, &Sample::some, &Sample::pair>);
-static_assert(!isWhole<&Sample::number, &Sample::place, &Sample::pull, &Sample::some>);
-static_assert(!isWhole<&Sample::number, &Sample::place, &Sample::pull>);
-static_assert(!isWhole<&Sample::number, &Sample::place>);
-static_assert(!isWhole<&Sample::number>);
+static_assert(isWhole<&Specimen::number, &Specimen::place, &Specimen::pull, &Specimen::some,
+                      &Specimen::pair, &Specimen::name, &Specimen::late>);
+static_assert(!isWhole<&Specimen::place, &Specimen::pull, &Specimen::some, &Specimen::pair,
+                       &Specimen::name, &Specimen::late>);
+static_assert(!isWhole<&Specimen::number, &Specimen::pull, &Specimen::some, &Specimen::pair,
+                       &Specimen::name, &Specimen::late>);
+static_assert(!isWhole<&Specimen::number, &Specimen::place, &Specimen::pull, &Specimen::some,
+                       &Specimen::pair, &Specimen::name>);
+static_assert(!isWhole<&Specimen::number, &Specimen::place, &Specimen::pull, &Specimen::some,
+                       &Specimen::pair>);
+static_assert(!isWhole<&Specimen::number, &Specimen::place, &Specimen::pull, &Specimen::some>);
+static_assert(!isWhole<&Specimen::number, &Specimen::place, &Specimen::pull>);
+static_assert(!isWhole<&Specimen::number, &Specimen::place>);
+static_assert(!isWhole<&Specimen::number>);
 static_assert(!isWhole<>);
-static_assert(!isWhole<&Sample::place, &Sample::number, &Sample::pull, &Sample::some, &Sample::pair,
-                       &Sample::name, &Sample::late>); // another order
+static_assert(!isWhole<&Specimen::place, &Specimen::number, &Specimen::pull, &Specimen::some,
+                       &Specimen::pair, &Specimen::name, &Specimen::late>); // another order
 
 static_assert(areAllFields<HandNote::Halt>); // which has none
-static_assert(!HasFields<Flavour> && HasFields<Sample>);
-static_assert(Field<&Sample::number>::mark(Flavour::Plain) == Flavour::Plain);
-static_assert(Field<&Sample::number, Since{2}, Flavour::Sweet>::mark(Flavour::Plain)
+static_assert(!HasFields<Flavour> && HasFields<Specimen>);
+static_assert(StructField<&Specimen::number>::mark(Flavour::Plain) == Flavour::Plain);
+static_assert(StructField<&Specimen::number, Since{2}, Flavour::Sweet>::mark(Flavour::Plain)
               == Flavour::Sweet);
 
 // Gives a value that it does not have.
@@ -123,7 +124,7 @@ private slots:
     void names()
     {
         QStringList all;
-        forEachField<Sample>([&](auto field) { all << named(field.name()); });
+        forEachField<Specimen>([&](auto field) { all << named(field.name()); });
         QCOMPARE(all.join(' '), QString("number place pull some pair name late"));
     }
 
@@ -135,9 +136,9 @@ private slots:
         System other;
         other.serial = 5;
         QVERIFY(other == System());
-        Sample late;
+        Specimen late;
         late.late = true;
-        QVERIFY(differingField(late, Sample()).empty());
+        QVERIFY(differingField(late, Specimen()).empty());
     }
 
     // Arrays keep their memory, all else is as in a new one.
@@ -158,7 +159,7 @@ private slots:
     // Numbers as the machine has them, lengths in eight bytes, a byte for what may be missing.
     void bytes()
     {
-        Sample sample;
+        Specimen sample;
         sample.number = 7;
         sample.place = Vec3(1.0, 2.0, 3.0);
         sample.some = {5, 6};
@@ -189,7 +190,7 @@ private slots:
         QCOMPARE(now.substr(sizeof(int)), expected);
 
         for (const int version : {1, newestVersion}) {
-            Sample read;
+            Specimen read;
             ByteReader reader(version == 1 ? before : now, version);
             reader(read);
             QVERIFY(reader.ok() && reader.atEnd());
