@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 namespace ripstop {
 namespace {
@@ -59,6 +60,18 @@ void append(Numbers& numbers, const T& record)
     forEachField<T>([&](auto field) { append(numbers, field.of(record)); });
 }
 
+// How many numbers those are.
+template <typename T>
+constexpr std::size_t numbersIn()
+{
+    std::size_t sum = 0;
+    if constexpr (HasFields<T>)
+        forEachField<T>([&](auto field) { sum += numbersIn<TypeIn<T, decltype(field)>>(); });
+    else
+        sum = std::is_arithmetic_v<T> ? 1 : 3;
+    return sum;
+}
+
 // What a row has of a fan, which is a jet.
 template <typename Fan>
 auto jetOf(Fan& fan)
@@ -91,7 +104,7 @@ HandNote::What pinOf(const Numbers& numbers, bool holds)
     return pin;
 }
 
-constexpr std::size_t ofCut = 6; // numbers for each point
+constexpr std::size_t ofCut = numbersIn<Cut::Edge>(); // for each point
 
 HandNote::What cutOf(const Numbers& numbers)
 {
@@ -114,14 +127,15 @@ struct Word
 
 // In the order of the alternatives of HandNote::What; a pin has two words.
 const std::array words{
-    Word{"@pull", 12, 3, "three particles, their shares, x, y, z, stiffness, damping, most force",
+    Word{"@pull", numbersIn<HandPull>(), 3,
+         "three particles, their shares, x, y, z, stiffness, damping, most force",
          noteOf<HandPull>},
     Word{"@let go", 0, 0, "nothing",
          [](const Numbers&) -> HandNote::What { return HandNote::LetGo{}; }},
     Word{"@pin", 1, 1, "a particle", [](const Numbers& numbers) { return pinOf(numbers, true); }},
     Word{"@unpin", 1, 1, "a particle",
          [](const Numbers& numbers) { return pinOf(numbers, false); }},
-    Word{"@carry", 4, 1, "a collider and x, y, z", noteOf<Carry>},
+    Word{"@carry", numbersIn<Carry>(), 1, "a collider and x, y, z", noteOf<Carry>},
     Word{"@fan", 8, 0, "x, y, z, velocity x, y, z, radius, widening", fanOf},
     Word{"@fan off", 0, 0, "nothing",
          [](const Numbers&) -> HandNote::What { return HandNote::FanOff{}; }},
@@ -207,6 +221,9 @@ bool fits(const Word& word, const Numbers& numbers)
             return false;
     return true;
 }
+
+// So files have them: with another number a track is one of a later version.
+static_assert(numbersIn<HandPull>() == 12 && numbersIn<Carry>() == 4 && ofCut == 6);
 
 } // namespace
 
