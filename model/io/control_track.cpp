@@ -122,8 +122,7 @@ Result<ControlTrack> readControlTrack(const std::filesystem::path& file, const S
     for (int number = 1; !rest.empty(); ++number) {
         const std::string_view line = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-        const bool heading =
-            number == 1 && !cellNumber(line.substr(0, line.find(','))).has_value();
+        const bool heading = number == 1 && !cellNumber(line.substr(0, line.find(','))).has_value();
         if (heading || cellContent(line).empty())
             continue;
         if (const auto failure = addRow(scene, line, track))
