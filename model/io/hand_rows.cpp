@@ -1,11 +1,11 @@
 #include "io/hand_rows.h"
 
 #include "base/hand_fields.h"
+#include "io/csv.h"
 #include "io/json_text.h"
 #include "scene/property.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -180,28 +180,11 @@ struct Writer
     std::string_view operator()(HandNote::Halt) const { return "@halt"; }
 };
 
-std::string_view trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(" \t\r\"");
-    return first == std::string_view::npos
-               ? std::string_view()
-               : text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::optional<double> numberOf(std::string_view text)
-{
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
 std::string_view takeCell(std::string_view& row)
 {
     const std::string_view cell = row.substr(0, row.find(','));
     row.remove_prefix(std::min(row.size(), cell.size() + 1));
-    return trimmed(cell);
+    return cellContent(cell);
 }
 
 bool isKey(double number)
@@ -253,8 +236,8 @@ Result<HandNote::What> handOf(std::string_view row)
                        + (near.empty() ? "." : "; did you mean \"" + std::string(near) + "\"?")};
     }
     Numbers numbers;
-    while (!trimmed(row).empty()) {
-        const std::optional<double> number = numberOf(takeCell(row));
+    while (!cellContent(row).empty()) {
+        const std::optional<double> number = cellNumber(takeCell(row));
         if (!number)
             return Failure{"what follows " + std::string(name) + " must be finite numbers."};
         numbers.push_back(*number);
