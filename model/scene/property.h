@@ -140,7 +140,8 @@ enum class Meaning {
 
 // What a change of a property touches beside its number, and what its value is worth.
 enum class Trait {
-    Structure, // who is joined to whom and by what: another value means a new system
+    Structure, // who is joined to whom and by what, or which states there are (of gusts, of the
+               // air in a canopy): another value means a new system
     Looks,     // how things are drawn; what has DisplayOnly as its effect has this in any case
     Counts,    // how many things ask for what (usage.h)
     Own        // the thing's own, such as a name or a place: no default is worth going back to

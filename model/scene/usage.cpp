@@ -54,7 +54,7 @@ std::optional<std::string> whyIdle(const Scene& scene, const Usage& usage, const
                                    Id id)
 {
     const auto ref = find(scene, id);
-    if (!ref)
+    if (!ref || kindOf(*ref) != property.kind)
         return std::nullopt;
     const auto made = usage.ofMaterial.find(id);
     const Circumstances around{scene, usage.ofAll,
