@@ -287,11 +287,11 @@ inline constexpr std::array table{
 
     use<&Wind::name>                     (Name,  {Own},               {},                  {}),
     use<&Wind::kind>                     (Plain, {Structure, Looks},  {},                  {inAir, someCloth}),
-    use<&Wind::velocity>                 (Plain, {Looks},             {},                  {inAir, someCloth, isNoGust}),
+    use<&Wind::velocity>                 (Plain, {Looks},             even(0.0, 25.0),      {inAir, someCloth, isNoGust}),
     use<&Wind::referenceHeight>          (Plain, {Looks},             {},                  {inAir, someCloth, hasHeight}),
     use<&Wind::exponent>                 (Plain, {Looks},             {},                  {inAir, someCloth, isPowerLaw}),
     use<&Wind::roughness>                (Plain, {Looks},             {},                  {inAir, someCloth, isLogLaw}),
-    use<&Wind::gustiness>                (Plain, {Looks},             {},                  {inAir, someCloth, isGusts}),
+    use<&Wind::gustiness>                (Plain, {Looks},             even(0.0, 25.0),      {inAir, someCloth, isGusts}),
     use<&Wind::seed>                     (Plain, {Looks},             {},                  {inAir, someCloth, isGusts}),
     use<&Wind::position>                 (Plain, {Looks, Own},        {},                  {inAir, someCloth, isJet}),
     use<&Wind::radius>                   (Plain, {Looks},             {},                  {inAir, someCloth, isJet}),
