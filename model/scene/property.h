@@ -117,13 +117,13 @@ struct MemberOf<Field_ Owner_::*>
 };
 
 template <typename Owner>
-inline const Owner example{};
+inline const Owner exampleOf{};
 template <typename Owner>
 inline constexpr Kind kindOfType = kindOf(ConstRef(static_cast<const Owner*>(nullptr)));
 template <auto member>
 inline constexpr MemberPlace memberPlace{
     kindOfType<typename MemberOf<decltype(member)>::Owner>,
-    &(example<typename MemberOf<decltype(member)>::Owner>.*member)};
+    &(exampleOf<typename MemberOf<decltype(member)>::Owner>.*member)};
 
 // What the value of a property stands for, beyond its type.
 enum class Meaning {
@@ -170,11 +170,11 @@ struct Need
 };
 
 // All of them, in the order in which they are asked; none for what always counts.
-class Needs
+class NeedList
 {
 public:
-    constexpr Needs() = default;
-    constexpr Needs(std::initializer_list<Need> needs)
+    constexpr NeedList() = default;
+    constexpr NeedList(std::initializer_list<Need> needs)
     {
         for (const Need& need : needs)
             m_needs[m_count++] = need;
@@ -194,7 +194,7 @@ struct PropertyUse
     Meaning meaning;
     Traits traits;
     std::optional<SliderRange> usual; // that a form shows without being asked
-    Needs needs;
+    NeedList needs;
 };
 
 struct Property

@@ -20,9 +20,9 @@
 
 namespace ripstop {
 
-// --- conditions ----------------------------------------------------------------------------------
+namespace uses {
 
-namespace needs {
+// --- conditions ----------------------------------------------------------------------------------
 
 template <typename Condition>
 struct Asked; // of a condition on a thing: its type
@@ -155,13 +155,8 @@ inline constexpr Need isAgainstProbe = need([](const Plot& p, const Around&) { r
 inline constexpr Need isAgainstTime = need([](const Plot& p, const Around&) { return p.axis == PlotAxis::Time; }, "the curves are not against time");
 // clang-format on
 
-} // namespace needs
-
 // --- rows ----------------------------------------------------------------------------------------
 
-namespace uses {
-
-using namespace needs;
 using enum Meaning;
 using enum Trait;
 
@@ -170,7 +165,7 @@ constexpr SliderRange decades(double low, double high) { return {low, high, true
 
 template <auto member>
 consteval PropertyUse use(Meaning meaning, Traits traits, std::optional<SliderRange> usual,
-                          Needs needs)
+                          NeedList needs)
 {
     for (const Need& need : needs)
         if (need.kind.value_or(memberPlace<member>.kind) != memberPlace<member>.kind)
@@ -287,11 +282,11 @@ inline constexpr std::array table{
 
     use<&Wind::name>                     (Name,  {Own},               {},                  {}),
     use<&Wind::kind>                     (Plain, {Structure, Looks},  {},                  {inAir, someCloth}),
-    use<&Wind::velocity>                 (Plain, {Looks},             even(0.0, 25.0),      {inAir, someCloth, isNoGust}),
+    use<&Wind::velocity>                 (Plain, {Looks},             even(0.0, 25.0),     {inAir, someCloth, isNoGust}),
     use<&Wind::referenceHeight>          (Plain, {Looks},             {},                  {inAir, someCloth, hasHeight}),
     use<&Wind::exponent>                 (Plain, {Looks},             {},                  {inAir, someCloth, isPowerLaw}),
     use<&Wind::roughness>                (Plain, {Looks},             {},                  {inAir, someCloth, isLogLaw}),
-    use<&Wind::gustiness>                (Plain, {Looks},             even(0.0, 25.0),      {inAir, someCloth, isGusts}),
+    use<&Wind::gustiness>                (Plain, {Looks},             even(0.0, 25.0),     {inAir, someCloth, isGusts}),
     use<&Wind::seed>                     (Plain, {Looks},             {},                  {inAir, someCloth, isGusts}),
     use<&Wind::position>                 (Plain, {Looks, Own},        {},                  {inAir, someCloth, isJet}),
     use<&Wind::radius>                   (Plain, {Looks},             {},                  {inAir, someCloth, isJet}),
