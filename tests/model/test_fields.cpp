@@ -64,8 +64,6 @@ static_assert(StructField<&Specimen::number, Since{2}, Flavour::Sweet>::mark(Fla
               == Flavour::Sweet);
 
 // Gives a value that it does not have.
-void alter(bool& value) { value = !value; }
-void alter(std::string& text) { text += "x"; }
 void alter(Vec3& value) { value.x() += 1.0; }
 void alter(Touched& touched) { ++touched.since; }
 template <Plain T>
