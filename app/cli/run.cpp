@@ -17,6 +17,7 @@
 #include "run/settle.h"
 #include "run/tear_report.h"
 #include "terminal/terminal.h"
+#include "base/hash_text.h"
 
 #include <algorithm>
 #include <charconv>

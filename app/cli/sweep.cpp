@@ -11,6 +11,7 @@
 #include "run/tear_report.h"
 #include "scene/path.h"
 #include "terminal/terminal.h"
+#include "base/hash_text.h"
 
 #include <algorithm>
 #include <atomic>

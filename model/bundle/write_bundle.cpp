@@ -9,8 +9,8 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
-#include "measure/diagnostics.h"
 #include "scene/collider_shape.h"
+#include "base/hash_text.h"
 
 #include <algorithm>
 #include <cmath>

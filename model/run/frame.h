@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/guide.h"
-#include "base/laws.h"
+#include "base/link_laws.h"
 #include "base/vec3.h"
 #include "run/hand_track.h"
 

@@ -4,6 +4,7 @@
 #include "run/input_player.h"
 #include "run/packed.h"
 #include "run/recording.h"
+#include "run/run_chunk.h"
 #include "run/simulation.h"
 #include "run/spill_file.h"
 

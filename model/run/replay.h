@@ -1,14 +1,18 @@
 // A recording, computed once more from its first state and its inputs, and compared.
 #pragma once
 
-#include "run/recording.h"
-#include "run/simulation.h"
+#include "base/progress.h"
+#include "base/result.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
 namespace ripstop {
+
+class Recording;
+class Simulation;
 
 struct ReplayDifference
 {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "run/run_event.h"
-#include "run/simulation.h"
+#include "system/key.h"
 
 #include <vector>
 
 namespace ripstop {
+
+class Simulation;
+struct System;
 
 // A part touches from the first step in which one of its particles meets the collider, until none
 // has for some time (outlast): what rests on the ground bounces by fractions of a millimetre. Of

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/laws.h"
+#include "base/contact_laws.h"
 
 #include <QString>
 
