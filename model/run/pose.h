@@ -1,4 +1,5 @@
-// Makes a design of an instant of its run.
+// Makes a design of an instant of its run: what Adopt pose of the editor and run --final of the
+// command line do. It looks at values only and may be called from any thread.
 #pragma once
 
 #include "run/frame.h"

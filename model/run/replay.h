@@ -1,4 +1,5 @@
-// A recording, computed once more from its first state and its inputs, and compared.
+// A recording, computed once more from its first state and its inputs, and compared hash by hash.
+// It takes as long as the run took to compute, on the thread that calls it.
 #pragma once
 
 #include "base/progress.h"

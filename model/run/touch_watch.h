@@ -1,4 +1,5 @@
-// Which parts touch which colliders, and when that begins and ends.
+// Which parts touch which colliders, and when that begins and ends. Called after each step, on the
+// thread that steps; it looks and changes nothing.
 #pragma once
 
 #include "run/run_event.h"
