@@ -162,7 +162,7 @@ FrameSource::Taken RecordedFrames::computed(std::int64_t step, const Reached& re
         Moment& from = **moment;
         InputPlayer inputs(*m_recording, from.state);
         m_walk = std::make_unique<Walk>(
-            Simulation(from.system, std::move(from.state), m_threads), std::move(inputs));
+            Walk{Simulation(from.system, std::move(from.state), m_threads), std::move(inputs)});
     }
     auto& [simulation, inputs] = *m_walk;
     for (int i = 0; simulation.state().step < step; ++i) {

@@ -1,6 +1,7 @@
 #include "run/recording.h"
 
 #include "run/recording_data.h"
+#include "scene/scene.h"
 #include "system/moment.h"
 
 #include <algorithm>
