@@ -7,6 +7,7 @@
 #include "bench/report.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
+#include "compile/live_system.h"
 #include "run/simulation.h"
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include "compile/compile.h"
 #include "export/export_run.h"
 #include "export/format.h"
+#include "run/simulation.h"
 
 #include <chrono>
 #include <ctime>

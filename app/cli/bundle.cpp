@@ -4,8 +4,8 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
-#include "measure/diagnostics.h"
 #include "terminal/terminal.h"
+#include "base/hash_text.h"
 
 #include <iostream>
 

@@ -6,6 +6,7 @@
 #include "cli/scene_input.h"
 #include "compile/compile.h"
 #include "export/format.h"
+#include "run/simulation.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

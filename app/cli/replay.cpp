@@ -1,8 +1,8 @@
 #include "cli/replay.h"
 
 #include "io/event_table.h"
-#include "measure/diagnostics.h"
 #include "terminal/terminal.h"
+#include "base/hash_text.h"
 
 #include <algorithm>
 #include <cstdio>

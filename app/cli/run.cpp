@@ -1,4 +1,5 @@
 // ripstop-cli run: flies a scene and says what came of it.
+#include "base/hash_text.h"
 #include "bundle/bundle.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
@@ -15,7 +16,9 @@
 #include "run/pose.h"
 #include "run/recorder.h"
 #include "run/settle.h"
+#include "run/simulation.h"
 #include "run/tear_report.h"
+#include "step/step_times.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // ripstop-cli sweep: one table of many runs.
+#include "base/hash_text.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
@@ -8,6 +9,7 @@
 #include "io/json_text.h"
 #include "io/whole_file.h"
 #include "measure/diagnostics.h"
+#include "run/simulation.h"
 #include "run/tear_report.h"
 #include "scene/path.h"
 #include "terminal/terminal.h"

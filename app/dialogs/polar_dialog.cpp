@@ -1,9 +1,8 @@
 #include "dialogs/polar_dialog.h"
 
-#include "compile/resolve.h"
 #include "document/document.h"
-#include "measure/polar.h"
 #include "plots/polar_chart.h"
+#include "run/material_polar.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -123,8 +122,7 @@ void PolarDialog::draw()
     std::vector<PolarChart::Curve> curves;
     if (const Material* material = findItem<Material>(m_document.scene(), chosen()))
         curves.push_back(curveOf(QString::fromStdString(material->name),
-                                 platePolar(airOf(chosen(), *material), step), quantity.value,
-                                 false));
+                                 platePolar(*material, step), quantity.value, false));
     for (const PolarReference& reference : polarReferences()) {
         std::vector<PolarRow> rows;
         for (double degrees = 0.0; degrees <= reference.last; degrees += step)

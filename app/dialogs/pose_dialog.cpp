@@ -3,7 +3,6 @@
 #include "document/document.h"
 #include "document/player.h"
 #include "document/words.h"
-#include "run/torn_system.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -80,9 +79,9 @@ QString PoseDialog::outcome() const
     };
     QStringList said{
         tr("Moves %1.").arg(counted(Kind::Particle, qsizetype(layout.particleId.size())))};
-    if (layout.torn)
+    if (const std::size_t parted = partedParticles(layout))
         said << tr("Adds %1 where the mesh has parted.")
-                    .arg(counted(Kind::Particle, qsizetype(layout.torn->splits.size())));
+                    .arg(counted(Kind::Particle, qsizetype(parted)));
     QStringList gone;
     if (const qsizetype links = count(m_frame->torn))
         gone << counted(Kind::Link, links);

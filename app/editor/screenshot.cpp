@@ -3,8 +3,8 @@
 #include "document/player.h"
 #include "editor/main_window.h"
 #include "import/import_dialog.h"
-#include "measure/diagnostics.h"
 #include "viewport/viewport.h"
+#include "base/hash_text.h"
 
 #include <QApplication>
 #include <QFileInfo>

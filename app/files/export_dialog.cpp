@@ -1,7 +1,6 @@
 #include "files/export_dialog.h"
 
 #include "bundle/bundle.h"
-#include "compile/compile.h"
 #include "dialogs/ask_file.h"
 #include "document/words.h"
 #include "export/output_files.h"
@@ -412,15 +411,14 @@ QString ExportDialog::write(const Job& job)
 {
     if (job.choice.isBundle())
         return writeBundle(job);
-    std::optional<Simulation> simulation;
     std::unique_ptr<FrameSource> source;
     if (job.recorded) {
         source = std::make_unique<RecordedFrames>(m_recording);
     } else {
-        const auto system = compile(m_scene);
-        if (!system)
-            return translated(system.message());
-        source = std::make_unique<FlownFrames>(simulation.emplace(*system), job.controls);
+        auto flight = flightOf(m_scene, job.controls);
+        if (!flight)
+            return translated(flight.message());
+        source = std::move(*flight);
     }
     const auto sink = open(job);
     if (!sink)

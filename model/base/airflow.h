@@ -10,8 +10,8 @@
 // stays the same (Schlichting 1933). Behind the nozzle and beyond r there is none of it.
 #pragma once
 
-#include "base/laws.h"
 #include "base/vec3.h"
+#include "base/wind_kind.h"
 
 namespace ripstop {
 

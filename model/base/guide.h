@@ -11,10 +11,16 @@
 // control, which moves the guide along.
 #pragma once
 
-#include "base/laws.h"
+#include "base/choice_names.h"
 #include "base/vec3.h"
 
+#include <cstdint>
+
 namespace ripstop {
+
+enum class Guide : std::uint8_t { None, Line, Plane }; // what a particle cannot leave
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<Guide>{"none", "line", "plane"};
 
 struct GuidedParticle
 {

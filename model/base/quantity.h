@@ -1,11 +1,85 @@
-// What probes can measure.
+// What probes can measure: the quantities with their names, units and what they are measured on.
+//
+// A new one comes at the end of the enumeration, with its name here, its row in quantity.cpp and
+// its reading in measure/probe.cpp. Constant tables: any thread may read them.
 #pragma once
 
-#include "base/laws.h"
+#include "base/choice_names.h"
 
 #include <string_view>
 
 namespace ripstop {
+
+enum class Quantity {
+    PositionX,
+    PositionY,
+    PositionZ,
+    Speed,
+    SinkRate,
+    Tension,
+    Strain,
+    MaxStrain,
+    MaxTension,
+    Distance,
+    Elevation,
+    GlideRatio,
+    MeanGlideRatio,
+    AirForce,
+    KineticEnergy,
+    PotentialEnergy,
+    ElasticEnergy,
+    TotalEnergy,
+    TornLinks,
+    CanopyPressure,
+    CanopyVolume,
+    VelocityX,
+    VelocityY,
+    VelocityZ,
+    Acceleration,
+    Airspeed,
+    MeanStrain,
+    HighStrain, // that 95 of 100 links stay below
+    Length,
+    Area,
+    Reaction,
+    Lift,
+    Drag,
+    LiftToDrag,
+    DragArea,
+    PressureX, // centre of it
+    PressureY,
+    PressureZ,
+    AngleOfAttack,
+    Pitch,
+    Roll,
+    Heading,
+    Momentum,
+    EnergyChange,
+    WorkOfAir,
+    WorkOfHands,
+    WorkOfDamping,
+    WorkOfContact,
+    WorkOfTearing,
+    EnergyResidual,
+    Formula,
+    StepsPerSecond // of the clock, while it runs in the window
+};
+
+// clang-format off
+template <>
+inline constexpr std::array<std::string_view, 52> choiceNames<Quantity>{
+    "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
+    "tension",          "strain",         "max_strain",       "max_tension", "distance",
+    "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
+    "potential_energy", "elastic_energy", "total_energy",     "torn_links",  "canopy_pressure",
+    "canopy_volume",    "velocity_x",     "velocity_y",       "velocity_z",  "acceleration",
+    "airspeed",         "mean_strain",    "high_strain",      "length",      "area",
+    "reaction",         "lift",           "drag",             "lift_to_drag", "drag_area",
+    "pressure_x",       "pressure_y",     "pressure_z",       "angle_of_attack", "pitch",
+    "roll",             "heading",        "momentum",         "energy_change",
+    "work_of_air",      "work_of_hands",  "work_of_damping",  "work_of_contact", "work_of_tearing",
+    "energy_residual",  "formula",        "steps_per_second"};
+// clang-format on
 
 struct QuantityRow
 {

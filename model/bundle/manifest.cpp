@@ -1,8 +1,8 @@
 #include "bundle/manifest.h"
 
 #include "io/whole_file.h"
-#include "measure/diagnostics.h"
 #include "run/packed.h"
+#include "base/hash_text.h"
 
 #include <nlohmann/json.hpp>
 

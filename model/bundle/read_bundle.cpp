@@ -5,6 +5,7 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "measure/diagnostics.h"
+#include "run/simulation.h"
 
 #include <fstream>
 

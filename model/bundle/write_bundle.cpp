@@ -1,5 +1,6 @@
 #include "bundle/bundle.h"
 
+#include "base/hash_text.h"
 #include "bundle/manifest.h"
 #include "bundle/readme.h"
 #include "bundle/zip_file.h"
@@ -9,7 +10,8 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
-#include "measure/diagnostics.h"
+#include "run/recorder.h"
+#include "run/simulation.h"
 #include "scene/collider_shape.h"
 
 #include <algorithm>

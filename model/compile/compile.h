@@ -1,4 +1,7 @@
 // Scene to System: the only bridge between what is authored and what is solved.
+//
+// A compile reads the scene and makes a system that nobody else has: it may run on any thread while
+// no one changes that scene. Whoever edits a running scene takes live_system.h instead.
 #pragma once
 
 #include "base/result.h"

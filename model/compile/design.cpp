@@ -1,5 +1,7 @@
 #include "compile/design.h"
 
+#include "scene/edit.h"
+
 #include <algorithm>
 
 namespace ripstop {

@@ -1,13 +1,16 @@
 // The scene that a system was compiled from, cheap to keep: a scene that many of them share, and
-// the edits since.
+// the edits since. A design is a value that may go to any thread, as what it shares is constant;
+// the log belongs to the thread that follows the scene (views/document/follower.h).
 #pragma once
 
-#include "scene/edit.h"
-
+#include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace ripstop {
+
+struct Edit;  // scene/edit.h
+struct Scene; // scene/scene.h
 
 struct Design
 {

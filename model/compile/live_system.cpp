@@ -1,6 +1,9 @@
 #include "compile/live_system.h"
 
 #include "compile/compile.h"
+#include "compile/patch.h"
+#include "scene/element_index.h"
+#include "system/system_memory.h"
 
 #include <algorithm>
 
@@ -44,17 +47,70 @@ const Row& rowOf(const Scene& scene, Id id)
 
 } // namespace
 
+class LiveSystem::Private
+{
+public:
+    explicit Private(Scene scene)
+        : m_scene(std::move(scene))
+    {}
+
+    const Scene& scene() const { return m_scene; }
+    void replace(Scene scene);
+    void apply(const Edit& edit);
+    std::variant<Update, Problem> update(std::uint64_t generation, std::uint64_t run);
+
+private:
+    struct Noted // since the last update
+    {
+        bool structure = true; // a new system is due
+        bool settings = false;
+        bool wind = false;
+        bool obstacles = false;
+        bool fabricLayers = false;
+        bool inputs = false;
+        bool probes = false;
+        std::vector<Id> materials;
+        std::vector<Id> particles;
+        std::vector<Id> links;
+        std::vector<Id> panels;
+    };
+
+    void note(const SetValues& change);
+    bool isSound() const;
+    Patch patch() const;
+    void patchLink(Id id, Patch& patch) const;
+    void patchPanel(Id id, Patch& patch) const;
+
+    Scene m_scene;
+    ElementIndex m_index; // of the scene when m_noted.structure is false
+    Noted m_noted;
+    SystemMemory m_memory;
+};
+
 LiveSystem::LiveSystem(Scene scene)
-    : m_scene(std::move(scene))
+    : d(std::make_unique<Private>(std::move(scene)))
 {}
 
-void LiveSystem::replace(Scene scene)
+LiveSystem::~LiveSystem() = default;
+
+const Scene& LiveSystem::scene() const { return d->scene(); }
+
+void LiveSystem::replace(Scene scene) { d->replace(std::move(scene)); }
+
+void LiveSystem::apply(const Edit& edit) { d->apply(edit); }
+
+std::variant<Update, Problem> LiveSystem::update(std::uint64_t generation, std::uint64_t run)
+{
+    return d->update(generation, run);
+}
+
+void LiveSystem::Private::replace(Scene scene)
 {
     m_scene = std::move(scene);
     m_noted = {};
 }
 
-void LiveSystem::apply(const Edit& edit)
+void LiveSystem::Private::apply(const Edit& edit)
 {
     for (const Change& change : edit.changes)
         if (const auto* values = std::get_if<SetValues>(&change))
@@ -66,7 +122,7 @@ void LiveSystem::apply(const Edit& edit)
     (void)ripstop::apply(m_scene, edit);
 }
 
-void LiveSystem::note(const SetValues& change)
+void LiveSystem::Private::note(const SetValues& change)
 {
     const Property& property = *change.property;
     // names and the like; those of probes stand in the system, and plots name probes
@@ -116,7 +172,7 @@ void LiveSystem::note(const SetValues& change)
     }
 }
 
-std::variant<Update, Problem> LiveSystem::update(std::uint64_t generation, std::uint64_t run)
+std::variant<Update, Problem> LiveSystem::Private::update(std::uint64_t generation, std::uint64_t run)
 {
     for (std::vector<Id>* ids :
          {&m_noted.materials, &m_noted.particles, &m_noted.links, &m_noted.panels})
@@ -146,7 +202,7 @@ std::variant<Update, Problem> LiveSystem::update(std::uint64_t generation, std::
 }
 
 // Whether what was noted has no error; all else had none at the last update.
-bool LiveSystem::isSound() const
+bool LiveSystem::Private::isSound() const
 {
     const auto sound = [&](Id id) { return ripstop::isSound(*find(m_scene, id), m_index); };
     const bool items = m_noted.obstacles || m_noted.wind || m_noted.inputs || m_noted.probes;
@@ -156,7 +212,7 @@ bool LiveSystem::isSound() const
            && !(items && firstErrorOfItems(m_scene, m_index));
 }
 
-Patch LiveSystem::patch() const
+Patch LiveSystem::Private::patch() const
 {
     Patch patch;
     if (m_noted.settings)
@@ -182,7 +238,7 @@ Patch LiveSystem::patch() const
     return patch;
 }
 
-void LiveSystem::patchLink(Id id, Patch& patch) const
+void LiveSystem::Private::patchLink(Id id, Patch& patch) const
 {
     const Link& row = rowOf<Link>(m_scene, id);
     const Material& material = materialOf(m_scene, m_index, row.material);
@@ -196,7 +252,7 @@ void LiveSystem::patchLink(Id id, Patch& patch) const
         patch.rods.emplace_back(link, rodOf(row, material, a, b));
 }
 
-void LiveSystem::patchPanel(Id id, Patch& patch) const
+void LiveSystem::Private::patchPanel(Id id, Patch& patch) const
 {
     const Panel& row = rowOf<Panel>(m_scene, id);
     patch.panels.emplace_back(m_index.panel(id), Key(row.material));

@@ -3,35 +3,28 @@
 // It keeps a scene of its own and an index of it. Edits that only set values become a Patch, which
 // names what they touched; edits that add, remove or join things become a new System. What is
 // noted stays noted until an update succeeds, so a scene may be broken for a while.
+//
+// One thread at a time may use it (in the editor that of views/document/follower.h); the updates
+// that it hands out are constant and may go to any other.
 #pragma once
 
-#include "compile/design.h"
-#include "compile/patch.h"
+#include "compile/update.h"
 #include "scene/check.h"
 #include "scene/edit.h"
-#include "system/moment.h"
-#include "system/system_memory.h"
 
+#include <cstdint>
 #include <memory>
 #include <variant>
 
 namespace ripstop {
 
-// Either what to run from now on, or what to change in it.
-struct Update
-{
-    std::shared_ptr<const System> system; // null when there is a patch
-    std::shared_ptr<const Patch> patch;
-    Design design = {};                        // that this comes from, where someone keeps it
-    std::shared_ptr<const Moment> moment = {}; // the run begins there; null: at the start
-};
-
 class LiveSystem
 {
 public:
     explicit LiveSystem(Scene scene = {});
+    ~LiveSystem();
 
-    const Scene& scene() const { return m_scene; }
+    const Scene& scene() const;
 
     void replace(Scene scene);
     void apply(const Edit& edit);
@@ -41,31 +34,8 @@ public:
     std::variant<Update, Problem> update(std::uint64_t generation, std::uint64_t run);
 
 private:
-    struct Noted // since the last update
-    {
-        bool structure = true; // a new system is due
-        bool settings = false;
-        bool wind = false;
-        bool obstacles = false;
-        bool fabricLayers = false;
-        bool inputs = false;
-        bool probes = false;
-        std::vector<Id> materials;
-        std::vector<Id> particles;
-        std::vector<Id> links;
-        std::vector<Id> panels;
-    };
-
-    void note(const SetValues& change);
-    bool isSound() const;
-    Patch patch() const;
-    void patchLink(Id id, Patch& patch) const;
-    void patchPanel(Id id, Patch& patch) const;
-
-    Scene m_scene;
-    ElementIndex m_index; // of the scene when m_noted.structure is false
-    Noted m_noted;
-    SystemMemory m_memory;
+    class Private;
+    std::unique_ptr<Private> d;
 };
 
 } // namespace ripstop

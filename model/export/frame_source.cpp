@@ -1,5 +1,11 @@
 #include "export/frame_source.h"
 
+#include "compile/compile.h"
+#include "run/input_player.h"
+#include "run/recorder.h"
+#include "run/simulation.h"
+#include "system/moment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,7 +15,35 @@ namespace {
 
 constexpr int stepsBetweenReports = 50;
 
+// Flies a simulation of its own.
+class OwnFlight final : public FrameSource
+{
+public:
+    OwnFlight(std::shared_ptr<const System> system, ControlTrack controls)
+        : m_simulation(std::move(system))
+        , m_frames(m_simulation, std::move(controls))
+    {}
+
+    double begin() const override { return m_frames.begin(); }
+    double end() const override { return m_frames.end(); }
+    double timeStep() const override { return m_frames.timeStep(); }
+    Taken take(double time, const Reached& reached) override
+    {
+        return m_frames.take(time, reached);
+    }
+
+private:
+    Simulation m_simulation;
+    FlownFrames m_frames;
+};
+
 } // namespace
+
+struct RecordedFrames::Walk
+{
+    Simulation simulation;
+    InputPlayer inputs;
+};
 
 std::string inSeconds(double time)
 {
@@ -23,6 +57,10 @@ FlownFrames::FlownFrames(Simulation& simulation, ControlTrack controls, Recorder
     , m_controls(std::move(controls))
     , m_recorder(recorder)
 {}
+
+double FlownFrames::begin() const { return m_simulation.state().time; }
+
+double FlownFrames::timeStep() const { return m_simulation.system().timeStep; }
 
 // Steps like Simulation::runUntil().
 FrameSource::Taken FlownFrames::take(double time, const Reached& reached)
@@ -42,6 +80,15 @@ FrameSource::Taken FlownFrames::take(double time, const Reached& reached)
     return {m_simulation.frame(), {}};
 }
 
+Result<std::unique_ptr<FrameSource>> flightOf(const Scene& scene, ControlTrack controls)
+{
+    auto system = compile(scene);
+    if (!system)
+        return system.failure();
+    return std::unique_ptr<FrameSource>(
+        std::make_unique<OwnFlight>(std::move(*system), std::move(controls)));
+}
+
 RecordedFrames::RecordedFrames(std::shared_ptr<const Recording> recording, Places places,
                                int threads)
     : m_recording(std::move(recording))
@@ -49,6 +96,8 @@ RecordedFrames::RecordedFrames(std::shared_ptr<const Recording> recording, Place
     , m_threads(threads)
     , m_timeStep(m_recording->scene().settings.timeStep)
 {}
+
+RecordedFrames::~RecordedFrames() = default;
 
 double RecordedFrames::begin() const { return m_recording->timeOf(0); }
 
@@ -110,9 +159,10 @@ FrameSource::Taken RecordedFrames::computed(std::int64_t step, const Reached& re
             step, [&](double) { return !(cancelled = cancelled || !reached(time)); });
         if (!moment)
             return {nullptr, cancelled ? "" : moment.message()};
-        InputPlayer inputs(*m_recording, moment->state);
-        m_walk.emplace(Simulation(moment->system, std::move(moment->state), m_threads),
-                       std::move(inputs));
+        Moment& from = **moment;
+        InputPlayer inputs(*m_recording, from.state);
+        m_walk = std::make_unique<Walk>(
+            Walk{Simulation(from.system, std::move(from.state), m_threads), std::move(inputs)});
     }
     auto& [simulation, inputs] = *m_walk;
     for (int i = 0; simulation.state().step < step; ++i) {

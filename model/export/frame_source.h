@@ -1,17 +1,24 @@
 // Where the frames of an export come from: a flight, or a recording of one.
+//
+// A source is used by one thread at a time; the editor exports on a thread of its own, and a
+// recording may go on being written meanwhile.
 #pragma once
 
 #include "base/progress.h"
+#include "base/result.h"
 #include "io/control_track.h"
-#include "run/input_player.h"
-#include "run/recorder.h"
 
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace ripstop {
+
+class Recorder;
+class Recording;
+class Simulation;
 
 class FrameSource
 {
@@ -41,9 +48,9 @@ public:
     explicit FlownFrames(Simulation& simulation, ControlTrack controls = {},
                          Recorder* recorder = nullptr);
 
-    double begin() const override { return m_simulation.state().time; }
+    double begin() const override;
     double end() const override { return std::numeric_limits<double>::infinity(); }
-    double timeStep() const override { return m_simulation.system().timeStep; }
+    double timeStep() const override;
     Taken take(double time, const Reached& reached) override;
 
 private:
@@ -51,6 +58,10 @@ private:
     ControlPlayer m_controls;
     Recorder* m_recorder;
 };
+
+// The flight of a scene as it is, by a simulation of its own. Fails with the first problem that keeps
+// the scene from running.
+Result<std::unique_ptr<FrameSource>> flightOf(const Scene& scene, ControlTrack controls);
 
 // Takes steps that a recording has a frame of from there, places to some tenths of a micrometre
 // (run/run_chunk.h), and computes the others again from the exact states, to the bit.
@@ -61,6 +72,7 @@ public:
     enum class Places { AsKept, Exact };
     explicit RecordedFrames(std::shared_ptr<const Recording> recording,
                             Places places = Places::AsKept, int threads = 1);
+    ~RecordedFrames() override;
 
     double begin() const override;
     double end() const override;
@@ -72,22 +84,13 @@ private:
     std::int64_t stepAt(double time) const;
     Taken computed(std::int64_t step, const Reached& reached);
 
-    struct Walk // through what is recorded
-    {
-        Walk(Simulation from, InputPlayer player)
-            : simulation(std::move(from))
-            , inputs(std::move(player))
-        {}
-
-        Simulation simulation;
-        InputPlayer inputs;
-    };
+    struct Walk; // through what is recorded
 
     const std::shared_ptr<const Recording> m_recording;
     const Places m_places;
     const int m_threads;
     const double m_timeStep; // s
-    std::optional<Walk> m_walk;
+    std::unique_ptr<Walk> m_walk; // null before the first step that has to be computed
 };
 
 std::string inSeconds(double time); // "4.25 s"

@@ -4,6 +4,8 @@
 #include "io/hand_rows.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
+#include "run/commands.h"
+#include "run/simulation.h"
 #include "scene/property.h"
 
 #include <algorithm>

@@ -4,14 +4,17 @@
 // read.
 #pragma once
 
+#include "base/hands.h"
 #include "base/result.h"
-#include "run/simulation.h"
+#include "run/frame.h"
 #include "scene/scene.h"
 
 #include <filesystem>
 #include <vector>
 
 namespace ripstop {
+
+class Simulation;
 
 struct ControlTrack // both in order of time
 {

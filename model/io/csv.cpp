@@ -1,7 +1,7 @@
 #include "io/csv.h"
 
 #include "io/json_text.h"
-#include "measure/diagnostics.h"
+#include "base/hash_text.h"
 
 #include <cerrno>
 #include <charconv>

@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 
 namespace ripstop {
@@ -218,13 +217,6 @@ std::uint64_t stateHash(const State& state)
             hash.add(field.of(state));
     });
     return hash.value();
-}
-
-std::string hashText(std::uint64_t hash)
-{
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return text;
 }
 
 } // namespace ripstop

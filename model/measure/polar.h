@@ -4,13 +4,13 @@
 //     C_N = F.n / (q A),  C_L and C_D across and along the wind,  q = 1/2 rho V^2
 #pragma once
 
-#include "system/system.h"
-
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace ripstop {
+
+struct MaterialAir; // system/panels.h
 
 struct PolarRow
 {

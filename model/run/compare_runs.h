@@ -1,4 +1,5 @@
-// Two recordings, instant by instant: how far apart are the particles that both have?
+// Two recordings, instant by instant: how far apart are the particles that both have? Recordings
+// may be read from any thread, and so may this be called from any.
 #pragma once
 
 #include "run/recording.h"

@@ -1,5 +1,7 @@
 #include "run/event_watch.h"
 
+#include "run/simulation.h"
+
 namespace ripstop {
 
 void EventWatch::begin(const Simulation& simulation)

@@ -11,6 +11,8 @@
 
 namespace ripstop {
 
+class Simulation;
+
 class EventWatch
 {
 public:

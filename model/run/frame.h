@@ -1,8 +1,13 @@
-// What views, plots and exporters see of a simulation: one instant, complete and immutable.
+// What views, plots and exporters see of a simulation: one instant, complete. A frame is made by
+// the thread that steps and never changes afterwards, so that any thread may read it; what it
+// shares with other frames (its layout, what hands have done) does not change either.
+//
+// Arrays are in the order of the system: [particles], [links] in the author's order, [panels]. Ids
+// are those of the scene.
 #pragma once
 
 #include "base/guide.h"
-#include "base/laws.h"
+#include "base/link_laws.h"
 #include "base/vec3.h"
 #include "run/hand_track.h"
 

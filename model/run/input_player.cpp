@@ -1,6 +1,8 @@
 #include "run/input_player.h"
 
 #include "compile/compile.h"
+#include "run/recording.h"
+#include "run/simulation.h"
 
 #include <algorithm>
 

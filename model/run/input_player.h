@@ -1,9 +1,21 @@
+// What was done in a recorded run, done again to a simulation that computes it once more. Used on
+// the thread that steps the simulation; the recording may still grow meanwhile, what is added later
+// is not done.
 #pragma once
 
-#include "run/recording.h"
-#include "run/simulation.h"
+#include "base/hands.h"
+#include "base/result.h"
+#include "run/run_input.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace ripstop {
+
+class Recording;
+class Simulation;
+struct State;
 
 // Does to a simulation again what a recording says was done to it.
 class InputPlayer

@@ -1,4 +1,5 @@
-// Bytes, compressed by zstd.
+// Bytes, compressed by zstd: stretches of recordings, in memory and in files. Free functions may be
+// called from any thread; a Packer belongs to one.
 #pragma once
 
 #include "base/result.h"

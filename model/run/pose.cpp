@@ -274,6 +274,11 @@ void rebind(Draft& draft)
 
 } // namespace
 
+std::size_t partedParticles(const Layout& layout)
+{
+    return layout.torn ? layout.torn->splits.size() : 0;
+}
+
 Posed posed(Scene scene, const Frame& frame, const PoseOptions& options)
 {
     Draft draft{{std::move(scene), {"Adopt pose", {}}}};

@@ -1,8 +1,11 @@
-// Makes a design of an instant of its run.
+// Makes a design of an instant of its run: what Adopt pose of the editor and run --final of the
+// command line do. It looks at values only and may be called from any thread.
 #pragma once
 
 #include "run/frame.h"
 #include "scene/edit.h"
+
+#include <cstddef>
 
 namespace ripstop {
 
@@ -22,5 +25,8 @@ struct Posed
 // what tears and cuts have doubled as rows of their own, what hands have pinned pinned, and
 // colliders where hands have put them. The frame has to be one of a run of this scene.
 Posed posed(Scene scene, const Frame& frame, const PoseOptions& options = {});
+
+// Particles that a design of such a frame has more than its scene: the twins at tears and cuts.
+std::size_t partedParticles(const Layout& layout);
 
 } // namespace ripstop

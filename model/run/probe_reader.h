@@ -1,3 +1,7 @@
+// Reads all probes of a system in one go, formulas of others last.
+//
+// A reader keeps the formulas that it has read, so each simulation has one of its own, and it is
+// used by whoever steps that simulation.
 #pragma once
 
 #include "measure/probe.h"
@@ -8,7 +12,6 @@
 
 namespace ripstop {
 
-// Reads all probes of a system, formulas of others last.
 class ProbeReader
 {
 public:

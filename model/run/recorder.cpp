@@ -1,6 +1,8 @@
 #include "run/recorder.h"
 
 #include "measure/diagnostics.h"
+#include "run/run_chunk.h"
+#include "run/simulation.h"
 
 #include <algorithm>
 #include <utility>

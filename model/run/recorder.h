@@ -1,13 +1,15 @@
 // Writes down what a simulation does, from the thread that runs it.
 //
 // A recording begins with the first step of a run; what was told before is in its first state.
+// All of it is called on that one thread; the recording itself may be read from any.
 #pragma once
 
 #include "run/event_watch.h"
 #include "run/recording.h"
-#include "run/simulation.h"
 
 namespace ripstop {
+
+class Simulation;
 
 class Recorder
 {

@@ -1,11 +1,17 @@
 #include "run/recording.h"
 
 #include "run/recording_data.h"
+#include "scene/scene.h"
+#include "system/moment.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace ripstop {
+
+double timeOf(const Moment& moment) { return moment.state.time; }
+
+const Hands& handsOf(const Moment& moment) { return moment.state.hands; }
 
 Recording::Recording(std::size_t memory, std::uint64_t run)
     : d(std::make_unique<Private>(memory, run))
@@ -76,11 +82,12 @@ Result<std::shared_ptr<const Frame>> Recording::exactFrame(std::int64_t step,
     auto there = moment(step, progress);
     if (!there)
         return there.failure();
-    const Simulation simulation(there->system, std::move(there->state));
+    Moment& from = **there;
+    const Simulation simulation(from.system, std::move(from.state));
     return std::shared_ptr<const Frame>(simulation.frame());
 }
 
-Result<Moment> Recording::moment(std::int64_t step, const Progress& progress) const
+Result<std::shared_ptr<Moment>> Recording::moment(std::int64_t step, const Progress& progress) const
 {
     std::shared_ptr<const RunChunk> chunk;
     std::shared_ptr<const System> system;
@@ -109,7 +116,7 @@ Result<Moment> Recording::moment(std::int64_t step, const Progress& progress) co
         if (!goesOn(progress, double(simulation.state().step - first) / double(step - first)))
             return Failure{"Cancelled."};
     }
-    return Moment{simulation.compiled(), simulation.state()};
+    return std::make_shared<Moment>(Moment{simulation.compiled(), simulation.state()});
 }
 
 // --- what happened -----------------------------------------------------------------------------
@@ -210,8 +217,7 @@ void Recording::setBookmarks(std::vector<Bookmark> bookmarks)
     d->bookmarks = std::move(bookmarks);
 }
 
-// --- where it is
-// -----------------------------------------------------------------------------------
+// --- where it is --------------------------------------------------------------------------------
 
 Recording::Size Recording::size() const
 {
@@ -240,8 +246,7 @@ void Recording::settle() const
     d->wake.wait(lock, [this] { return !d->hasWork(); });
 }
 
-// --- adding
-// ----------------------------------------------------------------------------------------
+// --- adding -------------------------------------------------------------------------------------
 
 int Recording::addDesign(Design design)
 {
@@ -307,8 +312,7 @@ void Recording::finish()
     d->open = {};
 }
 
-// --- for files
-// -------------------------------------------------------------------------------------
+// --- for files ----------------------------------------------------------------------------------
 
 std::size_t Recording::chunkCount() const
 {

@@ -1,7 +1,8 @@
 // All of a run: the hash of each step, each input with its step, frames every few steps, and now
 // and then an exact state, from which any step can be computed again, to the bit.
 //
-// One thread adds (recorder.h), any thread reads. What is old is compressed by a thread of its own
+// One thread adds (recorder.h), any thread reads and says names and bookmarks; calls wait for each
+// other and none of them for a step. What is old is compressed by a thread of its own
 // and leaves memory for a temporary file when there is more than the bound. A recording that was
 // opened from a file (io/recording_file.h) reads from that.
 #pragma once
@@ -10,9 +11,7 @@
 #include "base/result.h"
 #include "compile/design.h"
 #include "run/frame.h"
-#include "run/run_chunk.h"
 #include "run/run_event.h"
-#include "system/moment.h"
 
 #include <cstdint>
 #include <functional>
@@ -21,6 +20,13 @@
 #include <vector>
 
 namespace ripstop {
+
+struct Moment; // system/moment.h
+struct State;  // system/state.h
+
+// What a moment says to those who only pass it on.
+double timeOf(const Moment& moment);        // s
+const Hands& handsOf(const Moment& moment); // as they were told
 
 struct Bookmark
 {
@@ -66,7 +72,7 @@ public:
     // To the bit, by computing the steps since the exact state before again.
     Result<std::shared_ptr<const Frame>> exactFrame(std::int64_t step,
                                                     const Progress& progress = {}) const;
-    Result<Moment> moment(std::int64_t step, const Progress& progress = {}) const;
+    Result<std::shared_ptr<Moment>> moment(std::int64_t step, const Progress& progress = {}) const;
 
     // --- what happened ---
     std::int64_t firstStep() const;

@@ -1,9 +1,15 @@
-// The inside of a Recording: where its stretches are, and how they are read.
+// The inside of a Recording: where its stretches are, and how they are read. Seen by recording.cpp
+// and recording_data.cpp only.
+//
+// Three sides use it: the thread that adds, the threads that read, and a thread of its own that
+// packs what is old and moves it to disk. Two locks keep them apart, and what each guards is said
+// below.
 #pragma once
 
 #include "run/input_player.h"
 #include "run/packed.h"
 #include "run/recording.h"
+#include "run/run_chunk.h"
 #include "run/simulation.h"
 #include "run/spill_file.h"
 

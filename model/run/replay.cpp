@@ -2,6 +2,9 @@
 
 #include "measure/diagnostics.h"
 #include "run/input_player.h"
+#include "run/recording.h"
+#include "run/simulation.h"
+#include "system/moment.h"
 
 #include <algorithm>
 
@@ -62,8 +65,9 @@ Result<ReplayOutcome> replay(const Recording& recording, int threads, const Prog
     auto start = recording.moment(recording.firstStep());
     if (!start)
         return start.failure();
-    InputPlayer inputs(recording, start->state);
-    Simulation simulation(start->system, std::move(start->state), threads);
+    Moment& from = **start;
+    InputPlayer inputs(recording, from.state);
+    Simulation simulation(from.system, std::move(from.state), threads);
     return compareFlight(
         recording, simulation, [&](Simulation& flown) { return inputs.giveTo(flown); }, progress);
 }

@@ -1,14 +1,19 @@
-// A recording, computed once more from its first state and its inputs, and compared.
+// A recording, computed once more from its first state and its inputs, and compared hash by hash.
+// It takes as long as the run took to compute, on the thread that calls it.
 #pragma once
 
-#include "run/recording.h"
-#include "run/simulation.h"
+#include "base/progress.h"
+#include "base/result.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
 namespace ripstop {
+
+class Recording;
+class Simulation;
 
 struct ReplayDifference
 {

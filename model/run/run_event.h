@@ -1,4 +1,6 @@
-// What happened in a run that one may want to find again.
+// What happened in a run that one may want to find again: tears, what it was told, contact, slack
+// lines. Values that go from the thread of the simulation (event_watch.h) to views, files and
+// tables.
 #pragma once
 
 #include "run/run_input.h"

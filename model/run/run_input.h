@@ -1,4 +1,5 @@
-// What a run was told from outside. Same start and same inputs, same bits.
+// What a run was told from outside: designs, commands and what hands did, each with its step. Same
+// start and same inputs, same bits. Values that may go anywhere.
 #pragma once
 
 #include "run/frame.h"

@@ -1,28 +1,46 @@
+// Runs a simulation on a thread of its own, paced to the clock.
+//
+// Both directions are mailboxes of immutable values (runner_mail.h), so neither side ever waits for
+// the other and nothing is shared that can change. Frames and commands have one slot, which may
+// skip values, so what it carries must be a state and never an event: a reset is a system with
+// another run number, not a message. Updates build on each other: what waits are the newest system
+// and the patches since.
+//
+// Everything here may be called from any thread, and takes effect at the next step boundary. What
+// the thread of the simulation does between two steps is runner_loop.h:
+//
+//     state    what it does                           until
+//     Empty    sleeps, there is no system             an update brings the first one
+//     Resting  sleeps, nothing asks for a step        play, a time, steps or rest are asked for
+//     Paced    a step whenever the clock says so      pause, or it is hurried
+//     Hurried  step after step, as fast as it can     the time, the steps or rest are reached
+//     Stuck    sleeps, the next step would be broken  an update may have cured it
 #pragma once
 
-#include "run/latest_value.h"
-#include "run/recorder.h"
+#include "base/hands.h"
+#include "compile/update.h"
+#include "run/commands.h"
+#include "run/frame.h"
 #include "run/settle.h"
-#include "run/simulation.h"
 
-#include <atomic>
-#include <condition_variable>
-#include <limits>
+#include <cstddef>
+#include <memory>
+#include <optional>
 #include <thread>
+#include <vector>
 
 namespace ripstop {
 
-// Runs a simulation on a thread of its own, paced to the clock.
-//
-// Both directions are mailboxes of immutable values, so neither side ever waits for the other and
-// nothing is shared that can change. Frames and commands have one slot, which may skip values, so
-// what it carries must be a state and never an event: a reset is a system with another run number,
-// not a message. Updates build on each other: what waits are the newest system and the patches
-// since.
+class Recording;
+struct RunnerMail;
+
 class Runner
 {
 public:
     Runner();
+    ~Runner();
+    Runner(const Runner&) = delete;
+    Runner& operator=(const Runner&) = delete;
 
     // Takes effect at the next step boundary. The motion carries over unless `run` differs. The
     // first update is a system.
@@ -44,40 +62,20 @@ public:
     void settle(std::optional<SettleGoal> goal);
 
     // The newest frame, or null when there is none since the last call.
-    [[nodiscard]] std::shared_ptr<const Frame> takeFrame() { return m_frames.take(); }
+    [[nodiscard]] std::shared_ptr<const Frame> takeFrame();
 
     // What the probes read after each step and edit, in order; all since the last call. Frames
     // leave out what nobody would see, and one that nobody took is lost; these are not.
     [[nodiscard]] std::vector<ProbeSample> takeSamples();
 
     // Bytes that each run from now on may keep of itself in memory; 0 keeps nothing.
-    void setRecordingMemory(std::size_t bytes) { m_recordingMemory = bytes; }
+    void setRecordingMemory(std::size_t bytes);
 
     // Of the runs that have begun since the last call. They grow while the runs go on.
     [[nodiscard]] std::vector<std::shared_ptr<Recording>> takeRecordings();
 
 private:
-    void run(const std::stop_token& stop);
-    void wake();
-    void tell(const std::shared_ptr<Recording>& recording);
-
-    std::vector<Update> takeUpdates();
-
-    std::vector<Update> m_updates; // guarded by m_mutex
-    LatestValue<Commands> m_commands;
-    LatestValue<HandCommands> m_hands;
-    LatestValue<std::optional<SettleGoal>> m_settle;
-    LatestValue<Frame> m_frames;
-    std::atomic<bool> m_playing = false;
-    std::atomic<double> m_speed = 1.0;
-    std::atomic<int> m_stepsLeft = 0;
-    std::atomic<double> m_until = -std::numeric_limits<double>::infinity();
-    std::atomic<std::size_t> m_recordingMemory = std::size_t(512) << 20; // bytes
-    std::mutex m_mutex;
-    bool m_woken = false;                                 // guarded by m_mutex
-    std::vector<std::shared_ptr<Recording>> m_recordings; // the same
-    std::vector<ProbeSample> m_samples;                   // the same
-    std::condition_variable_any m_wake;
+    std::unique_ptr<RunnerMail> m_mail;
     std::jthread m_thread; // last: stops and joins before the rest is destroyed
 };
 

@@ -1,69 +1,27 @@
+// Loading and patching, stepping under the watchdog, and what is shown of it; the class itself
+// hands each call to its private half.
 #include "run/simulation.h"
 
-#include "assembly/carry_over.h"
-#include "assembly/split_system.h"
+#include "compile/patch.h"
 #include "constraints/guides.h"
 #include "contact/obstacle_motion.h"
-#include "forces/hand_pull.h"
 #include "forces/wind.h"
 #include "measure/diagnostics.h"
+#include "measure/energy_ledger.h"
 #include "measure/probe.h"
-#include "run/torn_system.h"
-#include "tearing/cutting.h"
-#include "tearing/tear_opening.h"
+#include "run/derived_system.h"
+#include "run/hand_work.h"
+#include "run/probe_reader.h"
+#include "step/stepper.h"
+#include "step/watchdog.h"
+#include "system/moment.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ripstop {
 namespace {
-
-std::shared_ptr<const System> derived(const std::shared_ptr<const System>& compiled,
-                                      const State& state)
-{
-    if (state.splits.empty() && state.hands.pins.empty())
-        return nullptr;
-    return splitSystem(*compiled, state.splits, state.hands.pins);
-}
-
-std::shared_ptr<const Layout> layoutOf(const System& system,
-                                       const std::shared_ptr<const System>& derived,
-                                       const std::vector<Split>& splits)
-{
-    auto layout = std::make_shared<Layout>();
-    const TwinOrigins origins(splits);
-    if (!splits.empty()) {
-        layout->particleKey = system.key;
-        layout->torn = std::make_shared<TornSystem>(TornSystem{derived, splits});
-    }
-    layout->particleId.reserve(system.key.size());
-    for (const Key key : system.key)
-        layout->particleId.push_back(origins.particle(key));
-    layout->pinned.reserve(system.inverseMass.size());
-    layout->links.reserve(system.links.size());
-    layout->panelCorners.reserve(system.panels.size());
-    for (const double w : system.inverseMass)
-        layout->pinned.push_back(w == 0.0);
-    layout->guided = system.guided;
-    for (const LinkPlace& link : system.links)
-        layout->links.push_back({origins.link(link.key), link.kind, link.a, link.b,
-                                 link.kind == LinkKind::Rod
-                                     ? system.rods[std::size_t(link.index)].restLength
-                                     : system.springs[std::size_t(link.index)].restLength});
-    layout->panelId = system.panelKey;
-    for (const FabricPanel& panel : system.panels)
-        layout->panelCorners.push_back(panel.corner);
-    for (const Input& input : system.inputs)
-        layout->inputId.push_back(input.key);
-    for (const Obstacle& obstacle : system.obstacles)
-        layout->colliderId.push_back(obstacle.key);
-    for (const ProbeSpec& probe : system.probes)
-        layout->probes.push_back({probe.key, probe.name, probe.unit, probe.plotted});
-    return layout;
-}
 
 Vec3 middleOf(std::span<const Vec3> places)
 {
@@ -76,387 +34,279 @@ Vec3 middleOf(std::span<const Vec3> places)
 
 } // namespace
 
-bool hasReached(double time, double until, double timeStep)
+class Simulation::Private
 {
-    return time >= until - (0.5 + 1e-6) * timeStep;
+public:
+    Private(std::shared_ptr<const System> compiled, int threads)
+        : derived(std::move(compiled))
+        , run{derived.compiled()->start, {}}
+        , stepper(threads)
+    {}
+    Private(std::shared_ptr<const System> compiled, State checkpoint, int threads)
+        : derived(std::move(compiled), checkpoint)
+        , run{std::move(checkpoint), {}, false}
+        , stepper(threads)
+    {}
+
+    void load(std::shared_ptr<const System> system);
+    void apply(const Patch& patch);
+    void resume(const Moment& moment);
+    void place(State state);
+    bool step();
+    std::shared_ptr<Frame> frame();
+    Readings readings() const;
+
+    const System& system() const { return derived.system(); }
+
+    DerivedSystem derived;
+    RunState run;
+    HandWork hands;
+    ProbeReader probes;
+    Stepper stepper;
+    EnergyLedger ledger;
+    std::optional<Trouble> trouble;
+
+private:
+    void startOver();
+    void resetTo(const Patch& patch);
+    double substep() const; // s, of the next step
+    void fillArrays(Frame& frame) const;
+};
+
+// --- loading ---------------------------------------------------------------------------------
+
+// A new run, from the start of the compiled system.
+void Simulation::Private::startOver()
+{
+    run.atStart = true;
+    run.now = derived.compiled()->start;
+    hands.forget();
 }
 
-Simulation::Simulation(std::shared_ptr<const System> system, int threads)
-    : m_system(std::move(system))
-    , m_layout(layoutOf(*m_system, nullptr, {}))
-    , m_state(m_system->start)
-    , m_stepper(threads)
-{}
-
-Simulation::Simulation(std::shared_ptr<const System> system, State checkpoint, int threads)
-    : m_system(std::move(system))
-    , m_split(derived(m_system, checkpoint))
-    , m_layout(layoutOf(this->system(), m_split, checkpoint.splits))
-    , m_state(std::move(checkpoint))
-    , m_atStart(false)
-    , m_stepper(threads)
-{}
-
-void Simulation::load(std::shared_ptr<const System> system)
+void Simulation::Private::load(std::shared_ptr<const System> system)
 {
-    const std::shared_ptr<const System> before =
-        m_split ? std::exchange(m_split, nullptr) : m_system;
-    m_atStart = system->run != m_system->run;
-    m_system = std::move(system);
-    if (m_atStart) {
-        m_state = m_system->start;
-        forget();
+    const bool again = system->run != derived.compiled()->run;
+    const std::shared_ptr<const System> before = derived.replace(std::move(system));
+    if (again) {
+        startOver();
     } else {
-        carryOn(*before);
+        run.atStart = false;
+        derived.carryOn(*before, run);
     }
-    m_layoutIsStale = true;
-    m_trouble.reset(); // the edit may have cured it
+    trouble.reset(); // the edit may have cured it
 }
 
-// What was done in the run before.
-void Simulation::forget()
+void Simulation::Private::apply(const Patch& patch)
 {
-    m_commands.clear();
-    m_hands.clear();
-    m_cuts = 0;
-    m_halts = 0;
-}
-
-// The motion of the system before, in the one that tears and pins make of the new one.
-void Simulation::carryOn(const System& before)
-{
-    m_split = derived(m_system, m_state);
-    m_lastGood = carryOver(before, m_state, system(), std::move(m_lastGood));
-    std::swap(m_state, m_lastGood);
-    m_layoutIsStale = true;
-}
-
-// The mesh opens between two steps, where links have torn in the last.
-void Simulation::followTears(std::size_t before)
-{
-    if (system().tearMesh != TearMesh::Split || m_state.tears.size() == before)
-        return;
-    if (openTears(system(), m_state)) {
-        const std::shared_ptr<const System> torn = m_split ? m_split : m_system;
-        carryOn(*torn);
-    }
-}
-
-void Simulation::load(const Update& update)
-{
-    if (update.system)
-        load(update.system);
-    if (update.patch)
-        apply(*update.patch);
-    if (update.moment)
-        resume(*update.moment);
-}
-
-void Simulation::apply(const Patch& patch)
-{
-    const bool again = patch.run != m_system->run;
-    System& system = ownSystem();
-    m_layoutIsStale |= ripstop::apply(patch, system);
-    m_trouble.reset();
-    if (m_split)
-        return applySplit(again);
+    const bool again = patch.run != derived.compiled()->run;
+    const std::shared_ptr<const System> before = derived.apply(patch);
+    trouble.reset();
+    if (before && again)
+        return startOver();
     if (again)
-        return reset(patch);
+        return resetTo(patch);
+    if (before) { // what tears have split is made anew from what was patched
+        run.atStart = false;
+        return derived.carryOn(*before, run);
+    }
 
     // what carryOver() does, for what can differ
     for (const auto& [i, values] : patch.particles) {
-        m_atStart = false;
+        run.atStart = false;
         if (values.inverseMass == 0.0) {
-            m_state.velocity[std::size_t(i)].setZero();
-            m_state.drift[std::size_t(i)].setZero();
+            run.now.velocity[std::size_t(i)].setZero();
+            run.now.drift[std::size_t(i)].setZero();
         }
-        turnAlong({i, values.guide, values.guideAxis}, m_state);
+        turnAlong({i, values.guide, values.guideAxis}, run.now);
     }
-}
-
-// What tears have split is made anew from what was patched.
-void Simulation::applySplit(bool again)
-{
-    const std::shared_ptr<const System> before = std::exchange(m_split, nullptr);
-    m_layoutIsStale = true;
-    m_atStart = again;
-    if (!again)
-        return carryOn(*before);
-    m_state = m_system->start;
-    forget();
 }
 
 // A new run begins with the patch. While a design at rest is edited there is little to put back.
-void Simulation::reset(const Patch& patch)
+void Simulation::Private::resetTo(const Patch& patch)
 {
-    const State& start = m_system->start;
-    forget();
-    if (!std::exchange(m_atStart, true)) {
-        m_state = start;
-        return;
-    }
-    m_state.gusts = start.gusts;
+    if (!run.atStart)
+        return startOver();
+    hands.forget();
+    const State& start = derived.compiled()->start;
+    run.now.gusts = start.gusts;
     for (const auto& particle : patch.particles) {
         const auto i = std::size_t(particle.first);
-        m_state.position[i] = start.position[i];
-        m_state.velocity[i] = start.velocity[i];
+        run.now.position[i] = start.position[i];
+        run.now.velocity[i] = start.velocity[i];
     }
 }
 
-System& Simulation::ownSystem()
+void Simulation::Private::resume(const Moment& moment)
 {
-    // Whoever compiled it gave it away, and it was not made const.
-    if (m_system.use_count() > 1)
-        m_system = std::make_shared<System>(*m_system);
-    return const_cast<System&>(*m_system);
+    hands.forget();
+    run.atStart = false;
+    trouble.reset();
+    derived.goOnFrom(moment, run);
 }
 
-// Views build what they draw from the layout; most edits change numbers and leave it as it is.
-void Simulation::refreshLayout() const
+void Simulation::Private::place(State state)
 {
-    if (!std::exchange(m_layoutIsStale, false))
-        return;
-    if (auto layout = layoutOf(system(), m_split, m_state.splits); *layout != *m_layout)
-        m_layout = std::move(layout);
+    if (state.splits != run.now.splits || state.hands.pins != run.now.hands.pins)
+        derived.derive(state);
+    run.now = std::move(state);
 }
 
-void Simulation::resume(const Moment& moment)
-{
-    forget();
-    m_atStart = false;
-    m_trouble.reset();
-    m_state = moment.state;
-    const std::shared_ptr<const System> before = derived(moment.system, m_state);
-    carryOn(before ? *before : *moment.system);
-}
+// --- stepping --------------------------------------------------------------------------------
 
-void Simulation::place(State state)
+bool Simulation::Private::step()
 {
-    if (state.splits != m_state.splits || state.hands.pins != m_state.hands.pins) {
-        m_split = derived(m_system, state);
-        m_layoutIsStale = true;
-    }
-    m_state = std::move(state);
-}
-
-void Simulation::command(const Commands& commands)
-{
-    for (std::size_t i = 0; i < system().inputs.size(); ++i)
-        if (const auto found = commands.find(system().inputs[i].key);
-            found != commands.end() && std::isfinite(found->second)) {
-            const Input& input = system().inputs[i];
-            const double value = std::clamp(found->second, -input.limit, input.limit);
-            if (value == m_state.inputCommand[i])
-                continue;
-            m_atStart = false;
-            m_state.inputCommand[i] = value;
-            m_commands.push_back({m_state.time, input.key, value});
-            if (m_inputs)
-                m_inputs->push_back({m_state.step, m_commands.back()});
-        }
-}
-
-void Simulation::note(HandNote::What what)
-{
-    m_atStart = false;
-    if (m_inputs)
-        m_inputs->push_back({m_state.step, what});
-    m_hands.append({m_state.time, std::move(what)});
-}
-
-void Simulation::handle(const HandCommands& told)
-{
-    handle(told.hands);
-    for (; m_cuts < told.cuts.size(); ++m_cuts)
-        cut(told.cuts[m_cuts]);
-    for (; m_halts < told.halts; ++m_halts)
-        stopMotion();
-}
-
-void Simulation::handle(const Hands& told)
-{
-    Hands& now = m_state.hands;
-    if (told == now)
-        return;
-    if (told.pull != now.pull) {
-        now.pull = told.pull;
-        note(told.pull ? HandNote::What(*told.pull) : HandNote::LetGo{});
-    }
-    if (told.fan != now.fan) {
-        now.fan = told.fan;
-        note(told.fan ? HandNote::What(*told.fan) : HandNote::FanOff{});
-    }
-    carry(told.carries);
-    pin(told.pins);
-}
-
-// What is no longer named stays where it has been put.
-void Simulation::carry(const std::vector<Carry>& told)
-{
-    auto& carries = m_state.hands.carries;
-    for (const Carry& carry : told) {
-        auto held = std::find_if(carries.begin(), carries.end(), [&](const Carry& other) {
-            return other.collider == carry.collider;
-        });
-        if (held == carries.end()) {
-            held = carries.insert(carries.end(), {carry.collider, Vec3::Zero()});
-            m_state.carried.emplace_back(Vec3::Zero());
-        }
-        if (held->way == carry.way)
-            continue;
-        held->way = carry.way;
-        note(carry);
-    }
-}
-
-void Simulation::pin(const std::vector<Key>& told)
-{
-    std::vector<Key>& pins = m_state.hands.pins;
-    if (told == pins)
-        return;
-    const auto has = [](const std::vector<Key>& keys, Key key) {
-        return std::find(keys.begin(), keys.end(), key) != keys.end();
-    };
-    for (const Key key : pins)
-        if (!has(told, key))
-            note(HandNote::Pin{key, false});
-    for (const Key key : told)
-        if (!has(pins, key))
-            note(HandNote::Pin{key, true});
-    pins = told;
-    const std::shared_ptr<const System> before = m_split ? m_split : m_system;
-    carryOn(*before);
-}
-
-void Simulation::cut(const std::shared_ptr<const Cut>& cut)
-{
-    note(cut);
-    if (cutAlong(system(), m_state, *cut)) {
-        const std::shared_ptr<const System> whole = m_split ? m_split : m_system;
-        carryOn(*whole);
-    }
-}
-
-void Simulation::halt()
-{
-    ++m_halts;
-    stopMotion();
-}
-
-void Simulation::stopMotion()
-{
-    note(HandNote::Halt{});
-    for (PaddedVec3& velocity : m_state.velocity)
-        velocity.setZero();
-    for (PaddedVec3& drift : m_state.drift)
-        drift.setZero();
-}
-
-bool Simulation::step()
-{
-    if (m_trouble)
+    if (trouble)
         return false;
-    m_atStart = false;
-    m_lastGood = m_state;
-    const std::size_t tears = m_state.tears.size();
+    run.atStart = false;
+    run.lastGood = run.now;
+    const std::size_t tears = run.now.tears.size();
     const bool keepsLedger = wantsLedger(system());
-    m_stepper.watch(keepsLedger ? &m_ledger : nullptr);
+    stepper.watch(keepsLedger ? &ledger : nullptr);
     if (keepsLedger)
-        m_ledger.begin(system(), m_state, substep());
-    const int substeps = m_stepper.step(system(), m_state);
+        ledger.begin(system(), run.now, substep());
+    const int substeps = stepper.step(system(), run.now);
     if (keepsLedger)
-        m_ledger.end(system(), m_state);
-    m_trouble = findTrouble(system(), m_lastGood, m_state, substeps);
-    if (m_trouble)
-        std::swap(m_state, m_lastGood);
+        ledger.end(system(), run.now);
+    trouble = findTrouble(system(), run.lastGood, run.now, substeps);
+    if (trouble)
+        std::swap(run.now, run.lastGood);
     else
-        followTears(tears);
-    return !m_trouble;
+        derived.followTears(tears, run);
+    return !trouble;
 }
 
-bool Simulation::runUntil(double time)
+double Simulation::Private::substep() const
 {
-    while (!hasReached(m_state.time, time, system().timeStep))
-        if (!step())
-            return false;
-    return true;
+    return system().timeStep / stepper.substepsOf(system(), run.now);
 }
 
-std::shared_ptr<Frame> Simulation::frame() const
+// --- showing ---------------------------------------------------------------------------------
+
+std::shared_ptr<Frame> Simulation::Private::frame()
 {
-    refreshLayout();
+    const State& state = run.now;
     auto frame = std::make_shared<Frame>();
     frame->generation = system().generation;
     frame->run = system().run;
-    frame->layout = m_layout;
-    frame->time = m_state.time;
-    frame->step = m_state.step;
-    frame->solverChoice = m_stepper.choice(system());
-    frame->substeps = m_stepper.substepsOf(system(), m_state);
-    frame->hash = stateHash(m_state);
-    frame->position.assign(m_state.position.begin(), m_state.position.end());
-    frame->velocity.assign(m_state.velocity.begin(), m_state.velocity.end());
-    frame->torn.reserve(system().links.size());
-    for (const LinkPlace& link : system().links)
-        frame->torn.push_back(isTorn(link, m_state));
-    frame->gone = m_state.panelGone;
-    frame->gust = commonWind(system(), m_state) - system().wind;
-    frame->wind = windAt(system(), m_state, middleOf(frame->position));
-    for (std::size_t i = 0; i < system().obstacles.size(); ++i)
-        frame->colliderPosition.push_back(obstaclePosition(system(), m_state, i, m_state.time));
-    frame->inputCommand = m_state.inputCommand;
-    frame->inputValue = m_state.inputValue;
+    frame->layout = derived.layout(state);
+    frame->time = state.time;
+    frame->step = state.step;
+    frame->solverChoice = stepper.choice(system());
+    frame->substeps = stepper.substepsOf(system(), state);
+    frame->hash = stateHash(state);
+    fillArrays(*frame);
 
     Readings instant = readings();
     frame->strain = instant.strain();
     frame->tension = instant.tension();
     frame->panelLoad = instant.panelLoad();
-    frame->probe = m_probes.read(instant);
+    frame->probe = probes.read(instant);
 
-    for (const State::Tear& tear : m_state.tears)
-        frame->tears.push_back(
-            {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place, tear.energy});
-    frame->commands = m_commands;
-    fillHands(*frame);
-    if (m_trouble) {
-        frame->stopped = m_trouble->message;
-        frame->culprit = m_trouble->particle;
+    hands.fill(*frame, system(), state, substep());
+    if (trouble) {
+        frame->stopped = trouble->message;
+        frame->culprit = trouble->particle;
     }
     return frame;
 }
 
+void Simulation::Private::fillArrays(Frame& frame) const
+{
+    const State& state = run.now;
+    frame.position.assign(state.position.begin(), state.position.end());
+    frame.velocity.assign(state.velocity.begin(), state.velocity.end());
+    frame.torn.reserve(system().links.size());
+    for (const LinkPlace& link : system().links)
+        frame.torn.push_back(isTorn(link, state));
+    frame.gone = state.panelGone;
+    frame.gust = commonWind(system(), state) - system().wind;
+    frame.wind = windAt(system(), state, middleOf(frame.position));
+    for (std::size_t i = 0; i < system().obstacles.size(); ++i)
+        frame.colliderPosition.push_back(obstaclePosition(system(), state, i, state.time));
+    frame.inputCommand = state.inputCommand;
+    frame.inputValue = state.inputValue;
+    for (const State::Tear& tear : state.tears)
+        frame.tears.push_back(
+            {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place, tear.energy});
+}
+
+Readings Simulation::Private::readings() const
+{
+    const bool follows = run.now.step == run.lastGood.step + 1
+                         && run.now.velocity.size() == run.lastGood.velocity.size();
+    return {system(), run.now, follows ? &run.lastGood : nullptr};
+}
+
+// --- the class itself ------------------------------------------------------------------------
+
+Simulation::Simulation(std::shared_ptr<const System> system, int threads)
+    : d(std::make_unique<Private>(std::move(system), threads))
+{}
+
+Simulation::Simulation(std::shared_ptr<const System> system, State checkpoint, int threads)
+    : d(std::make_unique<Private>(std::move(system), std::move(checkpoint), threads))
+{}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::load(std::shared_ptr<const System> system) { d->load(std::move(system)); }
+
+void Simulation::load(const Update& update)
+{
+    if (update.system)
+        d->load(update.system);
+    if (update.patch)
+        d->apply(*update.patch);
+    if (update.moment)
+        d->resume(*update.moment);
+}
+
+void Simulation::command(const Commands& commands)
+{
+    d->hands.command(commands, d->system(), d->run);
+}
+
+void Simulation::handle(const HandCommands& told) { d->hands.handle(told, d->derived, d->run); }
+
+void Simulation::halt() { d->hands.halt(d->run); }
+
+void Simulation::resume(const Moment& moment) { d->resume(moment); }
+
+void Simulation::place(State state) { d->place(std::move(state)); }
+
+void Simulation::keepInputs(std::vector<RunInput>* inputs) { d->hands.keepInputs(inputs); }
+
+bool Simulation::step() { return d->step(); }
+
+bool Simulation::runUntil(double time)
+{
+    while (!hasReached(state().time, time, system().timeStep))
+        if (!step())
+            return false;
+    return true;
+}
+
+void Simulation::keepTimes(StepTimes* times) { d->stepper.keepTimes(times); }
+
+const System& Simulation::system() const { return d->system(); }
+
+const std::shared_ptr<const System>& Simulation::compiled() const { return d->derived.compiled(); }
+
+const State& Simulation::state() const { return d->run.now; }
+
+std::span<const std::uint32_t> Simulation::touches() const { return d->stepper.touches(); }
+
+const std::optional<Trouble>& Simulation::trouble() const { return d->trouble; }
+
+std::shared_ptr<Frame> Simulation::frame() const { return d->frame(); }
+
 ProbeSample Simulation::sample() const
 {
-    refreshLayout();
-    Readings instant = readings();
-    return {system().run, m_layout, m_state.time, m_probes.read(instant)};
-}
-
-Readings Simulation::readings() const
-{
-    const bool follows = m_state.step == m_lastGood.step + 1
-                         && m_state.velocity.size() == m_lastGood.velocity.size();
-    return {system(), m_state, follows ? &m_lastGood : nullptr};
-}
-
-double Simulation::substep() const
-{
-    return system().timeStep / m_stepper.substepsOf(system(), m_state);
-}
-
-void Simulation::fillHands(Frame& frame) const
-{
-    const Hands& hands = m_state.hands;
-    frame.hands = m_hands;
-    frame.carries = hands.carries;
-    frame.handPins = hands.pins;
-    frame.underWay = m_state.step > 0 || m_cuts > 0 || m_halts > 0 || !hands.pins.empty();
-    if (!hands.pull)
-        return;
-    const HeldGrip held = findGrip(system(), hands.pull->grip);
-    const HandForce force = handForce(system(), m_state, *hands.pull, held, substep());
-    if (held.holds())
-        frame.held = HeldPoint{force.point, hands.pull->to, force.force.norm(), force.stiffness};
+    Readings instant = d->readings();
+    return {d->system().run, d->derived.layout(d->run.now), d->run.now.time,
+            d->probes.read(instant)};
 }
 
 } // namespace ripstop

@@ -1,6 +1,7 @@
 #include "run/slack_watch.h"
 
 #include "assembly/split_system.h"
+#include "run/simulation.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -9,12 +9,15 @@
 #pragma once
 
 #include "run/run_event.h"
-#include "run/simulation.h"
+#include "system/key.h"
 
 #include <span>
 #include <vector>
 
 namespace ripstop {
+
+class Simulation;
+struct System;
 
 struct Line
 {

@@ -1,3 +1,5 @@
+// A temporary file without a name, for what a recording cannot hold in memory: it is gone when this
+// is, and when the program ends. Any thread may append and read; calls wait for each other.
 #pragma once
 
 #include "base/result.h"
@@ -10,7 +12,6 @@
 
 namespace ripstop {
 
-// A temporary file without a name: it is gone when this is, and when the program ends.
 class SpillFile
 {
 public:

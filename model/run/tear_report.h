@@ -1,4 +1,5 @@
-// What a run tore, in short.
+// What a run tore, in short: how often, with how much energy, and how its front went on. Computed
+// of what a frame has, on any thread.
 #pragma once
 
 #include "run/frame.h"

@@ -2,6 +2,7 @@
 
 #include "assembly/split_system.h"
 #include "contact/contact.h"
+#include "run/simulation.h"
 
 #include <algorithm>
 

@@ -1,12 +1,16 @@
-// Which parts touch which colliders, and when that begins and ends.
+// Which parts touch which colliders, and when that begins and ends. Called after each step, on the
+// thread that steps; it looks and changes nothing.
 #pragma once
 
 #include "run/run_event.h"
-#include "run/simulation.h"
+#include "system/key.h"
 
 #include <vector>
 
 namespace ripstop {
+
+class Simulation;
+struct System;
 
 // A part touches from the first step in which one of its particles meets the collider, until none
 // has for some time (outlast): what rests on the ground bounces by fractions of a millimetre. Of

@@ -4,8 +4,16 @@
 // stand in the property table (property.cpp), which files, forms and the manual are made from.
 #pragma once
 
-#include "base/laws.h"
+#include "base/air_laws.h"
+#include "base/contact_laws.h"
+#include "base/control_kind.h"
+#include "base/guide.h"
+#include "base/link_laws.h"
+#include "base/plot_axis.h"
+#include "base/quantity.h"
+#include "base/solver_laws.h"
 #include "base/vec3.h"
+#include "base/wind_kind.h"
 #include "scene/id.h"
 
 #include <array>

@@ -1,19 +1,13 @@
+// The watchdog: tells after a step whether the motion is still one that a simulation can go on from.
+// It reads the states that it is given and nothing else: any thread may call it.
 #pragma once
 
 #include "system/system.h"
+#include "system/trouble.h"
 
 #include <optional>
-#include <string>
 
 namespace ripstop {
-
-// Why a simulation cannot go on.
-struct Trouble
-{
-    double time = 0.0;   // s
-    Key particle = 0;    // the first that went wrong
-    std::string message; // element, time and likely cause, for people
-};
 
 // Looks for a position that is not finite or a speed above the system's limit. `before` is the
 // state one step earlier, in which the cause is looked for; the step had that many substeps.

@@ -1,7 +1,7 @@
 // What controls move.
 #pragma once
 
-#include "base/laws.h"
+#include "base/control_kind.h"
 #include "base/vec3.h"
 #include "system/key.h"
 

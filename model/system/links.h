@@ -1,7 +1,7 @@
 // Springs and rods, and the links that the author knows them by.
 #pragma once
 
-#include "base/laws.h"
+#include "base/link_laws.h"
 #include "system/key.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // What stops particles.
 #pragma once
 
-#include "base/laws.h"
+#include "base/contact_laws.h"
 #include "base/path_key.h"
 #include "base/vec3.h"
 #include "shapes/height_grid.h"

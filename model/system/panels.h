@@ -1,7 +1,7 @@
 // Fabric: its panels, what the air does to them, and what keeps them apart.
 #pragma once
 
-#include "base/laws.h"
+#include "base/air_laws.h"
 #include "system/key.h"
 
 #include <array>

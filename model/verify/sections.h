@@ -1,7 +1,7 @@
 // The sections of cases; each stands in a file of its own.
 #pragma once
 
-#include "base/laws.h"
+#include "base/choice_names.h"
 #include "verify/case.h"
 
 #include <memory>

@@ -11,11 +11,11 @@
 
 #include "compile/compile.h"
 #include "io/scene_file.h"
-#include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "scene/path.h"
 #include "verify/case.h"
 #include "verify/reference.h"
+#include "base/hash_text.h"
 
 #include <QAction>
 #include <QCheckBox>

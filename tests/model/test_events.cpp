@@ -5,6 +5,7 @@
 #include "model/cli_call.h"
 #include "model/systems.h"
 #include "run/event_watch.h"
+#include "run/simulation.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

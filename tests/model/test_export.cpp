@@ -4,6 +4,7 @@
 #include "export/format.h"
 #include "io/csv.h"
 #include "model/files.h"
+#include "run/simulation.h"
 #include "scene/scene.h"
 
 #include <QDir>

@@ -4,6 +4,7 @@
 #include "export/format.h"
 #include "model/files.h"
 #include "model/meshes.h"
+#include "run/simulation.h"
 #include "shapes/mesh_file.h"
 
 #include <QDir>

@@ -5,6 +5,7 @@
 #include "base/quantity.h"
 #include "measure/diagnostics.h"
 #include "measure/probe.h"
+#include "base/hash_text.h"
 
 #include <QtTest>
 

@@ -4,6 +4,7 @@
 #include "compile/compile.h"
 #include "run/simulation.h"
 #include "scene/scene.h"
+#include "step/stepper.h"
 
 #include <QtTest>
 

@@ -8,6 +8,7 @@
 #include "compile/live_system.h"
 #include "measure/diagnostics.h"
 #include "run/runner.h"
+#include "run/simulation.h"
 #include "run/torn_system.h"
 #include "system/fields.h"
 

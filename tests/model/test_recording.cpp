@@ -8,7 +8,10 @@
 #include "run/replay.h"
 
 #include "cli_call.h"
+#include "compile/update.h"
 #include "flown.h"
+#include "run/simulation.h"
+#include "system/moment.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -110,8 +113,8 @@ private slots:
         for (const std::int64_t step : {0, 1, 59, 61, 120, 121, 239, 241, 399, 400}) {
             const auto moment = recording->moment(step);
             QVERIFY2(moment, moment ? "" : moment.message().c_str());
-            QCOMPARE(moment->state.step, step);
-            QCOMPARE(stateHash(moment->state), recording->hashOf(step));
+            QCOMPARE((*moment)->state.step, step);
+            QCOMPARE(stateHash((*moment)->state), recording->hashOf(step));
         }
     }
 
@@ -120,7 +123,7 @@ private slots:
     {
         const Scene scene = built("hang_glider");
         const auto recording = flown(scene, 200);
-        auto moment = std::make_shared<Moment>(*recording->moment(77));
+        auto moment = *recording->moment(77);
         Simulation other(*compile(scene, 5, 9));
         other.load(Update{*compile(scene, 6, 10), nullptr, {}, moment});
         QCOMPARE(other.state().step, std::int64_t(77));
@@ -214,7 +217,7 @@ private slots:
         QCOMPARE(again.designCount(), std::size_t(2));
         QVERIFY(again.events() == recording->events());
         QVERIFY((*again.frame(33))->position == (*recording->frame(33))->position);
-        QCOMPARE(stateHash(again.moment(250)->state), recording->hashOf(250));
+        QCOMPARE(stateHash((*again.moment(250))->state), recording->hashOf(250));
         const auto outcome = replay(again, 2);
         QVERIFY(outcome && !outcome->difference);
     }

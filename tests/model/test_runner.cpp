@@ -3,7 +3,9 @@
 #include "model/systems.h"
 
 #include "measure/diagnostics.h"
+#include "run/latest_value.h"
 #include "run/runner.h"
+#include "run/simulation.h"
 
 #include <QtTest>
 

@@ -4,6 +4,7 @@
 
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
+#include "step/watchdog.h"
 
 #include <QtTest>
 

@@ -1,3 +1,6 @@
+// Keeps a copy of what is not saved, some seconds after it changed, without holding up the window:
+// the follower's scene is copied on its thread and written on another. The copy goes when the work
+// is saved or given up. Made and asked by the window's thread.
 #pragma once
 
 #include "base/result.h"
@@ -18,9 +21,6 @@ namespace ripstop {
 class Document;
 class Follower;
 
-// Keeps a copy of what is not saved, some seconds after it changed, without holding up the window:
-// the follower's scene is copied on its thread and written on another. The copy goes when the
-// work is saved or given up.
 class Autosave final : public QObject
 {
     Q_OBJECT

@@ -1,3 +1,6 @@
+// The open scene, its history and its file. Views read scene() and react to changed() and
+// replaced(); they write only through push() and drag(). Belongs to the window's thread, as all of
+// its signals do.
 #pragma once
 
 #include "base/result.h"
@@ -12,8 +15,6 @@
 
 namespace ripstop {
 
-// The open scene, its history and its file. Views read scene() and react to changed() and
-// replaced(); they write only through push() and drag().
 class Document final : public QObject
 {
     Q_OBJECT

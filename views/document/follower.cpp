@@ -1,5 +1,6 @@
 #include "document/follower.h"
 
+#include "compile/live_system.h"
 #include "document/document.h"
 
 #include <utility>

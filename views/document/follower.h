@@ -1,7 +1,14 @@
+// The scene once more, on a thread of its own, where what takes time is done: finding what an edit
+// means to a running simulation, and the check.
+//
+// It follows the document edit by edit, so that the window never copies a scene, however large, but
+// when another one is opened. Made and asked by the window's thread, which also gets all signals;
+// the thread of the follower sees nothing but inbox and outbox.
 #pragma once
 
 #include "author/stability.h"
-#include "compile/live_system.h"
+#include "compile/update.h"
+#include "scene/check.h"
 
 #include <QObject>
 
@@ -15,6 +22,7 @@
 namespace ripstop {
 
 class Document;
+class LiveSystem;
 
 // What a compile came to.
 struct Compiled
@@ -26,9 +34,6 @@ struct Compiled
     Id culprit{};
 };
 
-// The scene once more, on a thread of its own. It follows the document edit by edit, so that the
-// window never copies a scene, however large, but when another one is opened. What takes time is
-// done there: finding what an edit means to a running simulation, and the check.
 class Follower final : public QObject
 {
     Q_OBJECT

@@ -1,3 +1,5 @@
+// What conditions and views ask of an instant: where things are, how fast, how stretched, how
+// loaded. A frame does not change, so any thread may ask; texts are in the language of the window.
 #pragma once
 
 #include "author/condition.h"
@@ -9,8 +11,7 @@
 
 namespace ripstop {
 
-// What conditions can ask of an instant: where things are, how fast, how stretched, how loaded.
-// The measurement keeps the frame; without one it measures nothing.
+// For conditions. The measurement keeps the frame; without one it measures nothing.
 Measurement measurementOf(std::shared_ptr<const Frame> frame);
 
 // What an element does at this instant, in three digits: the speed of a particle, tension and

@@ -2,6 +2,8 @@
 
 #include "document/document.h"
 #include "document/words.h"
+#include "run/reached.h"
+#include "run/recording.h"
 
 #include <algorithm>
 #include <iterator>
@@ -36,22 +38,19 @@ Player::Player(Document& document, QObject* parent)
 void Player::play()
 {
     goBack();
-    if (m_playing || refuse())
-        return;
-    m_playing = true;
-    order({.play = true});
-    emit stateChanged();
+    if (!isPlaying() && !refuse())
+        begin(Activity::Playing, {.play = true});
 }
 
 void Player::pause()
 {
-    if (!m_playing)
+    if (!isPlaying())
         return;
     halt();
     emit stateChanged();
 }
 
-void Player::toggle() { m_playing ? pause() : play(); }
+void Player::toggle() { isPlaying() ? pause() : play(); }
 
 void Player::step()
 {
@@ -65,11 +64,8 @@ void Player::playUntil(double time)
 {
     halt();
     goBack();
-    if (refuse())
-        return;
-    m_playing = true;
-    order({.until = time});
-    emit stateChanged();
+    if (!refuse())
+        begin(Activity::Racing, {.until = time});
 }
 
 void Player::settle(SettleGoal goal)
@@ -78,9 +74,14 @@ void Player::settle(SettleGoal goal)
     goBack();
     if (refuse())
         return;
-    m_playing = m_settling = true;
     goal.number = ++m_goals;
-    order({.settle = goal});
+    begin(Activity::Settling, {.settle = goal});
+}
+
+void Player::begin(Activity activity, const Orders& orders)
+{
+    m_activity = activity;
+    order(orders);
     emit stateChanged();
 }
 
@@ -89,7 +90,7 @@ void Player::handle(const HandNote::What& what)
     goBack();
     using Stroke = std::shared_ptr<const Cut>;
     if (std::holds_alternative<Stroke>(what) || std::holds_alternative<HandNote::Pin>(what))
-        m_started = true; // what runs is no longer the design, though it stands at its start
+        leaveDesign(); // what runs is no longer the design, though it stands at its start
     add(what, m_hands);
     m_runner.handle(m_hands);
 }
@@ -100,8 +101,8 @@ void Player::lookAt(std::shared_ptr<const Frame> past)
 {
     if (!past)
         return goBack();
-    const bool isNew = !std::exchange(m_past, std::move(past)) || m_playing;
-    if (m_playing)
+    const bool isNew = !std::exchange(m_past, std::move(past)) || isPlaying();
+    if (isPlaying())
         halt();
     emit frameReady(m_past);
     if (isNew)
@@ -120,8 +121,8 @@ void Player::goBack()
 void Player::continueFrom(std::shared_ptr<const Moment> moment)
 {
     startOver();
-    m_started = true;
-    m_hands.hands = moment->state.hands;
+    leaveDesign();
+    m_hands.hands = handsOf(*moment);
     m_moment = std::move(moment);
     emit stateChanged();
 }
@@ -175,16 +176,21 @@ double Player::commandOf(Id id) const
 void Player::changed(const Edit& applied)
 {
     const Effect effect = worstEffect(applied);
-    if (effect == Effect::Recompile || (effect == Effect::OnReset && !m_started))
+    if (effect == Effect::Recompile || (effect == Effect::OnReset && m_runState == Run::AtDesign))
         compileSoon();
+}
+
+void Player::leaveDesign()
+{
+    if (m_runState == Run::AtDesign)
+        m_runState = Run::UnderWay;
 }
 
 void Player::startOver()
 {
     halt();
     m_runner.cancelSteps();
-    m_started = false;
-    m_stuck = false;
+    m_runState = Run::AtDesign;
     m_past.reset();
     m_moment.reset();
     m_commands.clear();
@@ -197,21 +203,20 @@ void Player::startOver()
 
 void Player::compileSoon()
 {
-    if (!m_started)
+    if (m_runState == Run::AtDesign)
         ++m_run; // nothing moves yet: the run begins anew from the edited design
-    if (m_dirty)
+    if (std::exchange(m_compile, Compile::Due) == Compile::Due)
         return;
-    m_dirty = true;
     QMetaObject::invokeMethod(this, &Player::post, Qt::QueuedConnection);
 }
 
 void Player::post()
 {
-    if (!m_dirty)
+    if (m_compile != Compile::Due)
         return;
-    m_dirty = false;
+    m_compile = Compile::UnderWay;
     m_follower.compile(++m_generation, m_run);
-    if (m_orders && !m_started)
+    if (m_orders && m_runState == Run::AtDesign)
         m_orders->generation = m_generation;
 }
 
@@ -228,7 +233,7 @@ void Player::giveOrders()
     if (!m_orders || m_compiled < m_orders->generation)
         return;
     const Orders orders = *std::exchange(m_orders, std::nullopt);
-    m_started = true;
+    leaveDesign();
     for (int i = 0; i < orders.steps; ++i)
         m_runner.stepOnce();
     m_until = orders.until;
@@ -248,31 +253,38 @@ bool Player::hasArrived() const
            && hasReached(m_frame->time, *m_until, timeStep);
 }
 
+bool Player::hasSettled() const
+{
+    const auto& settling = m_frame->settling;
+    return isSettling() && settling && settling->number == m_goals
+           && settling->outcome != Settling::Outcome::Under;
+}
+
 void Player::halt()
 {
-    m_playing = false;
+    const Activity halted = std::exchange(m_activity, Activity::Paused);
     m_orders.reset();
     m_until.reset();
     m_runner.playUntil(never);
-    if (std::exchange(m_settling, false))
+    if (halted == Activity::Settling)
         m_runner.settle(std::nullopt);
     m_runner.setPlaying(false);
 }
 
-bool Player::isCurrent() const
+bool Player::stands() const
 {
-    return !m_past && !m_dirty && m_compiled == m_generation && m_problem.isEmpty() && m_frame
-           && m_frame->run == m_run && m_frame->generation == m_generation;
+    return m_compile == Compile::Done && m_frame && m_frame->run == m_run
+           && m_frame->generation == m_generation;
 }
+
+bool Player::isCurrent() const { return !m_past && m_problem.isEmpty() && stands(); }
 
 bool Player::refuse()
 {
     // What was wrong before the newest edit may have been cured by it.
-    const bool current = !m_dirty && m_compiled == m_generation;
-    const bool stands = m_frame && m_frame->run == m_run && m_frame->generation == m_generation;
-    if (current && !m_problem.isEmpty())
+    if (m_compile == Compile::Done && !m_problem.isEmpty())
         emit stopped(m_problem, m_culprit);
-    else if (current && stands && !m_frame->stopped.empty())
+    else if (stands() && !m_frame->stopped.empty())
         emit stopped(translated(m_frame->stopped), m_frame->culprit);
     else
         return false;
@@ -291,13 +303,15 @@ void Player::takeCompiled(const Compiled& outcome)
     if (outcome.run != m_run)
         return; // of a design that has changed since; a newer one is under way
     m_compiled = outcome.generation;
-    if (runs && !m_started)
+    if (m_compile == Compile::UnderWay && m_compiled == m_generation)
+        m_compile = Compile::Done;
+    if (runs && m_runState == Run::AtDesign)
         m_runner.command(m_commands); // a new run starts with its controls at zero
     if (runs)
         m_runner.handle(m_hands); // and with empty hands
 
     const QString problem = translated(outcome.problem);
-    const bool disappoints = !problem.isEmpty() && (m_playing || m_orders);
+    const bool disappoints = !problem.isEmpty() && (isPlaying() || m_orders);
     const bool isNews = problem != m_problem || disappoints;
     m_problem = problem;
     m_culprit = quint32(outcome.culprit);
@@ -334,19 +348,21 @@ void Player::takeFrame()
     if (!frame || frame->run != m_run)
         return; // of a run that is over
     passSamples(*frame);
-    const bool wasStuck = std::exchange(m_stuck, !frame->stopped.empty());
     m_frame = std::move(frame);
 
-    const bool gotStuck = m_stuck && !wasStuck;
-    const auto& settling = m_frame->settling;
-    const bool hasSettled = m_settling && settling && settling->number == m_goals
-                            && settling->outcome != Settling::Outcome::Under;
-    const bool halts = gotStuck || hasSettled || hasArrived();
+    const bool wasStuck = m_runState == Run::Stuck;
+    if (!m_frame->stopped.empty())
+        m_runState = Run::Stuck;
+    else if (wasStuck)
+        m_runState = Run::UnderWay;
+    const bool gotStuck = m_runState == Run::Stuck && !wasStuck;
+    const bool isStill = hasSettled();
+    const bool halts = gotStuck || isStill || hasArrived();
     if (halts)
         halt();
     if (!m_past)
         emit frameReady(m_frame);
-    if (hasSettled)
+    if (isStill)
         emit settled(*m_frame->settling);
     if (halts)
         emit stateChanged();

@@ -1,3 +1,23 @@
+// The Qt face of the runner: has each change of the document compiled off the window's thread,
+// hands what that comes to to the runner, and brings back the newest frame once per displayed one.
+// All of it is called from the window's thread, and none of it waits for the others.
+//
+// It is in one state of each of four kinds, which change independently:
+//
+//     what it does      Paused --play()--> Playing          by the clock
+//                              --playUntil()--> Racing      as fast as it can, to a time
+//                              --settle()--> Settling       the same, until all is still
+//                       all of them --halt()--> Paused: pause(), the time, rest, trouble, a problem
+//     the run           AtDesign --leaveDesign()--> UnderWay    orders, a cut or a pin, a moment
+//                       UnderWay --takeFrame()--> Stuck         the next step would be broken
+//                       Stuck    --takeFrame()--> UnderWay      an edit has cured it
+//                       all of them --startOver()--> AtDesign
+//     the compile       Done --compileSoon()--> Due --post()--> UnderWay --takeCompiled()--> Done
+//                       UnderWay --compileSoon()--> Due         edited again meanwhile
+//     what is shown     the run --lookAt()--> an instant of a recording --goBack()--> the run
+//
+// What is asked for while a compile is due or under way becomes Orders, which the runner gets as
+// soon as it has that system: giveOrders().
 #pragma once
 
 #include "document/follower.h"
@@ -14,8 +34,6 @@ namespace ripstop {
 
 class Document;
 
-// The Qt face of the runner: has each change of the document compiled off the window's thread,
-// hands what that comes to to the runner, and brings back the newest frame once per displayed one.
 class Player final : public QObject
 {
     Q_OBJECT
@@ -25,7 +43,7 @@ public:
 
     Follower& follower() { return m_follower; }
 
-    bool isPlaying() const { return m_playing; }
+    bool isPlaying() const { return m_activity != Activity::Paused; }
     double speed() const { return m_speed; }
     // What is shown: the newest instant, or one that is looked back at. Null before the first.
     const std::shared_ptr<const Frame>& frame() const { return m_past ? m_past : m_frame; }
@@ -68,7 +86,7 @@ public:
 
     // Runs on, as fast as it can, until all is still or the goal's time is over; then pauses.
     void settle(SettleGoal goal);
-    bool isSettling() const { return m_settling; }
+    bool isSettling() const { return m_activity == Activity::Settling; }
 
 signals:
     // Of the run that is shown, before the frame that comes after it.
@@ -80,6 +98,10 @@ signals:
     void recordingBegan(const std::shared_ptr<ripstop::Recording>& recording); // of a run
 
 private:
+    enum class Activity { Paused, Playing, Racing, Settling };
+    enum class Run { AtDesign, UnderWay, Stuck }; // under way as soon as it is about to be
+    enum class Compile { Due, UnderWay, Done };   // of the document as it is now
+
     // What the runner is told as soon as it has the system of `generation`.
     struct Orders
     {
@@ -90,19 +112,25 @@ private:
         std::optional<SettleGoal> settle = std::nullopt;
     };
 
-    void changed(const Edit& applied);
-    void goBack();    // to the run, if it is not shown
-    void startOver(); // a new run, paused, from the design as it is now
+    // --- transitions ---
+    void begin(Activity activity, const Orders& orders);
+    void halt();
+    void leaveDesign(); // unless it has left
+    void startOver();   // a new run, paused, from the design as it is now
     void compileSoon();
-    void post();
+    void post(); // what is due, to the follower
     void takeCompiled(const Compiled& outcome);
     void takeFrame();
+    void goBack(); // to the run, if it is not shown
+
+    void changed(const Edit& applied);
     void passSamples(const Frame& frame);
     void order(Orders orders);
     void giveOrders();
-    bool refuse(); // says why nothing can be played, if so
-    void halt();
+    bool refuse();           // says why nothing can be played, if so
     bool hasArrived() const; // where playUntil() wanted
+    bool hasSettled() const; // as the newest frame says
+    bool stands() const;     // the newest frame is of the newest compile
 
     Document& m_document;
     Runner m_runner;
@@ -122,12 +150,10 @@ private:
     std::uint64_t m_generation = 0; // of the newest compile asked for
     std::uint64_t m_compiled = 0;   // of the newest compile that came back
     std::uint64_t m_run = 1;
-    bool m_dirty = false;   // the document has changed since m_generation
-    bool m_started = false; // the run has left the design, or is about to
-    bool m_stuck = false;   // the newest frame says that the simulation cannot go on
-    bool m_playing = false;
-    bool m_settling = false; // or is about to
-    int m_goals = 0;         // so far, to tell frames of one from those of the next
+    Activity m_activity = Activity::Paused;
+    Run m_runState = Run::AtDesign;
+    Compile m_compile = Compile::Done;
+    int m_goals = 0; // so far, to tell frames of one from those of the next
 };
 
 } // namespace ripstop

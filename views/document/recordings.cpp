@@ -347,7 +347,7 @@ Recordings::Begin Recordings::compute(const Start& start)
     auto moment = start.recording->moment(start.step, [this](double) { return !m_cancelled; });
     if (!moment)
         return {nullptr, moment.message()};
-    return {std::make_shared<const Moment>(std::move(*moment)), {}};
+    return {std::move(*moment), {}};
 }
 
 void Recordings::takeMoment()
@@ -359,7 +359,7 @@ void Recordings::takeMoment()
     if (begin->moment) {
         m_player.continueFrom(begin->moment);
         emit said(tr("Play goes on from %1 s with the design as it is now, as a run of its own.")
-                      .arg(secondsText(begin->moment->state.time)));
+                      .arg(secondsText(timeOf(*begin->moment))));
     } else {
         m_origin.clear();
     }

@@ -1,3 +1,8 @@
+// The runs that are kept, which of them is looked back at, and where.
+//
+// Each run of the player is kept as it goes, and what was opened from files stands beside. All of
+// it is called from the window's thread; frames are unpacked and moments computed on threads of
+// their own, and of several that are asked for the newest comes.
 #pragma once
 
 #include "document/player.h"
@@ -16,10 +21,6 @@
 
 namespace ripstop {
 
-// The runs that are kept, which of them is looked back at, and where.
-//
-// Each run of the player is kept as it goes, and what was opened from files stands beside. Frames
-// are unpacked on a thread of their own; of several that are asked for, the newest comes.
 class Recordings final : public QObject
 {
     Q_OBJECT

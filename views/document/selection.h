@@ -1,3 +1,5 @@
+// What the user has selected: items or elements, in ascending order of id. Ids that an edit removes
+// leave the selection by themselves. Belongs to the window's thread.
 #pragma once
 
 #include "scene/id.h"
@@ -10,8 +12,6 @@ namespace ripstop {
 
 class Document;
 
-// What the user has selected: items or elements, in ascending order of id. Ids that an edit removes
-// leave the selection by themselves.
 class Selection final : public QObject
 {
     Q_OBJECT

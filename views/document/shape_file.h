@@ -1,6 +1,8 @@
+// How the window asks for the file of a collider's shape, and how a scene names it: from its own
+// folder where the file lies there, so that both can be moved together.
 #pragma once
 
-#include "base/laws.h"
+#include "base/contact_laws.h"
 
 #include <QString>
 

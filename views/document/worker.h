@@ -1,3 +1,8 @@
+// One thread that turns jobs into outcomes while the window goes on. A job that is posted while
+// another waits replaces it: only the newest matters. Any thread may post and take.
+//
+// `work` and `done` are called on the worker's thread; `done` after each outcome, to wake whoever
+// collects it.
 #pragma once
 
 #include "run/latest_value.h"
@@ -8,11 +13,6 @@
 
 namespace ripstop {
 
-// One thread that turns jobs into outcomes while the window goes on. A job that is posted while
-// another waits replaces it: only the newest matters.
-//
-// `work` and `done` are called on the worker's thread; `done` after each outcome, to wake whoever
-// collects it.
 template <typename Job, typename Outcome>
 class Worker
 {

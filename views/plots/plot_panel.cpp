@@ -1,6 +1,6 @@
 #include "plots/plot_panel.h"
 
-#include "base/laws.h"
+#include "base/quantity.h"
 #include "document/document.h"
 #include "document/event_words.h"
 #include "document/player.h"

@@ -1,0 +1,17 @@
+// What colliders look like and what they do to a particle that meets them.
+#pragma once
+
+#include "base/choice_names.h"
+
+namespace ripstop {
+
+enum class ColliderShape { Plane, Sphere, Box, HeightField, Mesh };
+template <>
+inline constexpr std::array<std::string_view, 5> choiceNames<ColliderShape>{
+    "plane", "sphere", "box", "height_field", "mesh"};
+
+enum class Response { Stop, Slide, Contact };
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<Response>{"stop", "slide", "contact"};
+
+} // namespace ripstop

@@ -1,0 +1,12 @@
+// What a control does: it moves particles, or shifts a weight between rods.
+#pragma once
+
+#include "base/choice_names.h"
+
+namespace ripstop {
+
+enum class ControlKind { Move, WeightShift };
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<ControlKind>{"move", "weight_shift"};
+
+} // namespace ripstop

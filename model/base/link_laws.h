@@ -1,0 +1,37 @@
+// What a link is, which loads it bears, and when and how it tears. The scene says it for each link
+// or material; forces, constraints and tearing obey it.
+#pragma once
+
+#include "base/choice_names.h"
+
+#include <cstdint>
+
+namespace ripstop {
+
+enum class LinkKind { Spring, Rod }; // a force; a constraint
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
+
+enum class LinkRole : std::uint8_t {
+    Line,   // one by itself
+    Thread, // of a woven fabric, along its threads
+    Bias    // of a woven fabric, across its cells
+};
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<LinkRole>{"line", "thread", "bias"};
+
+enum class Resists { Both, Tension, Compression }; // a batten, a line, a strut
+template <>
+inline constexpr std::array<std::string_view, 3> choiceNames<Resists>{"both", "tension",
+                                                                      "compression"};
+
+enum class TearRule { Never, Length, Strain, Force };
+template <>
+inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", "length", "strain",
+                                                                       "force"};
+
+enum class TearMesh { Vanish, Split }; // what panels do beside a link that tears
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<TearMesh>{"vanish", "split"};
+
+} // namespace ripstop

@@ -1,0 +1,27 @@
+// How the solver moves particles on and how it holds rods: laws that a design chooses for all of
+// itself. The scene says them, the stepper obeys them, and neither sees the other.
+#pragma once
+
+#include "base/choice_names.h"
+
+namespace ripstop {
+
+enum class Integrator { ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet };
+template <>
+inline constexpr std::array<std::string_view, 4> choiceNames<Integrator>{
+    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet"};
+
+enum class Solver {
+    AveragedJacobi, // mass-split: conserves momentum (Tonge 2012)
+    PaperJacobi, // each end averages its own corrections (Beaudry, Egli, Patenaude 2005, figure 8)
+    GaussSeidel, // in colours, with compliance (Macklin, Mueller, Chentanez 2016)
+    SmallSteps,  // Gauss-Seidel with one sweep per substep, the order of colours shuffled in each
+                 // (Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke and Mueller 2019)
+    Direct,      // all rods together, by Newton's method; for lines, frames and heavy loads
+    Auto         // small steps, as many as the wanted strain needs, and direct blocks
+};
+template <>
+inline constexpr std::array<std::string_view, 6> choiceNames<Solver>{
+    "averaged_jacobi", "paper_jacobi", "gauss_seidel", "small_steps", "direct", "auto"};
+
+} // namespace ripstop
