@@ -1,11 +1,9 @@
 #include "measure/diagnostics.h"
 
-#include "forces/bend_force.h"
-#include "forces/canopy_air.h"
+#include "forces/fabric_air.h"
+#include "forces/forces.h"
 #include "forces/line_drag.h"
-#include "forces/panel_load.h"
 #include "forces/spring_force.h"
-#include "forces/wing_load.h"
 #include "step/inputs.h"
 
 #include <Eigen/Geometry>
@@ -73,26 +71,26 @@ Energies energies(const System& system, const State& state, std::span<const doub
 {
     Energies sum;
     sum.kinetic = kineticEnergy(system, state);
-    for (std::size_t i = 0; i < state.position.size(); ++i) {
-        if (system.inverseMass[i] == 0.0)
+    for (std::size_t i = 0; i < system.rods.size(); ++i) {
+        const Rod& rod = system.rods[i];
+        if (state.rodTorn[i] || !(rod.compliance > 0.0))
             continue;
-        sum.potential -= system.mass[i] * system.gravity.dot(state.position[i]);
+        const double length =
+            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm();
+        sum.elastic += elasticEnergy(1.0 / rod.compliance, rod.resists, length - restLength[i]);
     }
-    for (const LinkPlace& link : system.links) {
-        if (isTorn(link, state))
-            continue;
-        const auto index = std::size_t(link.index);
-        const double length = separation(link, state).norm();
-        if (link.kind == LinkKind::Spring) {
-            const Spring& spring = system.springs[index];
-            sum.elastic +=
-                elasticEnergy(spring.stiffness, spring.resists, length - spring.restLength);
-        } else if (const Rod& rod = system.rods[index]; rod.compliance > 0.0) {
-            sum.elastic +=
-                elasticEnergy(1.0 / rod.compliance, rod.resists, length - restLength[index]);
+    for (const auto& force : knownForces())
+        switch (force->kind()) {
+        case ForceKind::Elastic:
+            sum.elastic += force->energy(system, state);
+            break;
+        case ForceKind::Weight:
+            sum.potential += force->energy(system, state);
+            break;
+        case ForceKind::Air:
+        case ForceKind::Hand:
+            break; // their work is counted instead
         }
-    }
-    sum.elastic += bendingEnergy(system, state);
     return sum;
 }
 
@@ -177,15 +175,14 @@ std::vector<Vec3> panelLoads(const System& system, const State& state)
 {
     std::vector<PaddedVec3> load(system.panels.size());
     ThreadPool alone(1);
-    fillPanelLoads(system, state, alone, load);
-    WingLoads().add(system, state, load);
-    addCanopyLoads(system, state, alone, load);
+    WingLoads wings;
+    fillFabricLoads(system, state, alone, wings, load);
     return {load.begin(), load.end()};
 }
 
 std::vector<Vec3> lineDrags(const System& system, const State& state)
 {
-    std::vector<PaddedVec3> drag(system.dragLines.size());
+    std::vector<PaddedVec3> drag(system.of<LineLists>().list.size());
     ThreadPool alone(1);
     fillLineDrags(system, state, alone, drag);
     return {drag.begin(), drag.end()};

@@ -14,18 +14,17 @@ auto fieldsOf(S& system)
     auto& [generation, run, serial, valuesSerial, touched, timeStep, substeps, sweeps, integrator,
            solver, strainGoal, tearsPerStep, tearMesh, gravity, airDensity, wind, airflows, gusts,
            viscosity, speedLimit, key, parts, mass, inverseMass, guided, springs, rods, colorStart,
-           chunkStart, chunkClass, chunkReach, direct, materialAir, bending, dragLines, bends,
-           panels, panelKey, wings, links, linkStuff, springLink, rodLink, tearableSprings,
-           tearableRods, springsAt, rodsAt, panelsAt, dragLinesAt, bendsAt, panelsBeside, obstacles,
-           fabricLayer, canopies, inputs, shiftedRods, probes, start] = system;
+           chunkStart, chunkClass, chunkReach, direct, materialAir, bending, forces, panels,
+           panelKey, links, linkStuff, springLink, rodLink, tearableSprings, tearableRods,
+           springsAt, rodsAt, panelsAt, panelsBeside, obstacles, fabricLayer, canopies, inputs,
+           shiftedRods, probes, start] = system;
     return std::tie(generation, run, timeStep, substeps, sweeps, integrator, solver, strainGoal,
                     tearsPerStep, tearMesh, gravity, airDensity, wind, airflows, gusts, viscosity,
                     speedLimit, key, parts, mass, inverseMass, guided, springs, rods, colorStart,
-                    chunkStart, chunkClass, chunkReach, direct, materialAir, bending, dragLines,
-                    bends, panels, panelKey, wings, links, linkStuff, springLink, rodLink,
-                    tearableSprings, tearableRods, springsAt, rodsAt, panelsAt, dragLinesAt,
-                    bendsAt, panelsBeside, obstacles, fabricLayer, canopies, inputs, shiftedRods,
-                    probes, start);
+                    chunkStart, chunkClass, chunkReach, direct, materialAir, bending, forces,
+                    panels, panelKey, links, linkStuff, springLink, rodLink, tearableSprings,
+                    tearableRods, springsAt, rodsAt, panelsAt, panelsBeside, obstacles, fabricLayer,
+                    canopies, inputs, shiftedRods, probes, start);
 }
 
 template <typename S>
