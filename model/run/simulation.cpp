@@ -164,13 +164,13 @@ void Simulation::apply(const Patch& patch)
         return reset(patch);
 
     // what carryOver() does, for what can differ
-    for (const auto& [i, values] : patch.particles) {
+    for (const auto& [i, row] : patch.particles) {
         m_atStart = false;
-        if (values.inverseMass == 0.0) {
+        if (row.pinned) {
             m_state.velocity[std::size_t(i)].setZero();
             m_state.drift[std::size_t(i)].setZero();
         }
-        turnAlong({i, values.guide, values.guideAxis}, m_state);
+        turnAlong(guidedOf(row, i), m_state);
     }
 }
 
