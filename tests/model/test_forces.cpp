@@ -7,6 +7,8 @@
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <QtTest>
 
 #include <QDirIterator>
@@ -14,6 +16,7 @@
 #include <QSet>
 
 #include <cmath>
+#include <map>
 
 using namespace ripstop;
 
@@ -71,7 +74,7 @@ Example bending()
     System system = twoTriangles(0.1);
     addPanel(system, 0, 1, 2, AirLaw::None, 0.0);
     addPanel(system, 1, 3, 2, AirLaw::None, 0.0);
-    system.bending = {{1e-3, 0.0}};
+    system.bending = {{0.1, 0.0}};
     return {system, {}};
 }
 
@@ -85,8 +88,9 @@ Example weight()
 Example hand()
 {
     System system = twoTriangles();
+    system.key = {1, 2, 3, 4};
     HandPull pull;
-    pull.grip.particle = {0, 1, 2};
+    pull.grip.particle = {1, 2, 3};
     pull.grip.share = {0.5, 0.3, 0.2};
     pull.to = {1.0, 2.0, 0.5};
     pull.stiffness = 2.0;
