@@ -71,13 +71,13 @@ Energies energies(const System& system, const State& state, std::span<const doub
 {
     Energies sum;
     sum.kinetic = kineticEnergy(system, state);
-    for (std::size_t i = 0; i < system.rods.size(); ++i) {
-        const Rod& rod = system.rods[i];
-        if (state.rodTorn[i] || !(rod.compliance > 0.0))
+    for (const LinkPlace& link : system.links) { // in the author's order
+        if (link.kind == LinkKind::Spring || isTorn(link, state))
             continue;
-        const double length =
-            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm();
-        sum.elastic += elasticEnergy(1.0 / rod.compliance, rod.resists, length - restLength[i]);
+        const auto index = std::size_t(link.index);
+        if (const Rod& rod = system.rods[index]; rod.compliance > 0.0)
+            sum.elastic += elasticEnergy(1.0 / rod.compliance, rod.resists,
+                                         separation(link, state).norm() - restLength[index]);
     }
     for (const auto& force : knownForces())
         switch (force->kind()) {
