@@ -106,9 +106,9 @@ const std::map<std::string_view, Example (*)()> examples = {
 };
 
 // One force of a list of its own, with an example of it that is ready to run.
-struct Case
+struct Acting
 {
-    explicit Case(const QString& name)
+    explicit Acting(const QString& name)
     {
         Example example = examples.at(name.toStdString())();
         system = std::move(example.system);
@@ -171,7 +171,7 @@ QString textOf(const QString& file)
 }
 
 // N/m, by differences: how the force on one coordinate falls as another one grows.
-Eigen::MatrixXd stiffnessOf(Case& c)
+Eigen::MatrixXd stiffnessOf(Acting& c)
 {
     constexpr double step = 1e-6; // m
     const auto n = Eigen::Index(3 * c.state.position.size());
@@ -213,7 +213,7 @@ private slots:
         QFETCH(QString, name);
         QVERIFY2(examples.count(name.toStdString()),
                  "show an example of the force in `examples` of this test");
-        Case c(name);
+        Acting c(name);
         QVERIFY(c.force->acts(c.system, c.state));
         double largest = 0.0;
         for (const Vec3& force : c.sum())
@@ -249,7 +249,7 @@ private slots:
     void pullsDownItsEnergy()
     {
         QFETCH(QString, name);
-        Case c(name);
+        Acting c(name);
         stop(c.state);
         if (!c.holdsEnergy()) {
             QCOMPARE(c.force->energy(c.system, c.state), 0.0); // its work is counted instead
@@ -281,7 +281,7 @@ private slots:
     void dampersTakeTheRest()
     {
         QFETCH(QString, name);
-        Case c(name);
+        Acting c(name);
         ThreadPool alone(1);
         const double moving = c.power(c.sum());
         const double damping = c.force->dampingPower(c.system, c.state, alone);
@@ -306,7 +306,7 @@ private slots:
     void handsWork()
     {
         QFETCH(QString, name);
-        Case c(name);
+        Acting c(name);
         if (c.force->kind() != ForceKind::Hand)
             return;
         constexpr double h = 1e-6; // s
@@ -324,7 +324,7 @@ private slots:
     void ledgerKnowsIt()
     {
         QFETCH(QString, name);
-        Case c(name);
+        Acting c(name);
         c.system.probes.push_back({.key = Key(99),
                                    .name = "residual",
                                    .quantity = Quantity::EnergyResidual,
@@ -356,7 +356,7 @@ private slots:
     void stiffnessIsTold()
     {
         QFETCH(QString, name);
-        Case c(name);
+        Acting c(name);
         if (!c.holdsEnergy())
             return;
         stop(c.state);
@@ -383,7 +383,7 @@ private slots:
     void listsAgain()
     {
         QFETCH(QString, name);
-        Case c(name);
+        Acting c(name);
         System again = c.system;
         c.force->list(again);
         QVERIFY(again == c.system);
@@ -395,7 +395,7 @@ private slots:
     void bothSumsAgree()
     {
         QFETCH(QString, name);
-        Case c(name);
+        Acting c(name);
         ThreadPool alone(1);
         const Lane lane = c.force->fill(c.system, c.state, alone);
         if (!lane.load)
