@@ -1,17 +1,14 @@
 // In this order: names for what was made by hand, the order of rods, lists of what meets at each
-// particle, what forces derive from the rest, and a start state of the right sizes.
+// particle, a start state of the right sizes, and what forces derive from all of that.
 #include "assembly/finish.h"
 
-#include "base/key_index.h"
-#include "forces/gusts.h"
-#include "forces/wing_load.h"
+#include "forces/forces.h"
 #include "system/fields.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <numeric>
-#include <span>
 
 namespace ripstop {
 namespace {
@@ -39,33 +36,6 @@ void putRodsInOrder(System& system, const RodOrder& order)
         shifted.rod = place[std::size_t(shifted.rod)];
 }
 
-// The items that name each of `count` targets, in ascending order of item.
-template <typename Items, typename TargetsOf>
-void fillIncidence(Rows& rows, std::size_t count, const Items& items, TargetsOf targetsOf)
-{
-    rows.start.assign(count + 1, 0);
-    for (const auto& item : items)
-        for (const int target : targetsOf(item))
-            ++rows.start[std::size_t(target) + 1];
-    std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
-    rows.items.resize(std::size_t(rows.start.back()));
-    std::vector<int> next(rows.start.begin(), rows.start.end() - 1);
-    for (std::size_t i = 0; i < items.size(); ++i)
-        for (const int target : targetsOf(items[i]))
-            rows.items[std::size_t(next[std::size_t(target)]++)] = int(i);
-}
-
-void fillDragLinesAt(System& system)
-{
-    system.dragLinesAt.start.clear();
-    system.dragLinesAt.items.clear();
-    if (!system.dragLines.empty())
-        fillIncidence(system.dragLinesAt, system.start.position.size(), system.dragLines,
-                      [](const DragLine& line) {
-                          return std::array{line.a, line.b};
-                      });
-}
-
 void fillPanelsBeside(System& system)
 {
     Rows& rows = system.panelsBeside;
@@ -85,31 +55,6 @@ void fillPanelsBeside(System& system)
         });
         rows.start.push_back(int(rows.items.size()));
     }
-}
-
-BendingNet bendingNetOf(const System& system)
-{
-    BendingNet net;
-    for (std::size_t i = 0; i < system.start.position.size(); ++i) {
-        net.position.push_back(system.start.position[i]);
-        net.pinned.push_back(system.inverseMass[i] == 0.0);
-    }
-    for (const FabricPanel& panel : system.panels)
-        net.panels.push_back({panel.corner, system.bending[std::size_t(panel.air)]});
-    KeyIndex bendingOf(system.materialAir.size());
-    for (std::size_t i = 0; i < system.materialAir.size(); ++i)
-        bendingOf.add(system.materialAir[i].key, int(i));
-    for (std::size_t i = 0; i < system.links.size(); ++i) {
-        const LinkPlace& link = system.links[i];
-        const auto index = std::size_t(link.index);
-        const double length = link.kind == LinkKind::Spring ? system.springs[index].restLength
-                                                            : system.rods[index].restLength;
-        const Key material = system.linkStuff.empty() ? 0 : system.linkStuff[i].material;
-        const int bending = system.linkStuff.empty() ? -1 : bendingOf(material);
-        net.links.push_back({link.a, link.b, length, material,
-                             bending < 0 ? Bending() : system.bending[std::size_t(bending)]});
-    }
-    return net;
 }
 
 void nameLinks(System& system)
@@ -182,25 +127,12 @@ void finishOrdered(System& system, RodOrder order)
     fillIncidence(system.rodsAt, n, system.rods, ends);
     fillIncidence(system.panelsAt, n, system.panels, [](const FabricPanel& p) { return p.corner; });
     fillPanelsBeside(system);
-    if (system.linkStuff.empty())
-        fillDragLinesAt(system);
-    else
-        listDragLines(system);
-    listBends(system);
 
     forEachSized(system, system.start, [](auto& values, std::size_t count) {
         if (values.size() != count)
             values.assign(count, {});
     });
-    startGusts(system);
-    listWings(system);
-}
-
-void startGusts(System& system)
-{
-    system.start.gusts.clear();
-    for (const GustSpec& gusts : system.gusts)
-        system.start.gusts.push_back(firstGust(gusts));
+    (void)listForces(system, {true, true, true, true, true, true});
 }
 
 void listTearable(System& system)
@@ -213,47 +145,6 @@ void listTearable(System& system)
     };
     list(system.springs, system.tearableSprings);
     list(system.rods, system.tearableRods);
-}
-
-void listDragLines(System& system)
-{
-    system.dragLines.clear();
-    KeyIndex airOf(system.materialAir.size());
-    bool some = false;
-    for (std::size_t i = 0; i < system.materialAir.size(); ++i) {
-        airOf.add(system.materialAir[i].key, int(i));
-        some |= system.materialAir[i].lineWidth > 0.0;
-    }
-    for (std::size_t i = 0; some && i < system.links.size(); ++i) {
-        const int air = airOf(system.linkStuff[i].material);
-        const double width = air < 0 ? 0.0 : system.materialAir[std::size_t(air)].lineWidth;
-        if (width > 0.0)
-            system.dragLines.push_back({int(i), system.links[i].a, system.links[i].b, width});
-    }
-    fillDragLinesAt(system);
-}
-
-void listBends(System& system)
-{
-    system.bends.clear();
-    system.bendsAt.start.clear();
-    system.bendsAt.items.clear();
-    if (system.bending.empty())
-        return;
-    system.bends = bendsOf(bendingNetOf(system));
-    if (system.bends.empty())
-        return;
-    fillIncidence(system.bendsAt, system.start.position.size(), system.bends, [](const Bend& bend) {
-        return std::span(bend.corner).first(bend.ofSpar ? 3 : 4);
-    });
-    // of each bend, which of its corners the particle is
-    const Rows& at = system.bendsAt;
-    for (std::size_t p = 0; p + 1 < at.start.size(); ++p)
-        for (int k = at.start[p]; k < at.start[p + 1]; ++k) {
-            int& item = system.bendsAt.items[std::size_t(k)];
-            const auto& corner = system.bends[std::size_t(item)].corner;
-            item = 4 * item + int(std::find(corner.begin(), corner.end(), int(p)) - corner.begin());
-        }
 }
 
 void touch(System& system, const Touched& changed)

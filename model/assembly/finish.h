@@ -1,8 +1,8 @@
 // Makes a System whole: whatever follows from its own arrays is filled in here, once when it is
 // made and again, in part, when it was changed in place.
 //
-// It stands above the rooms of system, forces and constraints, since the order of rods, the lists
-// of what bends and the first gusts are their knowledge. None of this may run beside a step.
+// It stands above the rooms of system, forces and constraints, since the order of rods and
+// what forces derive from the rest are their knowledge. None of this may run beside a step.
 #pragma once
 
 #include "constraints/rod_order.h"
@@ -19,11 +19,9 @@ void finish(System& system);
 // finish() for a system whose rods stand in this order already, and whose links say so.
 void finishOrdered(System& system, RodOrder order);
 
-// Whoever changes a finished system in place, and is its only owner, says so with these.
-void listTearable(System& system);  // after a tear rule
-void startGusts(System& system);    // after another seed
-void listDragLines(System& system); // after the air or the material of a link
-void listBends(System& system);     // after bending, lengths, pins or where particles start
+// Whoever changes a finished system in place, and is its only owner, says so with these, and with
+// listForces() (forces/forces.h).
+void listTearable(System& system);                  // after a tear rule
 void touch(System& system, const Touched& changed); // after these inverse masses and rods
 void touchAll(System& system);
 

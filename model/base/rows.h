@@ -1,6 +1,8 @@
 // Lists of lists in two arrays, as sparse matrices keep them.
 #pragma once
 
+#include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace ripstop {
@@ -13,5 +15,21 @@ struct Rows
 
     friend bool operator==(const Rows&, const Rows&) = default;
 };
+
+// The items that name each of `count` targets, in ascending order of item.
+template <typename Items, typename TargetsOf>
+void fillIncidence(Rows& rows, std::size_t count, const Items& items, TargetsOf targetsOf)
+{
+    rows.start.assign(count + 1, 0);
+    for (const auto& item : items)
+        for (const int target : targetsOf(item))
+            ++rows.start[std::size_t(target) + 1];
+    std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
+    rows.items.resize(std::size_t(rows.start.back()));
+    std::vector<int> next(rows.start.begin(), rows.start.end() - 1);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        for (const int target : targetsOf(items[i]))
+            rows.items[std::size_t(next[std::size_t(target)]++)] = int(i);
+}
 
 } // namespace ripstop

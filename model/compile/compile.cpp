@@ -35,14 +35,10 @@ void reserve(const Scene& scene, System& system)
 void addParticles(const Part& part, System& system)
 {
     for (const Particle& row : part.particles) {
-        const ParticleValues values = valuesOf(row);
-        if (values.guide != Guide::None)
-            system.guided.push_back({int(system.key.size()), values.guide, values.guideAxis});
-        system.key.push_back(Key(row.id));
-        system.mass.push_back(values.mass);
-        system.inverseMass.push_back(values.inverseMass);
-        system.start.position.push_back(values.position);
-        system.start.velocity.push_back(values.velocity);
+        const int place = int(system.key.size());
+        if (const GuidedParticle guided = guidedOf(row, place); guided.guide != Guide::None)
+            system.guided.push_back(guided);
+        takeParticle(row, place, system);
     }
 }
 

@@ -230,7 +230,7 @@ Patch LiveSystem::Private::patch() const
     for (const Id id : m_noted.materials)
         patch.materials.emplace_back(Key(id), materialOf(m_scene, m_index, id));
     for (const Id id : m_noted.particles)
-        patch.particles.emplace_back(m_index.particle(id), valuesOf(rowOf<Particle>(m_scene, id)));
+        patch.particles.emplace_back(m_index.particle(id), rowOf<Particle>(m_scene, id));
     for (const Id id : m_noted.links)
         patchLink(id, patch);
     for (const Id id : m_noted.panels)

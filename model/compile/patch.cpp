@@ -2,7 +2,7 @@
 
 #include "assembly/finish.h"
 #include "constraints/guides.h"
-#include "forces/wing_load.h"
+#include "forces/forces.h"
 
 #include <algorithm>
 
@@ -14,13 +14,6 @@ bool solvesLike(const Rod& a, const Rod& b)
 {
     return a.a == b.a && a.b == b.b && a.restLength == b.restLength && a.compliance == b.compliance
            && a.resists == b.resists;
-}
-
-// Whether bends, or the step that they allow, may be others.
-bool touchesBends(const Patch& patch)
-{
-    return !patch.materials.empty() || !patch.particles.empty() || !patch.springs.empty()
-           || !patch.rods.empty() || !patch.linkStuff.empty() || !patch.panels.empty();
 }
 
 class Patcher
@@ -38,8 +31,8 @@ public:
             takeSettings(*patch.settings, m_system);
         for (const auto& [key, material] : patch.materials)
             this->material(key, material);
-        for (const auto& [i, values] : patch.particles)
-            particle(std::size_t(i), values);
+        for (const auto& [i, row] : patch.particles)
+            particle(i, row);
         if (!m_guides.empty())
             setGuides(m_system, std::move(m_guides));
         for (const auto& [link, stuff] : patch.linkStuff)
@@ -55,15 +48,8 @@ public:
         for (const auto& [i, key] : patch.panels)
             m_system.panels[std::size_t(i)].air = airOf(key);
         items(patch);
-        if (m_dragLines)
-            listDragLines(m_system);
-        if (m_bending || (!m_system.bending.empty() && touchesBends(patch))) {
-            listBends(m_system);
-            m_allRods = true; // the choice of Solver::Auto hangs on bends
-        }
-        if (!patch.materials.empty() || !patch.particles.empty() || !patch.panels.empty()
-            || patch.winds)
-            listWings(m_system);
+        // the choice of Solver::Auto hangs on what bounds the substep
+        m_allRods |= listForces(m_system, edited(patch));
         if (m_tearRules)
             listTearable(m_system);
         if (m_allRods)
@@ -74,6 +60,16 @@ public:
     }
 
 private:
+    Edited edited(const Patch& patch) const
+    {
+        return {.materials = !patch.materials.empty(),
+                .particles = !patch.particles.empty(),
+                .links = !patch.springs.empty() || !patch.rods.empty(),
+                .linkStuff = m_linkStuff,
+                .panels = !patch.panels.empty(),
+                .winds = patch.winds.has_value()};
+    }
+
     std::size_t place(int link) const
     {
         return std::size_t(m_system.links[std::size_t(link)].index);
@@ -98,10 +94,7 @@ private:
                 m_allRods |= !solvesLike(rod, before);
             }
         }
-        MaterialAir air = ripstop::airOf(Id{key}, material);
-        MaterialAir& held = m_system.materialAir[std::size_t(airOf(key))];
-        m_dragLines |= air.lineWidth != held.lineWidth;
-        held = std::move(air);
+        m_system.materialAir[std::size_t(airOf(key))] = ripstop::airOf(Id{key}, material);
         this->bending(std::size_t(airOf(key)), bendingOf(material));
     }
 
@@ -114,12 +107,11 @@ private:
         all[place] = bending;
         if (isLimp(all))
             all.clear();
-        m_bending = true;
     }
 
     void stuff(const LinkStuff& now, LinkStuff& held)
     {
-        m_dragLines |= held != now;
+        m_linkStuff |= held != now;
         held = now;
     }
 
@@ -130,16 +122,16 @@ private:
         return int(found - m_system.materialAir.begin());
     }
 
-    void particle(std::size_t i, const ParticleValues& values)
+    void particle(int place, const Particle& row)
     {
-        if (m_system.inverseMass[i] != values.inverseMass)
-            m_touched.particles.push_back(int(i));
-        m_layout |= (m_system.inverseMass[i] == 0.0) != (values.inverseMass == 0.0);
-        guide({int(i), values.guide, values.guideAxis});
-        m_system.mass[i] = values.mass;
-        m_system.inverseMass[i] = values.inverseMass;
-        m_system.start.position[i] = values.position;
-        m_system.start.velocity[i] = values.velocity;
+        const auto i = std::size_t(place);
+        const double before = m_system.inverseMass[i];
+        guide(guidedOf(row, place));
+        takeParticle(row, place, m_system);
+        const double now = m_system.inverseMass[i];
+        if (before != now)
+            m_touched.particles.push_back(place);
+        m_layout |= (before == 0.0) != (now == 0.0);
     }
 
     void guide(const GuidedParticle& now)
@@ -162,10 +154,8 @@ private:
 
     void items(const Patch& patch)
     {
-        if (patch.winds) {
+        if (patch.winds)
             takeWinds(*patch.winds, m_system);
-            startGusts(m_system);
-        }
         if (patch.obstacles)
             m_system.obstacles = *patch.obstacles;
         if (patch.fabricLayers)
@@ -192,8 +182,7 @@ private:
     std::vector<GuidedParticle> m_guides; // that have changed
     bool m_allRods = false;
     bool m_tearRules = false; // have changed
-    bool m_dragLines = false; // have changed
-    bool m_bending = false;   // has changed
+    bool m_linkStuff = false; // has changed
     bool m_layout = false;
 };
 

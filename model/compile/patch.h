@@ -23,7 +23,7 @@ struct Patch
 
     std::optional<Settings> settings;
     std::vector<std::pair<Key, Material>> materials; // for everything made of them
-    At<ParticleValues> particles;
+    At<Particle> particles;
     At<Spring> springs; // by place in System::links, as is all that concerns links
     At<Rod> rods;
     At<LinkStuff> linkStuff;

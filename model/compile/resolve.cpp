@@ -149,13 +149,28 @@ void takeSettings(const Settings& settings, System& system)
     system.speedLimit = settings.speedLimit;
 }
 
-ParticleValues valuesOf(const Particle& row)
+void takeParticle(const Particle& row, int place, System& system)
+{
+    const auto take = [&](const auto& value, auto& all) {
+        if (std::size_t(place) == all.size())
+            all.push_back(value);
+        else
+            all[std::size_t(place)] = value;
+    };
+    const Vec3 velocity =
+        row.pinned ? Vec3(Vec3::Zero()) : guidedOf(row, place).freePart(row.velocity);
+    take(Key(row.id), system.key);
+    take(row.mass, system.mass);
+    take(row.pinned ? 0.0 : 1.0 / row.mass, system.inverseMass);
+    take(PaddedVec3(row.position), system.start.position);
+    take(PaddedVec3(velocity), system.start.velocity);
+}
+
+GuidedParticle guidedOf(const Particle& row, int place)
 {
     if (row.pinned)
-        return {row.mass, 0.0, row.position, Vec3::Zero(), Guide::None, Vec3::UnitX()};
-    const GuidedParticle guided{-1, row.guide, row.guideAxis.normalized()};
-    return {row.mass,     1.0 / row.mass, row.position, guided.freePart(row.velocity),
-            guided.guide, guided.axis};
+        return {place, Guide::None, Vec3::UnitX()};
+    return {place, row.guide, row.guideAxis.normalized()};
 }
 
 LinkStuff stuffOf(const Link& row)

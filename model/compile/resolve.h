@@ -9,18 +9,12 @@ namespace ripstop {
 
 void takeSettings(const Settings& settings, System& system);
 
-// What a particle is to the solver; one that is pinned starts at rest and has no guide, one on a
-// guide starts along it.
-struct ParticleValues
-{
-    double mass;        // kg
-    double inverseMass; // 1/kg, 0 when pinned
-    Vec3 position;      // m, at the start
-    Vec3 velocity;      // m/s, at the start
-    Guide guide;
-    Vec3 guideAxis; // unit vector
-};
-ParticleValues valuesOf(const Particle& row);
+// Puts a particle at its place in the arrays of a system, or behind all that are there. One that is
+// pinned starts at rest, one on a guide along it.
+void takeParticle(const Particle& row, int place, System& system);
+
+// What a particle at this place cannot leave; what is pinned has no guide.
+GuidedParticle guidedOf(const Particle& row, int place);
 
 LinkStuff stuffOf(const Link& row);
 Spring springOf(const Link& row, const Material& material, int a, int b); // particle indices

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <limits>
 
 namespace ripstop {
 namespace {
@@ -38,9 +37,8 @@ double dampingOf(const System& system, const State& state, const FabricPanel& pa
 
 } // namespace
 
-double airStepLimit(const System& system, const State& state, std::vector<double>& rate)
+void addAirDampingRates(const System& system, const State& state, std::span<double> rate)
 {
-    rate.assign(state.position.size(), 0.0); // 1/s
     for (std::size_t i = 0; i < system.panels.size(); ++i) {
         if (state.panelGone[i])
             continue;
@@ -49,8 +47,6 @@ double airStepLimit(const System& system, const State& state, std::vector<double
         for (const int corner : panel.corner)
             rate[std::size_t(corner)] += damping / 3.0 * system.inverseMass[std::size_t(corner)];
     }
-    const double largest = rate.empty() ? 0.0 : *std::ranges::max_element(rate);
-    return largest > 0.0 ? 2.0 / largest : std::numeric_limits<double>::infinity();
 }
 
 } // namespace ripstop

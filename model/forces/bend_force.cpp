@@ -1,10 +1,10 @@
 #include "forces/bend_force.h"
 
-#include "base/step_limit.h"
+#include "base/key_index.h"
+#include "forces/force.h"
 #include "parallel/simd_pack.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace ripstop {
 namespace {
@@ -30,8 +30,9 @@ void fillTurns(const System& system, const State& state, PaddedVec3* turn, std::
                std::size_t last)
 {
     const PaddedVec3* const x = state.position.data();
+    const Bend* const bends = system.of<BendLists>().list.data();
     for (std::size_t i = first; i < last; ++i) {
-        const Bend& bend = system.bends[i];
+        const Bend& bend = bends[i];
         if (isGone(system, state, bend)) {
             pack(turn[i]) = Pack{};
             continue;
@@ -54,8 +55,9 @@ RIPSTOP_CLONES
 void fillMoments(const System& system, const State& state, const PaddedVec3* turn,
                  PaddedVec3* moment, std::size_t first, std::size_t last)
 {
+    const Bend* const bends = system.of<BendLists>().list.data();
     for (std::size_t i = first; i < last; ++i) {
-        const Bend& bend = system.bends[i];
+        const Bend& bend = bends[i];
         if (isGone(system, state, bend)) {
             pack(moment[i]) = Pack{};
             continue;
@@ -69,12 +71,118 @@ void fillMoments(const System& system, const State& state, const PaddedVec3* tur
     }
 }
 
+BendingNet bendingNetOf(const System& system)
+{
+    BendingNet net;
+    for (std::size_t i = 0; i < system.start.position.size(); ++i) {
+        net.position.push_back(system.start.position[i]);
+        net.pinned.push_back(system.inverseMass[i] == 0.0);
+    }
+    for (const FabricPanel& panel : system.panels)
+        net.panels.push_back({panel.corner, system.bending[std::size_t(panel.air)]});
+    KeyIndex bendingOf(system.materialAir.size());
+    for (std::size_t i = 0; i < system.materialAir.size(); ++i)
+        bendingOf.add(system.materialAir[i].key, int(i));
+    for (std::size_t i = 0; i < system.links.size(); ++i) {
+        const LinkPlace& link = system.links[i];
+        const auto index = std::size_t(link.index);
+        const double length = link.kind == LinkKind::Spring ? system.springs[index].restLength
+                                                            : system.rods[index].restLength;
+        const Key material = system.linkStuff.empty() ? 0 : system.linkStuff[i].material;
+        const int bending = system.linkStuff.empty() ? -1 : bendingOf(material);
+        net.links.push_back({link.a, link.b, length, material,
+                             bending < 0 ? Bending() : system.bending[std::size_t(bending)]});
+    }
+    return net;
+}
+
+class BendForce final : public Force
+{
+public:
+    std::string_view name() const override { return "bending"; }
+    ForceKind kind() const override { return ForceKind::Elastic; }
+    bool acts(const System& system, const State&) const override
+    {
+        return !system.of<BendLists>().list.empty();
+    }
+    bool hangsOn(const Edited& e) const override
+    {
+        return e.materials || e.particles || e.links || e.linkStuff || e.panels;
+    }
+    void list(System& system) const override;
+    void prepare(const System& system, const State&) override;
+    Lane fill(const System& system, const State& state, ThreadPool& pool) override;
+    double energy(const System& system, const State& state) const override
+    {
+        return bendingEnergy(system, state);
+    }
+    bool boundsSubstep(const System& system) const override
+    {
+        return !system.of<BendLists>().list.empty();
+    }
+    void addStiffness(const System& system, std::span<double> stiffness,
+                      std::span<double>) const override;
+
+private:
+    std::vector<PaddedVec3> m_turn;   // [bends] m
+    std::vector<PaddedVec3> m_moment; // [bends] N
+    std::vector<double> m_weight;     // [items of the rows] 1, what the particle takes of a moment
+    std::uint64_t m_serial = 0;       // of the values that m_weight is of
+};
+
+void BendForce::list(System& system) const
+{
+    BendLists& bends = system.of<BendLists>();
+    bends.list.clear();
+    bends.at.start.clear();
+    bends.at.items.clear();
+    if (system.bending.empty())
+        return;
+    bends.list = bendsOf(bendingNetOf(system));
+    if (bends.list.empty())
+        return;
+    fillIncidence(bends.at, system.start.position.size(), bends.list, [](const Bend& bend) {
+        return std::span(bend.corner).first(bend.ofSpar ? 3 : 4);
+    });
+}
+
+void BendForce::prepare(const System& system, const State&)
+{
+    const auto& [bends, at] = system.of<BendLists>();
+    m_turn.resize(bends.size());
+    m_moment.resize(bends.size());
+    if (m_serial == system.valuesSerial)
+        return;
+    m_serial = system.valuesSerial;
+    m_weight.resize(at.items.size());
+    for (std::size_t p = 0; p + 1 < at.start.size(); ++p)
+        for (int k = at.start[p]; k < at.start[p + 1]; ++k) {
+            const Bend& bend = bends[std::size_t(at.items[std::size_t(k)])];
+            const auto corner = std::find(bend.corner.begin(), bend.corner.end(), int(p));
+            m_weight[std::size_t(k)] = -bend.weight[std::size_t(corner - bend.corner.begin())];
+        }
+}
+
+Lane BendForce::fill(const System& system, const State& state, ThreadPool& pool)
+{
+    fillBends(system, state, pool, m_turn, m_moment);
+    return {.load = m_moment.data(), .at = &system.of<BendLists>().at, .weight = m_weight.data()};
+}
+
+void BendForce::addStiffness(const System& system, std::span<double> stiffness,
+                             std::span<double>) const
+{
+    const std::vector<double> sums = bendSums(system.of<BendLists>().list, stiffness.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        stiffness[i] += sums[i];
+}
+
 } // namespace
 
 void fillBends(const System& system, const State& state, ThreadPool& pool,
                std::span<PaddedVec3> turn, std::span<PaddedVec3> moment)
 {
-    const std::size_t count = system.bends.size();
+    const std::size_t count = system.of<BendLists>().list.size();
     pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
         fillTurns(system, state, turn.data(), first, last);
     });
@@ -89,7 +197,7 @@ double bendingEnergy(const System& system, const State& state)
         return isGone(system, state, bend) ? Vec3(Vec3::Zero()) : Vec3(sum(bend, state.position));
     };
     double energy = 0.0;
-    for (const Bend& bend : system.bends) {
+    for (const Bend& bend : system.of<BendLists>().list) {
         if (isGone(system, state, bend))
             continue;
         const Vec3 turn = turnOf(bend);
@@ -97,29 +205,17 @@ double bendingEnergy(const System& system, const State& state)
         energy += 0.5 * bend.stiffness * own * own;
         for (std::size_t k = 0; k < 4; ++k)
             if (bend.beside[k] >= 0)
-                energy += 0.5 * bend.coupling[k]
-                          * turn.dot(turnOf(system.bends[std::size_t(bend.beside[k])]));
+                energy +=
+                    0.5 * bend.coupling[k]
+                    * turn.dot(turnOf(system.of<BendLists>().list[std::size_t(bend.beside[k])]));
     }
     return energy;
 }
 
-double bendStepLimit(const System& system)
+template <>
+std::unique_ptr<Force> makeForce<BendLists>()
 {
-    double limit = std::numeric_limits<double>::infinity();
-    if (system.bends.empty())
-        return limit;
-    std::vector<double> stiffness = bendSums(system.bends, system.inverseMass.size());
-    std::vector<double> damping(stiffness.size(), 0.0);
-    for (const Spring& spring : system.springs)
-        for (const int end : {spring.a, spring.b}) {
-            stiffness[std::size_t(end)] += spring.stiffness;
-            damping[std::size_t(end)] += spring.damping;
-        }
-    for (std::size_t i = 0; i < stiffness.size(); ++i)
-        if (system.inverseMass[i] > 0.0)
-            limit = std::min(
-                limit, springStepLimit(1.0 / system.inverseMass[i], stiffness[i], damping[i]));
-    return limit;
+    return std::make_unique<BendForce>();
 }
 
 } // namespace ripstop

@@ -17,7 +17,4 @@ void fillBends(const System& system, const State& state, ThreadPool& pool,
 
 double bendingEnergy(const System& system, const State& state); // J
 
-// The longest substep, s, at which springs and bends are sure to be stable; infinite without bends.
-double bendStepLimit(const System& system);
-
 } // namespace ripstop

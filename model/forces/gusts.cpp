@@ -103,6 +103,13 @@ void advanceGust(const GustSpec& gusts, double timeStep, std::int64_t step, Gust
     advance(state.up, distance / gusts.lengthUp, normals(seed, step, 2));
 }
 
+void startGusts(System& system)
+{
+    system.start.gusts.clear();
+    for (const GustSpec& gusts : system.gusts)
+        system.start.gusts.push_back(firstGust(gusts));
+}
+
 void advanceGusts(const System& system, State& state)
 {
     for (std::size_t i = 0; i < system.gusts.size(); ++i)

@@ -31,6 +31,7 @@ GustSpec drydenGusts(Key key, const Vec3& mean, double height, double windAt20Fe
 GustState firstGust(const GustSpec& gusts);
 
 void advanceGust(const GustSpec& gusts, double timeStep, std::int64_t step, GustState& state);
+void startGusts(System& system);                       // after another seed
 void advanceGusts(const System& system, State& state); // by a time step
 
 Vec3 velocityOf(const GustSpec& gusts, const GustState& state); // m/s

@@ -1,5 +1,7 @@
 #include "forces/hand_pull.h"
 
+#include "forces/force.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -105,6 +107,53 @@ void addHandPull(const System& system, const State& state, const HeldGrip& held,
             const auto p = std::size_t(held.particle[i]);
             acceleration[p] += (pull.grip.share[Eigen::Index(i)] * system.inverseMass[p]) * force;
         }
+}
+
+namespace {
+
+class HandPullForce final : public Force
+{
+public:
+    std::string_view name() const override { return "hand"; }
+    ForceKind kind() const override { return ForceKind::Hand; }
+    bool acts(const System&, const State& state) const override
+    {
+        return state.hands.pull.has_value();
+    }
+    void prepare(const System& system, const State& state) override
+    {
+        if (const auto& pull = state.hands.pull; pull && !m_grip.isOf(system, pull->grip))
+            m_grip = findGrip(system, pull->grip);
+    }
+    void addToFew(const System& system, const State& state, double h,
+                  std::span<PaddedVec3> acceleration) override
+    {
+        addHandPull(system, state, m_grip, h, acceleration);
+    }
+    void startWork(const System& system, const State& state, double h) override
+    {
+        m_last = handForce(system, state, *state.hands.pull, m_grip, h);
+    }
+    double workSince(const System& system, const State& state, double h) override
+    {
+        const HandForce now = handForce(system, state, *state.hands.pull, m_grip, h);
+        const double work =
+            m_grip.holds() ? 0.5 * (m_last.force + now.force).dot(now.point - m_last.point) : 0.0;
+        m_last = now;
+        return work;
+    }
+
+private:
+    HeldGrip m_grip;
+    HandForce m_last; // when its work was last asked for
+};
+
+} // namespace
+
+template <>
+std::unique_ptr<Force> makeForce<HandLists>()
+{
+    return std::make_unique<HandPullForce>();
 }
 
 } // namespace ripstop

@@ -1,10 +1,68 @@
 #include "forces/line_drag.h"
 
+#include "base/key_index.h"
+#include "forces/force.h"
 #include "forces/wind.h"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace ripstop {
+namespace {
+
+class LineDragForce final : public Force
+{
+public:
+    std::string_view name() const override { return "line drag"; }
+    ForceKind kind() const override { return ForceKind::Air; }
+    bool acts(const System& system, const State&) const override
+    {
+        return !system.of<LineLists>().list.empty();
+    }
+    bool hangsOn(const Edited& e) const override { return e.materials || e.linkStuff; }
+    void list(System& system) const override;
+    void prepare(const System& system, const State&) override
+    {
+        m_drag.resize(system.of<LineLists>().list.size());
+    }
+    Lane fill(const System& system, const State& state, ThreadPool& pool) override
+    {
+        fillLineDrags(system, state, pool, m_drag);
+        return {.load = m_drag.data(), .at = &system.of<LineLists>().at, .parts = 2.0};
+    }
+
+private:
+    std::vector<PaddedVec3> m_drag; // [lines] N
+};
+
+// Lines of a system that was made by hand, which has no materials of links, stay as they are.
+void LineDragForce::list(System& system) const
+{
+    auto& [lines, at] = system.of<LineLists>();
+    if (!system.linkStuff.empty())
+        lines.clear();
+    KeyIndex airOf(system.materialAir.size());
+    bool some = false;
+    for (std::size_t i = 0; i < system.materialAir.size(); ++i) {
+        airOf.add(system.materialAir[i].key, int(i));
+        some |= system.materialAir[i].lineWidth > 0.0;
+    }
+    for (std::size_t i = 0; some && i < system.linkStuff.size(); ++i) {
+        const int air = airOf(system.linkStuff[i].material);
+        const double width = air < 0 ? 0.0 : system.materialAir[std::size_t(air)].lineWidth;
+        if (width > 0.0)
+            lines.push_back({int(i), system.links[i].a, system.links[i].b, width});
+    }
+    at.start.clear();
+    at.items.clear();
+    if (!lines.empty())
+        fillIncidence(at, system.start.position.size(), lines, [](const DragLine& line) {
+            return std::array{line.a, line.b};
+        });
+}
+
+} // namespace
 
 Vec3 lineDrag(double width, const Vec3& a, const Vec3& b, const Vec3& apparentWind,
               double airDensity)
@@ -22,9 +80,10 @@ void fillLineDrags(const System& system, const State& state, ThreadPool& pool,
 {
     const Vec3 common = commonWind(system, state);
     const bool isLocal = hasLocalWind(system, state);
-    pool.parallelFor(system.dragLines.size(), [&](std::size_t first, std::size_t last) {
+    const std::vector<DragLine>& lines = system.of<LineLists>().list;
+    pool.parallelFor(lines.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const DragLine& line = system.dragLines[i];
+            const DragLine& line = lines[i];
             if (isTorn(system.links[std::size_t(line.link)], state)) {
                 drag[i] = PaddedVec3();
                 continue;
@@ -38,6 +97,12 @@ void fillLineDrags(const System& system, const State& state, ThreadPool& pool,
                 lineDrag(line.width, state.position[a], state.position[b], wind, system.airDensity);
         }
     });
+}
+
+template <>
+std::unique_ptr<Force> makeForce<LineLists>()
+{
+    return std::make_unique<LineDragForce>();
 }
 
 } // namespace ripstop

@@ -20,7 +20,7 @@ Vec3 lineDrag(double width, const Vec3& a, const Vec3& b, const Vec3& apparentWi
               double airDensity);
 
 // Drag of every line, N.
-//   drag  [dragLines]  N
+//   drag  [lines]  N
 void fillLineDrags(const System& system, const State& state, ThreadPool& pool,
                    std::span<PaddedVec3> drag);
 

@@ -3,10 +3,10 @@
 // pushes; one that resists compression only never pulls.
 #pragma once
 
-#include "parallel/thread_pool.h"
-#include "system/system.h"
+#include "forces/force.h"
 
 #include <span>
+#include <vector>
 
 namespace ripstop {
 
@@ -27,5 +27,30 @@ void fillSpringForces(const System& system, const State& state, ThreadPool& pool
 // not; both ways give the same bits.
 void fillSpringForces(const System& system, const State& state, ThreadPool& pool,
                       std::span<PaddedVec3> force, bool wide);
+
+// The force of all springs of a system. Tearing looks at what it was.
+class SpringForce final : public Force
+{
+public:
+    // N, on end `a`, as of the last fill()
+    std::span<const PaddedVec3> loads() const { return m_load; }
+
+    std::string_view name() const override { return "springs"; }
+    ForceKind kind() const override { return ForceKind::Elastic; }
+    bool acts(const System& system, const State&) const override { return !system.springs.empty(); }
+    void prepare(const System& system, const State&) override;
+    Lane fill(const System& system, const State& state, ThreadPool& pool) override;
+    double energy(const System& system, const State& state) const override;
+    double dampingPower(const System& system, const State& state, ThreadPool& pool) override;
+    double workOfPins(const System& system, const State& state,
+                      const MotionBefore& before) const override;
+    void addStiffness(const System& system, std::span<double> stiffness,
+                      std::span<double> damping) const override;
+
+private:
+    std::vector<PaddedVec3> m_load;    // [springs] N, on end `a`
+    std::vector<std::uint8_t> m_isAtB; // [springsAt.items] 1 where the particle is end `b`
+    std::uint64_t m_serial = 0;        // of the system that m_isAtB is of
+};
 
 } // namespace ripstop

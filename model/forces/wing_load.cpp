@@ -32,7 +32,7 @@ Panel panelIn(const FabricPanel& panel, const State& state)
 
 void listWings(System& system)
 {
-    system.wings.clear();
+    system.of<FabricLists>().wings.clear();
     const auto isWing = [](const MaterialAir& air) { return air.stall > 0.0; };
     if (std::none_of(system.materialAir.begin(), system.materialAir.end(), isWing))
         return;
@@ -45,13 +45,13 @@ void listWings(System& system)
         member.push_back(isWing(system.materialAir[std::size_t(panel.air)]));
         wind.push_back(system.wind + localWind(system, start.middle) - start.motion);
     }
-    system.wings = wingsOf(corners, member, system.start.position, wind);
+    system.of<FabricLists>().wings = wingsOf(corners, member, system.start.position, wind);
 }
 
 void WingLoads::add(const System& system, const State& state, std::span<PaddedVec3> load)
 {
     const bool isLocal = hasLocalWind(system, state);
-    for (const WingStrips& wing : system.wings) {
+    for (const WingStrips& wing : system.of<FabricLists>().wings) {
         const Vec3 common = commonWind(system, state);
         m_panels.resize(std::max(m_panels.size(), wing.panels.size()));
         const std::span<WingPanel> panels(m_panels.data(), wing.panels.size());

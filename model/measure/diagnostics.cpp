@@ -1,12 +1,10 @@
 #include "measure/diagnostics.h"
 
 #include "base/bytes.h"
-#include "forces/bend_force.h"
-#include "forces/canopy_air.h"
+#include "forces/fabric_air.h"
+#include "forces/forces.h"
 #include "forces/line_drag.h"
-#include "forces/panel_load.h"
 #include "forces/spring_force.h"
-#include "forces/wing_load.h"
 #include "step/inputs.h"
 #include "system/fields.h"
 
@@ -91,26 +89,26 @@ Energies energies(const System& system, const State& state, std::span<const doub
 {
     Energies sum;
     sum.kinetic = kineticEnergy(system, state);
-    for (std::size_t i = 0; i < state.position.size(); ++i) {
-        if (system.inverseMass[i] == 0.0)
-            continue;
-        sum.potential -= system.mass[i] * system.gravity.dot(state.position[i]);
-    }
-    for (const LinkPlace& link : system.links) {
-        if (isTorn(link, state))
+    for (const LinkPlace& link : system.links) { // in the author's order
+        if (link.kind == LinkKind::Spring || isTorn(link, state))
             continue;
         const auto index = std::size_t(link.index);
-        const double length = separation(link, state).norm();
-        if (link.kind == LinkKind::Spring) {
-            const Spring& spring = system.springs[index];
-            sum.elastic +=
-                elasticEnergy(spring.stiffness, spring.resists, length - spring.restLength);
-        } else if (const Rod& rod = system.rods[index]; rod.compliance > 0.0) {
-            sum.elastic +=
-                elasticEnergy(1.0 / rod.compliance, rod.resists, length - restLength[index]);
-        }
+        if (const Rod& rod = system.rods[index]; rod.compliance > 0.0)
+            sum.elastic += elasticEnergy(1.0 / rod.compliance, rod.resists,
+                                         separation(link, state).norm() - restLength[index]);
     }
-    sum.elastic += bendingEnergy(system, state);
+    for (const auto& force : knownForces())
+        switch (force->kind()) {
+        case ForceKind::Elastic:
+            sum.elastic += force->energy(system, state);
+            break;
+        case ForceKind::Weight:
+            sum.potential += force->energy(system, state);
+            break;
+        case ForceKind::Air:
+        case ForceKind::Hand:
+            break; // their work is counted instead
+        }
     return sum;
 }
 
@@ -195,15 +193,14 @@ std::vector<Vec3> panelLoads(const System& system, const State& state)
 {
     std::vector<PaddedVec3> load(system.panels.size());
     ThreadPool alone(1);
-    fillPanelLoads(system, state, alone, load);
-    WingLoads().add(system, state, load);
-    addCanopyLoads(system, state, alone, load);
+    WingLoads wings;
+    fillFabricLoads(system, state, alone, wings, load);
     return {load.begin(), load.end()};
 }
 
 std::vector<Vec3> lineDrags(const System& system, const State& state)
 {
-    std::vector<PaddedVec3> drag(system.dragLines.size());
+    std::vector<PaddedVec3> drag(system.of<LineLists>().list.size());
     ThreadPool alone(1);
     fillLineDrags(system, state, alone, drag);
     return {drag.begin(), drag.end()};

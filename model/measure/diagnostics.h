@@ -38,7 +38,7 @@ std::vector<double> tensions(const System& system, const State& state); // N, co
 std::vector<Vec3> panelLoads(const System& system, const State& state);
 
 // Drag of each line, N, 0 where torn.
-//   [dragLines]
+//   [LineLists::list]
 std::vector<Vec3> lineDrags(const System& system, const State& state);
 
 // FNV-1a over the fields that are marked so (system/fields.h: the step, positions, velocities,

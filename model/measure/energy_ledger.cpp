@@ -1,9 +1,5 @@
 #include "measure/energy_ledger.h"
 
-#include "forces/canopy_air.h"
-#include "forces/line_drag.h"
-#include "forces/panel_load.h"
-#include "forces/spring_force.h"
 #include "measure/diagnostics.h"
 #include "step/inputs.h"
 
@@ -29,25 +25,6 @@ bool wantsLedger(const System& system)
     });
 }
 
-// N on each particle, of panels and lines.
-void EnergyLedger::gatherAir(const System& system, const State& state, std::vector<Vec3>& force)
-{
-    m_loads.resize(system.panels.size());
-    m_drags.resize(system.dragLines.size());
-    fillPanelLoads(system, state, m_alone, m_loads);
-    m_wings.add(system, state, m_loads);
-    addCanopyLoads(system, state, m_alone, m_loads);
-    fillLineDrags(system, state, m_alone, m_drags);
-    force.assign(state.position.size(), Vec3::Zero());
-    for (std::size_t i = 0; i < m_loads.size(); ++i)
-        for (const int corner : system.panels[i].corner)
-            force[at(corner)] += m_loads[i] / 3.0;
-    for (std::size_t i = 0; i < m_drags.size(); ++i) {
-        force[at(system.dragLines[i].a)] += m_drags[i] / 2.0;
-        force[at(system.dragLines[i].b)] += m_drags[i] / 2.0;
-    }
-}
-
 void EnergyLedger::begin(const System& system, const State& state, double h)
 {
     m_work = {};
@@ -58,67 +35,40 @@ void EnergyLedger::begin(const System& system, const State& state, double h)
     fillRestLengths(system, state, m_restLength);
     m_energy = energies(system, state, m_restLength).total();
     m_contact.clear();
-    look(system, state, m_before);
-    if (const auto& pull = state.hands.pull) {
-        if (!m_grip.isOf(system, pull->grip))
-            m_grip = findGrip(system, pull->grip);
-        const HandForce hand = handForce(system, state, *pull, m_grip, h);
-        m_held = hand.point;
-        m_pull = hand.force;
+    for (const auto& force : m_forces) {
+        force->prepare(system, state);
+        if (force->acts(system, state))
+            force->startWork(system, state, h);
     }
+    look(system, state, m_before);
 }
 
 void EnergyLedger::look(const System& system, const State& state, Instant& instant)
 {
     instant.position.assign(state.position.begin(), state.position.end());
     instant.velocity.assign(state.velocity.begin(), state.velocity.end());
-    gatherAir(system, state, instant.air);
-    instant.damping = dampingPower(system, state);
+    lookAtForces(system, state, instant);
 }
 
-// W, of dampers in springs: what their tension is beyond that of the stretch.
-double EnergyLedger::dampingPower(const System& system, const State& state)
+void EnergyLedger::lookAtForces(const System& system, const State& state, Instant& instant)
 {
-    m_springs.resize(system.springs.size());
-    fillSpringForces(system, state, m_alone, m_springs);
-    double power = 0.0;
-    for (std::size_t i = 0; i < system.springs.size(); ++i) {
-        const Spring& spring = system.springs[i];
-        if (state.springTorn[i] || spring.damping == 0.0)
+    instant.air.assign(state.position.size(), Vec3::Zero());
+    instant.damping = 0.0;
+    for (const auto& force : m_forces) {
+        if (!force->acts(system, state))
             continue;
-        const Vec3 separation = state.position[at(spring.b)] - state.position[at(spring.a)];
-        const Vec3 apart = state.velocity[at(spring.b)] - state.velocity[at(spring.a)];
-        const double length = separation.norm();
-        if (!(length > 0.0))
-            continue;
-        const double stretch = length - spring.restLength;
-        const double elastic = isSlack(spring.resists, stretch) ? 0.0 : spring.stiffness * stretch;
-        const Vec3 along = separation / length;
-        power -= (m_springs[i].dot(along) - elastic) * apart.dot(along);
+        switch (force->kind()) {
+        case ForceKind::Air:
+            addForces(force->fill(system, state, m_alone), instant.air);
+            break;
+        case ForceKind::Elastic:
+        case ForceKind::Weight:
+            instant.damping += force->dampingPower(system, state, m_alone);
+            break;
+        case ForceKind::Hand:
+            break; // addWorkOfHands()
+        }
     }
-    return power;
-}
-
-// J, by what has moved pinned ends, against the springs as the substep has them: the pins are
-// there, and all else is where it was at its start.
-double EnergyLedger::workOnSprings(const System& system, const State& state) const
-{
-    const auto isPinned = [&](int particle) { return system.inverseMass[at(particle)] == 0.0; };
-    const auto placeOf = [&](int particle) -> Vec3 {
-        return isPinned(particle) ? state.position[at(particle)] : m_before.position[at(particle)];
-    };
-    double work = 0.0;
-    for (std::size_t i = 0; i < system.springs.size(); ++i) {
-        const Spring& spring = system.springs[i];
-        if (state.springTorn[i] || !(isPinned(spring.a) || isPinned(spring.b)))
-            continue;
-        const Vec3 separation = placeOf(spring.b) - placeOf(spring.a);
-        const Vec3 before = m_before.position[at(spring.b)] - m_before.position[at(spring.a)];
-        const Vec3 apart = m_before.velocity[at(spring.b)] - m_before.velocity[at(spring.a)];
-        work +=
-            springTension(spring, separation, apart) * unit(separation).dot(separation - before);
-    }
-    return work;
 }
 
 void EnergyLedger::beforeContact(const System&, const State& state)
@@ -146,20 +96,19 @@ void EnergyLedger::afterSubstep(const System& system, const State& state, double
             m_work.contact += m_contact[i].dot(velocity);
     }
     m_work.damping += 0.5 * h * (m_before.damping + m_after.damping);
-    m_work.hands += workOnSprings(system, state);
-    if (state.hands.pull)
-        addHandPull(system, state, h);
+    addWorkOfHands(system, state, h);
     m_contact.clear();
     std::swap(m_before, m_after);
 }
 
-void EnergyLedger::addHandPull(const System& system, const State& state, double h)
+void EnergyLedger::addWorkOfHands(const System& system, const State& state, double h)
 {
-    const HandForce hand = handForce(system, state, *state.hands.pull, m_grip, h);
-    if (m_grip.holds())
-        m_work.hands += 0.5 * (m_pull + hand.force).dot(hand.point - m_held);
-    m_held = hand.point;
-    m_pull = hand.force;
+    for (const auto& force : m_forces)
+        if (force->acts(system, state)) {
+            m_work.hands +=
+                force->workOfPins(system, state, {m_before.position, m_before.velocity});
+            m_work.hands += force->workSince(system, state, h);
+        }
 }
 
 // J, by what moves their pinned ends and changes their lengths.

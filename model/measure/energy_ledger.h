@@ -17,8 +17,7 @@
 // part of it.
 #pragma once
 
-#include "forces/hand_pull.h"
-#include "forces/wing_load.h"
+#include "forces/forces.h"
 #include "step/stepper.h"
 
 #include <vector>
@@ -44,35 +43,27 @@ private:
     {
         std::vector<Vec3> position; // [particles] m
         std::vector<Vec3> velocity; // [particles] m/s
-        std::vector<Vec3> air;      // [particles] N, of panels and lines
-        double damping = 0.0;       // W, of dampers in springs, at most 0
+        std::vector<Vec3> air;      // [particles] N
+        double damping = 0.0;       // W, of dampers, at most 0
     };
 
-    void gatherAir(const System& system, const State& state, std::vector<Vec3>& force);
     void look(const System& system, const State& state, Instant& instant);
-    double dampingPower(const System& system, const State& state);
-    void addHandPull(const System& system, const State& state, double h);
-    double workOnSprings(const System& system, const State& state) const;
+    void lookAtForces(const System& system, const State& state, Instant& instant);
+    void addWorkOfHands(const System& system, const State& state, double h);
     double workOnRods(const System& system, const State& state) const;
 
     ThreadPool m_alone{1};
-    WingLoads m_wings;
-    std::vector<PaddedVec3> m_loads;   // [panels] N
-    std::vector<PaddedVec3> m_drags;   // [dragLines] N
-    std::vector<PaddedVec3> m_springs; // [springs] N, on end `a`
-    Instant m_before;                  // at the start of the substep
+    Forces m_forces;
+    Instant m_before; // at the start of the substep
     Instant m_after;
     std::vector<Vec3> m_beforeContact;   // [particles] m/s
     std::vector<Vec3> m_contact;         // [particles] N s in this substep, or empty
     std::vector<PaddedVec3> m_stepStart; // [particles] m
     std::vector<double> m_restLength;    // [rods] m, at the start of the step
     std::vector<double> m_restLengthAfter;
-    HeldGrip m_grip;
-    Vec3 m_held = Vec3::Zero(); // m, in the grip at the start of the substep
-    Vec3 m_pull = Vec3::Zero(); // N, on it
-    std::size_t m_tears = 0;    // before the step
-    double m_energy = 0.0;      // J, the same
-    Work m_work;                // in the step
+    std::size_t m_tears = 0; // before the step
+    double m_energy = 0.0;   // J, the same
+    Work m_work;             // in the step
 };
 
 } // namespace ripstop

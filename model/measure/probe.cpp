@@ -82,7 +82,8 @@ const Energies& Readings::energy()
 Vec3 Readings::lineDragOf(const ProbeSpec& probe)
 {
     Vec3 sum = Vec3::Zero();
-    if (m_system.dragLines.empty())
+    const std::vector<DragLine>& lines = m_system.of<LineLists>().list;
+    if (lines.empty())
         return sum;
     if (!m_lineDrag)
         m_lineDrag = lineDrags(m_system, m_state);
@@ -91,7 +92,7 @@ Vec3 Readings::lineDragOf(const ProbeSpec& probe)
     for (const int link : probe.links)
         wanted[std::size_t(link)] = 1;
     for (std::size_t i = 0; i < drag.size(); ++i)
-        if (wanted[std::size_t(m_system.dragLines[i].link)])
+        if (wanted[std::size_t(lines[i].link)])
             sum += drag[i];
     return sum;
 }

@@ -111,13 +111,13 @@ void Simulation::Private::apply(const Patch& patch)
     }
 
     // what carryOver() does, for what can differ
-    for (const auto& [i, values] : patch.particles) {
+    for (const auto& [i, row] : patch.particles) {
         run.atStart = false;
-        if (values.inverseMass == 0.0) {
+        if (row.pinned) {
             run.now.velocity[std::size_t(i)].setZero();
             run.now.drift[std::size_t(i)].setZero();
         }
-        turnAlong({i, values.guide, values.guideAxis}, run.now);
+        turnAlong(guidedOf(row, i), run.now);
     }
 }
 

@@ -99,58 +99,6 @@ RIPSTOP_INLINE void foreseeVelocities(const ParticleMotion& m, std::size_t first
     }
 }
 
-// What bends take off the force on a particle. Kept out of line, as few scenes have it.
-__attribute__((noinline)) void takeBending(const System& system, const PaddedVec3* moment,
-                                           std::size_t particle, Pack& force)
-{
-    for (int k = system.bendsAt.start[particle]; k < system.bendsAt.start[particle + 1]; ++k) {
-        const int item = system.bendsAt.items[std::size_t(k)];
-        const Bend& bend = system.bends[std::size_t(item / 4)];
-        force -= all(bend.weight[std::size_t(item % 4)]) * pack(moment[item / 4]);
-    }
-}
-
-// Forces are computed per element and gathered per particle in the order of the elements, so that
-// sums do not depend on who computed what when.
-void gather(const System& system, const ForcesOnElements& forces, PaddedVec3* acceleration,
-            std::size_t first, std::size_t last)
-{
-    const Pack gravity = {system.gravity[0], system.gravity[1], system.gravity[2], 0.0};
-    const int* const springs = system.springsAt.items.data();
-    const int* const panels = system.panelsAt.items.data();
-    const int* const lines = system.dragLinesAt.items.data();
-    constexpr double signs[2] = {1.0, -1.0};
-    const bool drags = !system.dragLines.empty();
-    const bool bends = !system.bends.empty();
-    for (std::size_t i = first; i < last; ++i) {
-        if (system.inverseMass[i] == 0.0) {
-            pack(acceleration[i]) = Pack{};
-            continue;
-        }
-        Pack force{};
-        for (int k = system.springsAt.start[i]; k < system.springsAt.start[i + 1]; ++k) {
-            const double sign = signs[forces.springIsAtB[k]]; // which a branch would guess wrong
-            force += all(sign) * pack(forces.spring[std::size_t(springs[k])]);
-        }
-        Pack air{};
-        for (int k = system.panelsAt.start[i]; k < system.panelsAt.start[i + 1]; ++k)
-            air += pack(forces.panel[std::size_t(panels[k])]);
-        force += air * all(1.0 / 3.0);
-        if (drags) {
-            Pack drag{};
-            for (int k = system.dragLinesAt.start[i]; k < system.dragLinesAt.start[i + 1]; ++k)
-                drag += pack(forces.line[std::size_t(lines[k])]);
-            force += drag * all(0.5);
-        }
-        if (bends) {
-            Pack left = force; // so that the force itself can stay in a register
-            takeBending(system, forces.bend, i, left);
-            force = left;
-        }
-        pack(acceleration[i]) = gravity + all(system.inverseMass[i]) * force;
-    }
-}
-
 template <Integrator integrator>
 RIPSTOP_INLINE void runWith(ParticlePass pass, const ParticleMotion& m, std::size_t first,
                             std::size_t last)

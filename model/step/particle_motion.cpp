@@ -11,10 +11,4 @@ void runPass(ParticlePass pass, Integrator integrator, const ParticleMotion& mot
     (wideMachine ? wide::run : anywhere::run)(pass, integrator, motion, first, last);
 }
 
-void gatherAccelerations(const System& system, const ForcesOnElements& forces,
-                         PaddedVec3* acceleration, std::size_t first, std::size_t last)
-{
-    (wideMachine ? wide::gather : anywhere::gather)(system, forces, acceleration, first, last);
-}
-
 } // namespace ripstop

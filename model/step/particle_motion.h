@@ -1,5 +1,5 @@
-// What a substep does to each particle, apart from the rods: sum up forces, integrate, and turn
-// what the rods did to positions into velocity.
+// What a substep does to each particle, apart from the rods: integrate, and turn what the rods
+// did to positions into velocity.
 #pragma once
 
 #include "system/system.h"
@@ -7,15 +7,6 @@
 #include <cstddef>
 
 namespace ripstop {
-
-struct ForcesOnElements
-{
-    const PaddedVec3* spring;        // [springs] N, on end `a`
-    const std::uint8_t* springIsAtB; // [springsAt.items] 1 where the particle is end `b`
-    const PaddedVec3* panel;         // [panels] N, a third for each corner
-    const PaddedVec3* line;          // [dragLines] N, half for each end
-    const PaddedVec3* bend;          // [bends] N, times the weight of each corner
-};
 
 struct ParticleMotion // arrays of [particles]
 {
@@ -40,7 +31,5 @@ enum class ParticlePass {
 // For particles first .. last - 1.
 void runPass(ParticlePass pass, Integrator integrator, const ParticleMotion& motion,
              std::size_t first, std::size_t last);
-void gatherAccelerations(const System& system, const ForcesOnElements& forces,
-                         PaddedVec3* acceleration, std::size_t first, std::size_t last);
 
 } // namespace ripstop

@@ -4,8 +4,7 @@
 #include "base/portable_math.h"
 #include "constraints/direct_choice.h"
 #include "constraints/guides.h"
-#include "forces/air_step.h"
-#include "forces/bend_force.h"
+#include "forces/forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,9 +118,9 @@ int substepsWithin(double timeStep, double limit, double spare)
 }
 
 // A twentieth to spare.
-int substepsForBends(const System& system)
+int substepsForStiffness(const System& system)
 {
-    return substepsWithin(system.timeStep, bendStepLimit(system), 1.05);
+    return substepsWithin(system.timeStep, stiffStepLimit(system), 1.05);
 }
 
 } // namespace
@@ -129,12 +128,13 @@ int substepsForBends(const System& system)
 SolverPlan planFor(const System& system)
 {
     SolverPlan plan;
-    plan.least = substepsForBends(system);
+    plan.least = substepsForStiffness(system);
     plan.substeps = std::max(system.substeps, plan.least);
-    const std::string bends =
-        plan.least > 1 ? text("; bending needs at least %d", plan.least) : std::string();
+    const std::string least =
+        plan.least > 1 ? text("; %s needs at least %d", boundingForces(system).c_str(), plan.least)
+                       : std::string();
     if (system.rods.empty()) {
-        plan.reason = "there are no rods" + bends;
+        plan.reason = "there are no rods" + least;
         return plan;
     }
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
@@ -167,7 +167,7 @@ SolverPlan planFor(const System& system)
                          : text("small steps: %d substeps of one sweep to begin with, for a strain "
                                 "of %.3g %%",
                                 plan.substeps, 100.0 * system.strainGoal))
-                  + bends;
+                  + least;
     return plan;
 }
 
@@ -193,9 +193,9 @@ double largestRodStrain(const System& system, const State& state,
     return largest;
 }
 
-int substepsForAir(const System& system, const State& state, std::vector<double>& scratch)
+int substepsForDamping(const System& system, const State& state, std::vector<double>& scratch)
 {
-    return substepsWithin(system.timeStep, airStepLimit(system, state, scratch), 1.5);
+    return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch), 1.5);
 }
 
 // The strain falls with about the 1.5th power of the number of substeps.

@@ -13,7 +13,7 @@
 // above 100 in 10 ms, and a direct block (direct_choice.h) can have such rods, it gets them; small
 // kites and gliders go there as a whole.
 //
-// Bends (bend_force.h) are forces and bound the substep themselves.
+// Stiff forces, as bends, bound the substep themselves (forces/forces.h).
 //
 // That is the start. While a system runs, the strain is looked at every few steps and the number of
 // substeps follows it (adaptedSubsteps): wind and swings load rods as well.
@@ -30,7 +30,7 @@ namespace ripstop {
 struct SolverPlan
 {
     int substeps = 1;                 // to begin with, and never fewer than System::substeps
-    int least = 1;                    // that bends allow, with the springs beside them
+    int least = 1;                    // that stiff forces allow, with all beside them
     std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
     std::string reason;               // what was chosen and why, for people; one sentence
 };
@@ -70,10 +70,10 @@ SolverPlan planFor(const System& system);
 double largestRodStrain(const System& system, const State& state,
                         std::span<const double> restLength);
 
-// Fewest substeps for what the air takes from the fabric, as it is in `state`, with a half to spare
-// for what it does in the next few steps. Rods that are solved directly say nothing of it by their
-// strain.
-int substepsForAir(const System& system, const State& state, std::vector<double>& scratch);
+// Fewest substeps for what forces, air above all, take from the motion that is in `state`, with a
+// half to spare for what they do in the next few steps. Rods that are solved directly say nothing
+// of it by their strain.
+int substepsForDamping(const System& system, const State& state, std::vector<double>& scratch);
 
 // Substeps of the next step, given those of the last and the strain that they left.
 int adaptedSubsteps(const System& system, int substeps, double strain);

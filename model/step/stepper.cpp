@@ -3,11 +3,7 @@
 #include "base/portable_math.h"
 #include "constraints/guides.h"
 #include "contact/contact.h"
-#include "forces/bend_force.h"
 #include "forces/gusts.h"
-#include "forces/line_drag.h"
-#include "forces/panel_load.h"
-#include "forces/spring_force.h"
 #include "step/inputs.h"
 #include "step/particle_motion.h"
 
@@ -18,6 +14,20 @@ namespace {
 
 constexpr int meanOver = 8;  // substeps, the last of a step, that tensions are the mean of
 constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses the substeps
+
+StepStage stageOf(ForceKind kind)
+{
+    switch (kind) {
+    case ForceKind::Elastic:
+        return StepStage::Springs;
+    case ForceKind::Air:
+        return StepStage::Air;
+    case ForceKind::Weight:
+    case ForceKind::Hand:
+        break;
+    }
+    return StepStage::Sum;
+}
 
 } // namespace
 
@@ -61,30 +71,23 @@ void Stepper::prepare(const System& system, State& state)
 {
     m_placed.resize(system.obstacles.size());
     m_touches.assign(system.obstacles.empty() ? 0 : state.position.size(), 0);
-    m_springForce.resize(system.springs.size());
-    m_panelLoad.resize(system.panels.size());
-    m_lineDrag.resize(system.dragLines.size());
-    m_turn.resize(system.bends.size());
-    m_bend.resize(system.bends.size());
     m_acceleration.resize(state.position.size());
     m_before.resize(state.position.size());
     m_predicted.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size());
-    m_canopies.prepare(system);
-    if (const auto& pull = state.hands.pull; pull && !m_grip.isOf(system, pull->grip))
-        m_grip = findGrip(system, pull->grip);
+    m_lanes.reserve(m_forces.size());
+    for (const auto& force : m_forces)
+        force->prepare(system, state);
     m_tears = state.tears.size();
     if (m_serial != system.serial || m_valuesSerial != system.valuesSerial)
         fillRestLengths(system, state, m_restLength);
     else
         shiftRestLengths(system, state, m_restLength); // those of another state, maybe
-    if (m_serial != system.serial)
-        noteSpringEnds(system);
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
-    m_onlyGravity = false;
+    m_summed = false;
     if (system.solver == Solver::Auto && !m_planFor.isOf(system)) {
         m_plan = planFor(system);
         m_planFor = PlanFor(system);
@@ -95,16 +98,6 @@ void Stepper::prepare(const System& system, State& state)
         });
 }
 
-void Stepper::noteSpringEnds(const System& system)
-{
-    const Rows& at = system.springsAt;
-    m_springIsAtB.resize(at.items.size());
-    for (std::size_t p = 0; p + 1 < at.start.size(); ++p)
-        for (int k = at.start[p]; k < at.start[p + 1]; ++k)
-            m_springIsAtB[std::size_t(k)] =
-                system.springs[std::size_t(at.items[std::size_t(k)])].a != int(p);
-}
-
 int Stepper::substepsOf(const System& system, const State& state) const
 {
     if (system.solver != Solver::Auto)
@@ -113,21 +106,21 @@ int Stepper::substepsOf(const System& system, const State& state) const
         m_planFor.isOf(system) ? std::max(m_plan.least, system.substeps) : system.substeps;
     if (state.substeps > 0)
         return std::max(state.substeps, least);
-    return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForAir(system, state))
+    return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForDamping(system, state))
                                   : system.substeps;
 }
 
 // Sweeps show by their strain when the air asks for more substeps.
-int Stepper::substepsForAir(const System& system, const State& state) const
+int Stepper::substepsForDamping(const System& system, const State& state) const
 {
-    return m_plan.direct.empty() ? 1 : ripstop::substepsForAir(system, state, m_airRate);
+    return m_plan.direct.empty() ? 1 : ripstop::substepsForDamping(system, state, m_dampingRate);
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
     const double strain = largestRodStrain(system, state, m_restLength);
-    state.substeps = std::max(
-        {adaptedSubsteps(system, substeps, strain), m_plan.least, substepsForAir(system, state)});
+    state.substeps = std::max({adaptedSubsteps(system, substeps, strain), m_plan.least,
+                               substepsForDamping(system, state)});
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -157,8 +150,10 @@ void Stepper::substep(RodTask& task, State& state)
     }
     endMoves(system, state, state.time, m_placed);
     m_clock.lap(StepStage::Controls);
-    m_canopies.advance(system, state, h);
-    m_clock.lap(StepStage::Air);
+    for (const auto& force : m_forces) {
+        force->advance(system, state, h);
+        m_clock.lap(stageOf(force->kind()));
+    }
     fillAccelerations(system, state, h);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
@@ -183,7 +178,8 @@ void Stepper::substep(RodTask& task, State& state)
     keepOnGuides(system, m_before, state);
     m_clock.lap(StepStage::Contact);
     if (m_judgesLinks)
-        tearLinks(system, state, {m_rodLength, m_springForce, m_restLength, m_tears}, m_overloads);
+        tearLinks(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
+                  m_overloads);
     m_clock.lap(StepStage::Tearing);
     const bool drifts =
         system.integrator == Integrator::Verlet || system.integrator == Integrator::VelocityVerlet;
@@ -194,28 +190,36 @@ void Stepper::substep(RodTask& task, State& state)
     }
 }
 
+// Whether nothing acts that may differ from one substep to the next.
+bool Stepper::isSteady(const System& system, const State& state) const
+{
+    return std::ranges::all_of(m_forces, [&](const auto& force) {
+        return force->isSteady() || !force->acts(system, state);
+    });
+}
+
 void Stepper::fillAccelerations(const System& system, const State& state, double h)
 {
-    if (system.springs.empty() && system.panels.empty() && system.dragLines.empty()
-        && system.bends.empty() && !state.hands.pull && m_onlyGravity)
+    if (m_summed && isSteady(system, state))
         return;
-    m_onlyGravity = true;
-    fillSpringForces(system, state, m_pool, m_springForce);
-    fillBends(system, state, m_pool, m_turn, m_bend);
-    m_clock.lap(StepStage::Springs);
-    fillPanelLoads(system, state, m_pool, m_panelLoad);
-    m_wings.add(system, state, m_panelLoad);
-    addCanopyLoads(system, state, m_pool, m_panelLoad);
-    fillLineDrags(system, state, m_pool, m_lineDrag);
-    m_clock.lap(StepStage::Air);
+    m_summed = true;
+    m_lanes.clear();
+    Vec3 common = Vec3::Zero();
+    for (const auto& force : m_forces) {
+        if (!force->acts(system, state))
+            continue;
+        if (const Lane lane = force->fill(system, state, m_pool); lane.load)
+            m_lanes.push_back(lane);
+        common += force->acceleration(system);
+        m_clock.lap(stageOf(force->kind()));
+    }
     m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
-        gatherAccelerations(system,
-                            {m_springForce.data(), m_springIsAtB.data(), m_panelLoad.data(),
-                             m_lineDrag.data(), m_bend.data()},
-                            m_acceleration.data(), first, last);
+        gatherAccelerations(m_lanes, common, system.inverseMass.data(), m_acceleration.data(),
+                            first, last);
     });
-    if (state.hands.pull)
-        addHandPull(system, state, m_grip, h, m_acceleration);
+    for (const auto& force : m_forces)
+        if (force->acts(system, state))
+            force->addToFew(system, state, h, m_acceleration);
     dropAcrossGuides(system, m_acceleration);
     m_clock.lap(StepStage::Sum);
 }

@@ -3,9 +3,7 @@
 #include "constraints/rod_solver.h"
 #include "contact/fabric_contact.h"
 #include "contact/obstacle_motion.h"
-#include "forces/canopy_air.h"
-#include "forces/hand_pull.h"
-#include "forces/wing_load.h"
+#include "forces/forces.h"
 #include "parallel/thread_pool.h"
 #include "step/particle_motion.h"
 #include "step/solver_plan.h"
@@ -60,11 +58,11 @@ public:
 private:
     void prepare(const System& system, State& state);
     void substep(RodTask& task, State& state);
-    void noteSpringEnds(const System& system);
     RodTask rodTask(const System& system, State& state, double h) const;
     void adapt(const System& system, State& state, int substeps);
-    int substepsForAir(const System& system, const State& state) const;
+    int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
+    bool isSteady(const System& system, const State& state) const;
     void move(ParticlePass pass, const System& system, State& state, double h);
     void noteRodLengths(const System& system, const State& state);
     void project(const RodTask& task, State& state);
@@ -76,28 +74,21 @@ private:
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
     FabricContact m_fabric;
-    HeldGrip m_grip; // of the hand that pulls
-    WingLoads m_wings;
-    CanopyFiller m_canopies;
-    std::vector<PaddedVec3> m_springForce;   // [springs] N, on end `a`
-    std::vector<std::uint8_t> m_springIsAtB; // [springsAt.items]
-    std::vector<PaddedVec3> m_panelLoad;     // [panels] N
-    std::vector<PaddedVec3> m_lineDrag;      // [dragLines] N
-    std::vector<PaddedVec3> m_turn;          // [bends] m
-    std::vector<PaddedVec3> m_bend;          // [bends] N
-    std::vector<PaddedVec3> m_acceleration;  // [particles] m/s^2, of forces, not of rods or contact
-    std::vector<PaddedVec3> m_before;        // [particles] m, at the start of the substep
-    std::vector<PaddedVec3> m_predicted;     // [particles] m, before projection
-    std::vector<PlacedObstacle> m_placed;    // [obstacles] in this substep
-    std::vector<std::uint32_t> m_touches;    // [particles] in this step, or empty
-    std::vector<double> m_restLength;        // [rods] m, with the weight shifts of now
-    std::vector<double> m_rodLength;         // [rods] m, before projection
-    mutable std::vector<double> m_airRate;   // scratch of substepsForAir()
+    Forces m_forces;
+    std::vector<Lane> m_lanes;              // of the forces that act now
+    std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
+    std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
+    std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
+    std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
+    std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
+    std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
+    std::vector<double> m_rodLength;        // [rods] m, before projection
+    mutable std::vector<double> m_dampingRate; // scratch of substepsForDamping()
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
     std::size_t m_tears = 0;           // before this time step
     std::uint64_t m_serial = 0;        // of the system that m_restLength is of
     std::uint64_t m_valuesSerial = 0;
-    bool m_onlyGravity = false;  // accelerations of this step are known, as nothing else acts
+    bool m_summed = false;       // accelerations were, in this step
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
     bool m_judgesLinks = true;   // in this substep, which of them break
     bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep

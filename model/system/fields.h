@@ -115,13 +115,12 @@ inline constexpr auto fieldsOf<System> =
            &System::viscosity, &System::speedLimit, &System::key, &System::parts, &System::mass,
            &System::inverseMass, &System::guided, &System::springs, &System::rods,
            &System::colorStart, &System::chunkStart, &System::chunkClass, &System::chunkReach,
-           &System::direct, &System::materialAir, &System::bending, &System::dragLines,
-           &System::bends, &System::panels, &System::panelKey, &System::wings, &System::links,
-           &System::linkStuff, &System::springLink, &System::rodLink, &System::tearableSprings,
-           &System::tearableRods, &System::springsAt, &System::rodsAt, &System::panelsAt,
-           &System::dragLinesAt, &System::bendsAt, &System::panelsBeside, &System::obstacles,
-           &System::fabricLayer, &System::canopies, &System::inputs, &System::shiftedRods,
-           &System::probes, &System::start>;
+           &System::direct, &System::materialAir, &System::bending, &System::forces,
+           &System::panels, &System::panelKey, &System::links, &System::linkStuff,
+           &System::springLink, &System::rodLink, &System::tearableSprings, &System::tearableRods,
+           &System::springsAt, &System::rodsAt, &System::panelsAt, &System::panelsBeside,
+           &System::obstacles, &System::fabricLayer, &System::canopies, &System::inputs,
+           &System::shiftedRods, &System::probes, &System::start>;
 
 // Calls visit(array, the same array in the next state, ...) for each array that has an entry for
 // each of these.

@@ -6,14 +6,13 @@
 #pragma once
 
 #include "base/airflow.h"
-#include "base/bend.h"
 #include "base/guide.h"
 #include "base/quantity.h"
 #include "base/rows.h"
 #include "base/solver_laws.h"
 #include "base/vec3.h"
-#include "base/wing_strips.h"
 #include "system/canopy.h"
+#include "system/force_lists.h"
 #include "system/gust_spec.h"
 #include "system/input.h"
 #include "system/key.h"
@@ -106,11 +105,9 @@ struct System
     std::vector<std::uint8_t> direct;     // [rods] solved as one block (direct_choice.h), or empty
     std::vector<MaterialAir> materialAir; // the first is that of no material
     std::vector<Bending> bending;         // [materialAir], or empty when nothing bends stiffly
-    std::vector<DragLine> dragLines;      // in the order of their links
-    std::vector<Bend> bends;              // where what bends stiffly can bend
+    ForceLists forces;                    // what each force derives from all else
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]
-    std::vector<WingStrips> wings;    // pieces of fabric with the vortex law
     std::vector<LinkPlace> links;     // in the author's order
     std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
     std::vector<int> springLink;      // [springs] index into links
@@ -121,8 +118,6 @@ struct System
     Rows springsAt;    // [particles] springs that end there
     Rows rodsAt;       // [particles]
     Rows panelsAt;     // [particles]
-    Rows dragLinesAt;  // [particles], or empty when there are none
-    Rows bendsAt;      // [particles] 4 x bend + which of its corners, or empty
     Rows panelsBeside; // [links] panels that have both ends as corners
 
     std::vector<Obstacle> obstacles;
@@ -133,6 +128,18 @@ struct System
     std::vector<ProbeSpec> probes;
 
     State start;
+
+    // What one force derives, by the type of it: of<BendLists>().
+    template <typename Lists>
+    Lists& of()
+    {
+        return std::get<Lists>(forces);
+    }
+    template <typename Lists>
+    const Lists& of() const
+    {
+        return std::get<Lists>(forces);
+    }
 };
 
 // As a system starts, with the memory of its arrays kept.

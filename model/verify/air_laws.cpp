@@ -262,7 +262,7 @@ double fallingStick()
     line.a = 0;
     line.b = 1;
     line.width = 1.1 * 0.004;
-    system.dragLines.push_back(line);
+    system.of<LineLists>().list.push_back(line);
     finish(system);
     return -run(system, 10000).velocity[1].y();
 }

@@ -3,6 +3,7 @@
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "forces/bend_force.h"
+#include "forces/forces.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "verify/sections.h"
@@ -86,7 +87,7 @@ System strung(const Strip& strip)
 State settled(System& system, double slowest)
 {
     finish(system);
-    system.timeStep = 0.9 * bendStepLimit(system);
+    system.timeStep = 0.9 * stiffStepLimit(system);
     system.viscosity = 2.0 * slowest;
     return run(system, int(12.0 / (slowest * system.timeStep)));
 }
@@ -228,7 +229,7 @@ Vibration vibration()
         system.start.position[std::size_t(i) + 1].y() =
             1e-4 * 0.5 * (std::cosh(x) - std::cos(x) - ratio * (std::sinh(x) - std::sin(x)));
     }
-    system.timeStep = 0.5 * bendStepLimit(system);
+    system.timeStep = 0.5 * stiffStepLimit(system);
     State state = system.start;
     Stepper stepper;
     std::vector<double> turns; // s, when the tip goes up through rest
@@ -265,18 +266,19 @@ double leftover(Leftover what)
     State state = system.start;
     for (PaddedVec3& x : state.position)
         x += dice.vector(0.01);
-    std::vector<PaddedVec3> turn(system.bends.size());
-    std::vector<PaddedVec3> moment(system.bends.size());
+    std::vector<PaddedVec3> turn(system.of<BendLists>().list.size());
+    std::vector<PaddedVec3> moment(system.of<BendLists>().list.size());
     ThreadPool alone(1);
     fillBends(system, state, alone, turn, moment);
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
     double size = 0.0;
-    for (std::size_t b = 0; b < system.bends.size(); ++b)
+    for (std::size_t b = 0; b < system.of<BendLists>().list.size(); ++b)
         for (std::size_t k = 0; k < 4; ++k) {
-            const Vec3 one = -system.bends[b].weight[k] * moment[b];
+            const Vec3 one = -system.of<BendLists>().list[b].weight[k] * moment[b];
             force += one;
-            torque += Vec3(state.position[std::size_t(system.bends[b].corner[k])]).cross(one);
+            torque += Vec3(state.position[std::size_t(system.of<BendLists>().list[b].corner[k])])
+                          .cross(one);
             size += one.norm();
         }
     return (what == Leftover::Force ? force.norm() : torque.norm() / length) / size;

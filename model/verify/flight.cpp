@@ -191,7 +191,8 @@ Kite kiteInTrim()
         const std::vector<Vec3> drags = lineDrags(system, state);
         for (std::size_t l = 0; l < drags.size();
              ++l) // half of the first segment hangs on the kite
-            for (const int end : {system.dragLines[l].a, system.dragLines[l].b})
+            for (const int end :
+                 {system.of<LineLists>().list[l].a, system.of<LineLists>().list[l].b})
                 if (std::size_t(end) == tow)
                     air += 0.5 * drags[l] / steps;
         along += (state.position[tow] - state.position[std::size_t(first->b)]) / steps;

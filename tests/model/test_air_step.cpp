@@ -2,7 +2,7 @@
 #include "assembly/finish.h"
 #include "model/systems.h"
 
-#include "forces/air_step.h"
+#include "forces/forces.h"
 
 #include <QtTest>
 
@@ -15,7 +15,7 @@ namespace {
 double limitOf(const System& system, const State& state)
 {
     std::vector<double> scratch;
-    return airStepLimit(system, state, scratch);
+    return dampingStepLimit(system, state, scratch);
 }
 
 // A triangle of 2 m^2 in the plane y = 0, of three equal masses.

@@ -8,6 +8,7 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "forces/bend_force.h"
+#include "forces/forces.h"
 #include "measure/diagnostics.h"
 #include "scene/check.h"
 
@@ -210,7 +211,7 @@ private slots:
         System system = looseSheet(6, 4);
         system.integrator = Integrator::VelocityVerlet;
         finish(system);
-        system.timeStep = 0.5 * bendStepLimit(system);
+        system.timeStep = 0.5 * stiffStepLimit(system);
         State state = system.start;
         for (PaddedVec3& x : state.position)
             x.y() += 0.005 * std::cos(std::numbers::pi * x.x() / 0.12)
@@ -229,7 +230,7 @@ private slots:
     {
         System system = looseSheet(8, 8);
         finish(system);
-        const double limit = bendStepLimit(system);
+        const double limit = stiffStepLimit(system);
         for (const auto& [factor, stays] : {std::pair(0.99, true), std::pair(1.7, false)}) {
             system.timeStep = factor * limit;
             State state = system.start;
@@ -243,8 +244,8 @@ private slots:
         Scene scene = *build(*findBuilder("bending_test"), {});
         const auto system = *compile(scene);
         const double inScene = stepLimit(scene)->timeStep;
-        QVERIFY2(isNear(inScene, bendStepLimit(*system), 1e-9 * inScene),
-                 told(inScene, bendStepLimit(*system)));
+        QVERIFY2(isNear(inScene, stiffStepLimit(*system), 1e-9 * inScene),
+                 told(inScene, stiffStepLimit(*system)));
         scene.settings.substeps = 1;
         QVERIFY(problemsOf(scene).empty()); // the automatic solver takes as many as it needs
         scene.settings.solver = Solver::SmallSteps;
@@ -259,19 +260,19 @@ private slots:
         System system = looseSheet(4, 4);
         system.springs[20].tear = {TearRule::Length, 0.0}; // at once
         finish(system);
-        system.timeStep = 0.5 * bendStepLimit(system);
+        system.timeStep = 0.5 * stiffStepLimit(system);
         State state = system.start;
         crumple(state, 0.002, 0.0);
         state = run(system, state, 1);
         const auto gone = std::count(state.panelGone.begin(), state.panelGone.end(), 1);
         QVERIFY(gone > 0);
-        std::vector<PaddedVec3> turn(system.bends.size());
-        std::vector<PaddedVec3> moment(system.bends.size());
+        std::vector<PaddedVec3> turn(system.of<BendLists>().list.size());
+        std::vector<PaddedVec3> moment(system.of<BendLists>().list.size());
         ThreadPool alone(1);
         fillBends(system, state, alone, turn, moment);
         int dropped = 0;
         for (std::size_t i = 0; i < turn.size(); ++i) {
-            const auto [one, other] = system.bends[i].of;
+            const auto [one, other] = system.of<BendLists>().list[i].of;
             const bool isGone =
                 state.panelGone[std::size_t(one)] || state.panelGone[std::size_t(other)];
             QCOMPARE(moment[i].norm() == 0.0, isGone);
@@ -290,7 +291,7 @@ private slots:
         cord.tearRule = TearRule::Length;
         cord.tearLimit = 1e-3; // all of them
         const auto system = *compile(scene);
-        QCOMPARE(int(system->bends.size()), 3);
+        QCOMPARE(int(system->of<BendLists>().list.size()), 3);
         State state = run(*system, 1);
         QCOMPARE(int(state.tears.size()), 4);
         QCOMPARE(bendingEnergy(*system, state), 0.0);
@@ -341,7 +342,7 @@ private slots:
         system.materialAir[1].key = 1;
         system.bending = {Bending(), {0.0, 5.0}};
         finish(system);
-        QCOMPARE(int(system.bends.size()), count);
+        QCOMPARE(int(system.of<BendLists>().list.size()), count);
         QVERIFY(bendingEnergy(system, system.start) < 1e-20);
         const State after = run(system, 1000);
         for (int i = 0; i < count; ++i)
@@ -352,7 +353,7 @@ private slots:
     void limpScenesHaveNone()
     {
         const auto system = *compile(*build(*findBuilder("cloth"), {}));
-        QVERIFY(system->bends.empty() && system->bending.empty());
+        QVERIFY(system->of<BendLists>().list.empty() && system->bending.empty());
     }
 
     // bending given to a running scene, changed and taken away again
@@ -374,7 +375,7 @@ private slots:
             QVERIFY(update.patch);
             (void)apply(*update.patch, running);
             QVERIFY(running == **compile(live.scene(), 1, 1));
-            QCOMPARE(running.bends.empty(), value == 0.0);
+            QCOMPARE(running.of<BendLists>().list.empty(), value == 0.0);
         }
     }
 
@@ -382,7 +383,7 @@ private slots:
     {
         System system = looseSheet(100, 60);
         finish(system);
-        system.timeStep = 0.5 * bendStepLimit(system);
+        system.timeStep = 0.5 * stiffStepLimit(system);
         State start = system.start;
         crumple(start, 0.002, 0.1);
         const std::uint64_t one = stateHash(run(system, start, 20, 1));
@@ -401,7 +402,7 @@ private slots:
         State state = system->start;
         for (int i = 0; i < 200; ++i) {
             stepper.step(*system, state);
-            QVERIFY(system->timeStep / state.substeps <= bendStepLimit(*system)
+            QVERIFY(system->timeStep / state.substeps <= stiffStepLimit(*system)
                     || state.substeps == 0);
         }
         QVERIFY(isFinite(state));

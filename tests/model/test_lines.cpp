@@ -22,8 +22,8 @@ DragLine& addLine(System& system, int a, int b, double width)
     system.links.push_back(
         {Key(system.links.size()), LinkKind::Rod, int(system.rods.size()), a, b});
     addRod(system, a, b, distance(system, a, b));
-    system.dragLines.push_back({int(system.links.size()) - 1, a, b, width});
-    return system.dragLines.back();
+    system.of<LineLists>().list.push_back({int(system.links.size()) - 1, a, b, width});
+    return system.of<LineLists>().list.back();
 }
 
 } // namespace
@@ -117,7 +117,7 @@ private slots:
         network.finish({}, {});
         const auto system = compile(scene);
         QVERIFY(bool(system));
-        QCOMPARE((*system)->dragLines.size(), std::size_t(1));
+        QCOMPARE((*system)->of<LineLists>().list.size(), std::size_t(1));
         const State state = run(**system, 5000);
         const Vec3 hangs = state.position[1] - state.position[0];
         const double angle = std::atan2(hangs.x(), -hangs.y());
@@ -147,10 +147,10 @@ private slots:
         network.spring(nodes[2], nodes[3], line);
         network.finish({}, {});
         const auto system = compile(scene);
-        QCOMPARE((*system)->dragLines.size(), std::size_t(2));
-        QCOMPARE((*system)->dragLines[0].link, 1);
-        QCOMPARE((*system)->dragLines[1].link, 2);
-        QCOMPARE((*system)->dragLines[1].width, 0.9 * 0.001);
+        QCOMPARE((*system)->of<LineLists>().list.size(), std::size_t(2));
+        QCOMPARE((*system)->of<LineLists>().list[0].link, 1);
+        QCOMPARE((*system)->of<LineLists>().list[1].link, 2);
+        QCOMPARE((*system)->of<LineLists>().list[1].width, 0.9 * 0.001);
     }
 };
 

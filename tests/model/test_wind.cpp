@@ -347,7 +347,7 @@ private slots:
             addPanel(system, a, b, c, AirLaw::Paper, 1.0);
             system.links.push_back({Key(a), LinkKind::Rod, int(system.rods.size()), b, d});
             addRod(system, b, d, distance(system, b, d));
-            system.dragLines.push_back({int(system.links.size()) - 1, b, d, 0.01});
+            system.of<LineLists>().list.push_back({int(system.links.size()) - 1, b, d, 0.01});
         }
         finish(system);
         const std::vector<Vec3> loads = panelLoads(system, system.start);

@@ -100,8 +100,8 @@ private slots:
         System system = delta(rows);
         system.wind = {10.0, 1.0, 0.0};
         finish(system);
-        QCOMPARE(system.wings.size(), std::size_t(1));
-        const WingStrips& wing = system.wings.front();
+        QCOMPARE(system.of<FabricLists>().wings.size(), std::size_t(1));
+        const WingStrips& wing = system.of<FabricLists>().wings.front();
         QCOMPARE(wing.panels.size(), std::size_t(rows * rows));
         std::vector<double> area(wing.panels.size(), 0.0);
         std::array<double, wingStrips> wash{}, load{}, place{};
@@ -216,7 +216,7 @@ private slots:
         addPanel(line, 0, 1, 2, wingAir());
         line.wind = {5.0, 1.0, 0.0};
         finish(line);
-        QVERIFY(line.wings.empty());
+        QVERIFY(line.of<FabricLists>().wings.empty());
         QCOMPARE(sum(panelLoads(line, line.start)), Vec3(Vec3::Zero()));
 
         for (std::uint32_t seed = 1; seed <= 50; ++seed) {

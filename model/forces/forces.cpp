@@ -1,0 +1,99 @@
+#include "forces/forces.h"
+
+#include "base/step_limit.h"
+#include "forces/gusts.h"
+#include "forces/spring_force.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+
+namespace ripstop {
+namespace {
+
+template <typename... Lists>
+std::vector<std::unique_ptr<Force>> makeAll(std::type_identity<std::tuple<Lists...>>)
+{
+    std::vector<std::unique_ptr<Force>> all;
+    (all.push_back(makeForce<Lists>()), ...);
+    return all;
+}
+
+} // namespace
+
+Forces::Forces()
+    : m_all(makeAll(std::type_identity<ForceLists>()))
+    , m_springs(nullptr)
+{
+    for (const auto& force : m_all)
+        if (const auto* springs = dynamic_cast<const SpringForce*>(force.get()))
+            m_springs = springs;
+}
+
+Forces::~Forces() = default;
+Forces::Forces(Forces&&) noexcept = default;
+Forces& Forces::operator=(Forces&&) noexcept = default;
+
+std::span<const PaddedVec3> Forces::ofSprings() const { return m_springs->loads(); }
+
+const Forces& knownForces()
+{
+    static const Forces forces;
+    return forces;
+}
+
+bool listForces(System& system, const Edited& edited)
+{
+    if (edited.winds)
+        startGusts(system);
+    bool bounds = false;
+    for (const auto& force : knownForces()) {
+        if (!force->hangsOn(edited))
+            continue;
+        bounds |= force->boundsSubstep(system);
+        force->list(system);
+        bounds |= force->boundsSubstep(system);
+    }
+    return bounds;
+}
+
+double stiffStepLimit(const System& system)
+{
+    std::vector<double> stiffness(system.inverseMass.size(), 0.0);
+    std::vector<double> damping(system.inverseMass.size(), 0.0);
+    // first what bounds the substep, then what stands beside it
+    bool some = false;
+    for (const bool bounds : {true, false})
+        for (const auto& force : knownForces())
+            if (force->boundsSubstep(system) == bounds && (bounds || some)) {
+                force->addStiffness(system, stiffness, damping);
+                some |= bounds;
+            }
+    double limit = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; some && i < stiffness.size(); ++i)
+        if (system.inverseMass[i] > 0.0)
+            limit = std::min(
+                limit, springStepLimit(1.0 / system.inverseMass[i], stiffness[i], damping[i]));
+    return limit;
+}
+
+std::string boundingForces(const System& system)
+{
+    std::string names;
+    for (const auto& force : knownForces())
+        if (force->boundsSubstep(system))
+            names += (names.empty() ? "" : " and ") + std::string(force->name());
+    return names;
+}
+
+double dampingStepLimit(const System& system, const State& state, std::vector<double>& rate)
+{
+    rate.assign(state.position.size(), 0.0);
+    for (const auto& force : knownForces())
+        force->addDampingRates(system, state, rate);
+    const double largest = rate.empty() ? 0.0 : *std::ranges::max_element(rate);
+    return largest > 0.0 ? 2.0 / largest : std::numeric_limits<double>::infinity();
+}
+
+} // namespace ripstop

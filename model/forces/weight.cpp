@@ -1,0 +1,33 @@
+// Weight: the one force that is an acceleration from the first, and so has no elements.
+#include "forces/force.h"
+
+namespace ripstop {
+namespace {
+
+class WeightForce final : public Force
+{
+public:
+    std::string_view name() const override { return "weight"; }
+    ForceKind kind() const override { return ForceKind::Weight; }
+    bool acts(const System&, const State&) const override { return true; }
+    bool isSteady() const override { return true; }
+    Vec3 acceleration(const System& system) const override { return system.gravity; }
+    double energy(const System& system, const State& state) const override
+    {
+        double energy = 0.0; // zero at the origin; of free particles
+        for (std::size_t i = 0; i < state.position.size(); ++i)
+            if (system.inverseMass[i] > 0.0)
+                energy -= system.mass[i] * system.gravity.dot(state.position[i]);
+        return energy;
+    }
+};
+
+} // namespace
+
+template <>
+std::unique_ptr<Force> makeForce<WeightLists>()
+{
+    return std::make_unique<WeightForce>();
+}
+
+} // namespace ripstop

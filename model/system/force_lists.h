@@ -1,0 +1,62 @@
+// Which forces there are, and what each derives from the rest of a System.
+//
+// The type of what a force derives stands for that force: makeForce() of it (forces/force.h) gives
+// the force itself, and a program that lacks one does not link. What the author's own arrays say
+// already (springs, panels, weights) is not repeated here.
+//
+// Whoever changes a finished system in place has the lists filled anew (forces/forces.h).
+#pragma once
+
+#include "base/bend.h"
+#include "base/rows.h"
+#include "base/wing_strips.h"
+#include "system/links.h"
+
+#include <tuple>
+#include <vector>
+
+namespace ripstop {
+
+struct SpringLists
+{
+    friend bool operator==(const SpringLists&, const SpringLists&) = default;
+};
+
+struct FabricLists
+{
+    std::vector<WingStrips> wings; // pieces of fabric with the vortex law
+
+    friend bool operator==(const FabricLists&, const FabricLists&) = default;
+};
+
+struct LineLists
+{
+    std::vector<DragLine> list; // in the order of their links
+    Rows at;                    // [particles], or empty when there are none
+
+    friend bool operator==(const LineLists&, const LineLists&) = default;
+};
+
+struct BendLists
+{
+    std::vector<Bend> list; // where what bends stiffly can bend
+    Rows at;                // [particles], or empty when there are none
+
+    friend bool operator==(const BendLists&, const BendLists&) = default;
+};
+
+struct WeightLists
+{
+    friend bool operator==(const WeightLists&, const WeightLists&) = default;
+};
+
+struct HandLists
+{
+    friend bool operator==(const HandLists&, const HandLists&) = default;
+};
+
+// In the order in which forces are added up at a particle: another order gives other bits.
+using ForceLists =
+    std::tuple<SpringLists, FabricLists, LineLists, BendLists, WeightLists, HandLists>;
+
+} // namespace ripstop
