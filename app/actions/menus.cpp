@@ -35,7 +35,7 @@ constexpr std::array<MenuRows (*)(const Workbench&), 14> sources{
     fileRows,     editRows, selectRows, insertRows,   designRows, drawRows,    viewRows,
     languageRows, runRows,  tuningRows, timelineRows, toolRows,   measureRows, helpRows};
 
-// One of several that exclude each other, or one that is on or off.
+// What the view shows and hides, or one of the ways in which it colours.
 bool isOfView(const MenuRow& row)
 {
     return row.toggle != Toggle::No && QLatin1String(row.menu) == "&View";

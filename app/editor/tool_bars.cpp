@@ -12,16 +12,16 @@
 namespace ripstop {
 namespace {
 
-using Group = std::initializer_list<const char*>; // ids of actions, with lines between groups
+using Buttons = std::initializer_list<const char*>; // ids of actions, with lines between groups
 
-constexpr Group barGroups[]{
+constexpr Buttons barGroups[]{
     {"open", "save"},
     {"undo", "redo"},
     {"move", "rotate", "scale"},
     {"fit", "home", "follow", "byStrain", "particles"},
 };
 
-constexpr Group stripGroups[]{
+constexpr Buttons stripGroups[]{
     {"toolPointer", "toolBox", "toolLasso"},
     {"drawParticles", "drawLinks", "drawPanels"},
     {"toolGrab", "toolCut", "toolFan"},
@@ -35,7 +35,7 @@ constexpr QPoint stripPlace(12, 12); // pixels, of the view
 
 void fillToolBar(QToolBar& bar, const Actions& actions)
 {
-    for (const Group& group : barGroups) {
+    for (const Buttons& group : barGroups) {
         for (const char* id : group)
             bar.addAction(actions[id]);
         bar.addSeparator();
@@ -45,7 +45,7 @@ void fillToolBar(QToolBar& bar, const Actions& actions)
 void addToolStrip(Viewport& viewport, const Actions& actions)
 {
     auto* strip = new ToolStrip(&viewport);
-    for (const Group& group : stripGroups) {
+    for (const Buttons& group : stripGroups) {
         QList<QAction*> buttons;
         for (const char* id : group)
             buttons << actions[id];
