@@ -66,7 +66,7 @@ std::string rate(double perSecond)
         return "-";
     std::string text = fixed(perSecond, perSecond < 100.0 ? 1 : 0);
     for (int at = int(text.size()) - 3; perSecond >= 10000.0 && at > 0; at -= 3)
-        text.insert(std::size_t(at), " ");
+        text.insert(std::size_t(at), 1, ' ');
     return text;
 }
 

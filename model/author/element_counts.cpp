@@ -7,11 +7,11 @@ namespace ripstop {
 EditCounts editCountsOf(const Edit& edit)
 {
     EditCounts counts;
-    const auto count = [](ElementCounts& counts, const auto& particles, const auto& links,
+    const auto count = [](ElementCounts& of, const auto& particles, const auto& links,
                           const auto& panels) {
-        counts.particles += particles.size();
-        counts.links += links.size();
-        counts.panels += panels.size();
+        of.particles += particles.size();
+        of.links += links.size();
+        of.panels += panels.size();
     };
     for (const Change& change : edit.changes) {
         if (const auto* rows = std::get_if<AddRows>(&change))

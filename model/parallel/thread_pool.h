@@ -17,7 +17,7 @@ public:
     ThreadPool& operator=(ThreadPool&&) noexcept;
 
     template <typename Body> // body(first, last)
-    void each(std::size_t count, Body body)
+    void parallelFor(std::size_t count, Body body)
     {
         if (!m_arena || count < 2 * grain)
             body(std::size_t(0), count);
@@ -30,7 +30,7 @@ public:
     // Calls body(thread) for threads 0 .. threads() - 1, each on a thread of its own when there is
     // one to spare; one after another otherwise.
     template <typename Body>
-    void together(Body body)
+    void onEachThread(Body body)
     {
         const auto range = [&](std::size_t first, std::size_t last) {
             for (std::size_t thread = first; thread < last; ++thread)

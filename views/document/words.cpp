@@ -61,15 +61,15 @@ QString counted(Kind kind, qsizetype n)
     return text.replace(QStringLiteral("(s)"), n == 1 ? QString() : QStringLiteral("s"));
 }
 
-QString countsOf(const ElementCounts& counts)
+QString countsOf(const ElementCounts& elements)
 {
-    QStringList counts;
+    QStringList texts;
     for (const auto& [kind, count] :
-         {std::pair{Kind::Particle, counts.particles}, std::pair{Kind::Link, counts.links},
-          std::pair{Kind::Panel, counts.panels}})
+         {std::pair{Kind::Particle, elements.particles}, std::pair{Kind::Link, elements.links},
+          std::pair{Kind::Panel, elements.panels}})
         if (count > 0)
-            counts << counted(kind, qsizetype(count));
-    return counts.join(QStringLiteral(", "));
+            texts << counted(kind, qsizetype(count));
+    return texts.join(QStringLiteral(", "));
 }
 
 QString labelOf(const Property& property) { return translated(property.label); }

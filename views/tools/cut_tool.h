@@ -5,6 +5,7 @@
 
 #include "tools/picker.h"
 #include "tools/region_select.h"
+#include "tools/tool.h"
 
 #include <QPointF>
 

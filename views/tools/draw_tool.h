@@ -13,7 +13,7 @@
 namespace ripstop {
 
 class Document;
-class Projection;
+class CameraProjection;
 
 // What the draw tool draws, and where.
 struct DrawSettings

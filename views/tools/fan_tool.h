@@ -5,6 +5,7 @@
 
 #include "tools/hand_settings.h"
 #include "tools/picker.h"
+#include "tools/tool.h"
 
 #include <QPointF>
 

@@ -12,6 +12,7 @@
 #include "tools/hand.h"
 #include "tools/hand_settings.h"
 #include "tools/picker.h"
+#include "tools/tool.h"
 
 #include <QObject>
 #include <QPointF>

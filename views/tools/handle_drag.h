@@ -30,7 +30,7 @@ struct HandleDrag
     double angle = 0.0;     // rad, turned so far
     double lastAngle = 0.0; // rad, as the gizmo saw it last
 
-    static Pull at(const Gizmo& gizmo, Handle handle, QPointF from);
+    static HandleDrag at(const Gizmo& gizmo, Handle handle, QPointF from);
     void follow(QPointF cursor);
     void keepTo(int axis); // and let it go the second time
 

@@ -147,7 +147,7 @@ private:
     bool m_through;
     std::vector<OnScreen> m_points;
     std::vector<char> m_inside; // [particles]
-    Cover m_occlusion;
+    Occlusion m_occlusion;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tools/region_select.h"
+#include "tools/tool.h"
 
 #include <QPointF>
 
