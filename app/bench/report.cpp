@@ -64,9 +64,15 @@ std::string rate(double perSecond)
 {
     if (!std::isfinite(perSecond))
         return "-";
-    std::string text = fixed(perSecond, perSecond < 100.0 ? 1 : 0);
-    for (int at = int(text.size()) - 3; perSecond >= 10000.0 && at > 0; at -= 3)
-        text.insert(std::size_t(at), 1, ' ');
+    const std::string digits = fixed(perSecond, perSecond < 100.0 ? 1 : 0);
+    if (perSecond < 10000.0)
+        return digits;
+    std::string text; // in groups of three
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0)
+            text += ' ';
+        text += digits[i];
+    }
     return text;
 }
 

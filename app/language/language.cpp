@@ -52,7 +52,7 @@ QString Translation::Catalogue::translate(const char* context, const char* sourc
 Translation::Translation(Language language)
 {
     QCoreApplication::instance()->installEventFilter(this);
-    speak(language);
+    install(language);
 }
 
 Translation::~Translation()

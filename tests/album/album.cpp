@@ -93,7 +93,7 @@ int main(int argc, char** argv)
     if (parser.positionalArguments().size() != 1)
         parser.showHelp(2);
     if (parser.isSet(manual)) {
-        applyAppearance(application, Appearance::Light);
+        applyThemeChoice(application, ThemeChoice::Light);
         takeManualPictures(parser.positionalArguments().first());
         return 0;
     }
@@ -102,7 +102,7 @@ int main(int argc, char** argv)
     const QStringList sizes =
         parser.isSet(size) ? parser.values(size) : QStringList{"1280x800", "1920x1080"};
     for (const QString& one : themes) {
-        applyAppearance(application, one == "dark" ? Appearance::Dark : Appearance::Light);
+        applyThemeChoice(application, one == "dark" ? ThemeChoice::Dark : ThemeChoice::Light);
         for (const QString& pixels : sizes)
             fill(parser.positionalArguments().first(), one,
                  QSize(pixels.section('x', 0, 0).toInt(), pixels.section('x', 1).toInt()),

@@ -299,10 +299,10 @@ private slots:
     void theCentreOfGravity()
     {
         Scene scene = strip();
-        QVERIFY((weightOf(scene, {}).centre - Vec3(1, 0.5, 0)).norm() < 1e-15);
-        QCOMPARE(weightOf(scene, {}).mass, 3.0);
+        QVERIFY((massPropertiesOf(scene, {}).centre - Vec3(1, 0.5, 0)).norm() < 1e-15);
+        QCOMPARE(massPropertiesOf(scene, {}).mass, 3.0);
         (void)apply(scene, setValue(scene, Id{2}, "mass", 1.5)); // (0,0)
-        QVERIFY((weightOf(scene, {Id{2}, Id{6}}).centre - Vec3(0.5, 0, 0)).norm() < 1e-15);
+        QVERIFY((massPropertiesOf(scene, {Id{2}, Id{6}}).centre - Vec3(0.5, 0, 0)).norm() < 1e-15);
     }
 
     void particlesAlign()

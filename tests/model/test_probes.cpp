@@ -27,7 +27,7 @@ public:
     void add(Probe probe)
     {
         const Id id = takeId(scene);
-        probe.name = "p" + std::to_string(unsigned(id));
+        probe.name = std::to_string(unsigned(id)).insert(0, 1, 'p');
         m_names.push_back(probe.name);
         scene.items.push_back({id, probe});
     }
