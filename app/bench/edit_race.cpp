@@ -43,54 +43,63 @@ const Particle& middle(const Scene& scene)
     return particles[particles.size() / 2];
 }
 
-Edit set(Kind kind, const char* key, std::vector<Id> targets, Value value)
+Edit set(const Property& property, std::vector<Id> targets, Value value)
 {
-    return {"", {SetValues{findProperty(kind, key), std::move(targets), {std::move(value)}}}};
+    return {"", {SetValues{&property, std::move(targets), {std::move(value)}}}};
 }
 
-Edit setLink(const Scene& scene, const char* key, double value)
+Edit setLink(const Scene& scene, const Property& property, double value)
 {
     const auto& links = sheet(scene).links;
-    return set(Kind::Link, key, {links[links.size() / 2].id}, value);
+    return set(property, {links[links.size() / 2].id}, value);
 }
 
 // Of what all links are made of.
-Edit setMaterial(const Scene& scene, const char* key, double value)
+Edit setMaterial(const Scene& scene, const Property& property, double value)
 {
-    return set(Kind::Material, key, {sheet(scene).links.front().material}, value);
+    return set(property, {sheet(scene).links.front().material}, value);
 }
 
 const Case cases[]{
     {"mass of one particle",
      [](const Scene& scene, int turn) {
-         return set(Kind::Particle, "mass", {middle(scene).id}, 1e-4 + 1e-6 * turn);
+         return set(propertyOf<&Particle::mass>(), {middle(scene).id}, 1e-4 + 1e-6 * turn);
      }},
     {"pin on one particle",
      [](const Scene& scene, int turn) {
-         return set(Kind::Particle, "pinned", {middle(scene).id}, turn % 2 == 0);
+         return set(propertyOf<&Particle::pinned>(), {middle(scene).id}, turn % 2 == 0);
      }},
     {"stiffness of one link",
-     [](const Scene& scene, int turn) { return setLink(scene, "stiffness", 10.0 + turn); }},
+     [](const Scene& scene, int turn) {
+         return setLink(scene, propertyOf<&Link::stiffness>(), 10.0 + turn);
+     }},
     {"compliance of one link",
-     [](const Scene& scene, int turn) { return setLink(scene, "compliance", 1e-4 + 1e-6 * turn); }},
+     [](const Scene& scene, int turn) {
+         return setLink(scene, propertyOf<&Link::compliance>(), 1e-4 + 1e-6 * turn);
+     }},
     {"rest length of one link",
      [](const Scene& scene, int turn) {
-         return setLink(scene, "restLength", 0.003 + 1e-6 * turn);
+         return setLink(scene, propertyOf<&Link::restLength>(), 0.003 + 1e-6 * turn);
      }},
     {"wind",
      [](const Scene& scene, int turn) {
-         return set(Kind::Wind, "velocity", {firstItem<Wind>(scene)}, Vec3(0.01 * turn, 0.0, 0.0));
+         return set(propertyOf<&Wind::velocity>(), {firstItem<Wind>(scene)},
+                    Vec3(0.01 * turn, 0.0, 0.0));
      }},
     {"stiffness of the material of all",
-     [](const Scene& scene, int turn) { return setMaterial(scene, "stiffness", 20.0 + turn); }},
+     [](const Scene& scene, int turn) {
+         return setMaterial(scene, propertyOf<&Material::stiffness>(), 20.0 + turn);
+     }},
     {"compliance of the material of all",
-     [](const Scene& scene, int turn) { return setMaterial(scene, "compliance", 1e-5 * turn); }},
+     [](const Scene& scene, int turn) {
+         return setMaterial(scene, propertyOf<&Material::compliance>(), 1e-5 * turn);
+     }},
     {"mass of every particle",
      [](const Scene& scene, int turn) {
          std::vector<Id> all;
          for (const Particle& particle : sheet(scene).particles)
              all.push_back(particle.id);
-         return set(Kind::Particle, "mass", std::move(all), 1e-4 + 1e-6 * turn);
+         return set(propertyOf<&Particle::mass>(), std::move(all), 1e-4 + 1e-6 * turn);
      }},
     {"add one link",
      [](const Scene& scene, int turn) {

@@ -25,7 +25,7 @@ constexpr int margin = 24;               // pixels, from the edge of the window
 // What the particles weigh whose mass is set, and weighed before.
 QString weightOf(const Scene& before, const Edit& edit)
 {
-    const Property* property = findProperty(Kind::Particle, "mass");
+    const Property* property = &propertyOf<&Particle::mass>();
     for (const Change& change : edit.changes) {
         const auto* values = std::get_if<SetValues>(&change);
         if (!values || values->property != property)

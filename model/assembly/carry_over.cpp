@@ -2,6 +2,7 @@
 
 #include "base/key_index.h"
 #include "constraints/guides.h"
+#include "system/fields.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,6 +20,15 @@ KeyIndex indexOf(const Items& items, KeyOf keyOf)
     return index;
 }
 
+// What a state says of one particle, spring, ..., as another says of one.
+template <Per per>
+void carryEntry(const State& state, int from, State& carried, std::size_t to)
+{
+    forEachPer<per>(
+        [&](auto& values, const auto& before) { values[to] = before[std::size_t(from)]; }, carried,
+        state);
+}
+
 // Spreads the motion of known particles along links until every tied particle has one.
 void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t>& placed)
 {
@@ -33,10 +43,9 @@ void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t
         const auto other = std::size_t(std::size_t(link.a) == from ? link.b : link.a);
         if (placed[other])
             return;
+        carryEntry<Per::Particle>(carried, int(from), carried, other);
         carried.position[other] =
             to.start.position[other] + carried.position[from] - to.start.position[from];
-        carried.velocity[other] = carried.velocity[from];
-        carried.drift[other] = carried.drift[from];
         placed[other] = 1;
         known.push_back(other);
     };
@@ -60,9 +69,7 @@ void placeTwins(const System& to, State& carried, std::vector<std::uint8_t>& pla
         const int twin = particleOf(split.twin);
         if (from < 0 || twin < 0 || placed[std::size_t(twin)])
             continue;
-        carried.position[std::size_t(twin)] = Vec3(carried.position[std::size_t(from)]);
-        carried.velocity[std::size_t(twin)] = Vec3(carried.velocity[std::size_t(from)]);
-        carried.drift[std::size_t(twin)] = Vec3(carried.drift[std::size_t(from)]);
+        carryEntry<Per::Particle>(carried, from, carried, std::size_t(twin));
         placed[std::size_t(twin)] = placed[std::size_t(from)];
     }
 }
@@ -81,14 +88,13 @@ void carryTwinLinks(const System& from, const System& to, State& carried)
             if (first < 0 || twin < 0 || before(cut.twin) >= 0)
                 continue;
             const LinkPlace& place = to.links[std::size_t(first)];
-            const auto at = std::size_t(place.index);
             const auto twinAt = std::size_t(to.links[std::size_t(twin)].index);
             if (place.kind == LinkKind::Spring) {
-                carried.springTorn[twinAt] = std::uint8_t(carried.springTorn[at]);
+                carryEntry<Per::Spring>(carried, place.index, carried, twinAt);
             } else {
-                carried.rodTorn[twinAt] = std::uint8_t(carried.rodTorn[at]);
-                carried.rodTension[twinAt] = cut.share * carried.rodTension[at];
-                carried.rodTension[at] *= 1.0 - cut.share;
+                carryEntry<Per::Rod>(carried, place.index, carried, twinAt);
+                carried.rodTension[twinAt] *= cut.share;
+                carried.rodTension[std::size_t(place.index)] *= 1.0 - cut.share;
             }
             const auto held =
                 std::find_if(carried.tearHolds.begin(), carried.tearHolds.end(),
@@ -117,11 +123,14 @@ void carryLinks(const System& from, const State& state, const System& to, State&
         if (match < 0)
             continue;
         const LinkPlace& old = from.links[std::size_t(match)];
-        const bool torn = isTorn(old, state);
-        (link.kind == LinkKind::Rod ? carried.rodTorn
-                                    : carried.springTorn)[std::size_t(link.index)] = torn;
-        if (link.kind == LinkKind::Rod && old.kind == LinkKind::Rod)
-            carried.rodTension[std::size_t(link.index)] = state.rodTension[std::size_t(old.index)];
+        const auto at = std::size_t(link.index);
+        if (link.kind != old.kind) // has in common with it that it is torn
+            (link.kind == LinkKind::Rod ? carried.rodTorn : carried.springTorn)[at] =
+                isTorn(old, state);
+        else if (link.kind == LinkKind::Rod)
+            carryEntry<Per::Rod>(state, old.index, carried, at);
+        else
+            carryEntry<Per::Spring>(state, old.index, carried, at);
     }
 }
 
@@ -131,24 +140,13 @@ State carryOver(const System& from, const State& state, const System& to, State 
 {
     State carried = std::move(memory);
     carried = to.start;
-    carried.time = state.time;
-    carried.step = state.step;
-    carried.substep = state.substep;
-    carried.substeps = state.substeps;
-    carried.tears = state.tears;
-    carried.driftSubstep = state.driftSubstep;
-    carried.splits = state.splits;
-    carried.hands = state.hands;
-    carried.carried = state.carried;
-    carried.work = state.work;
+    forEachPer<Per::Run>([](auto& value, const auto& before) { value = before; }, carried, state);
 
     const KeyIndex particleOf = indexOf(from.key, [](Key key) { return key; });
     std::vector<std::uint8_t> placed(to.key.size(), 0);
     for (std::size_t j = 0; j < to.key.size(); ++j)
         if (const int match = particleOf(to.key[j]); match >= 0) {
-            carried.position[j] = state.position[std::size_t(match)];
-            carried.velocity[j] = state.velocity[std::size_t(match)];
-            carried.drift[j] = state.drift[std::size_t(match)];
+            carryEntry<Per::Particle>(state, match, carried, j);
             placed[j] = 1;
         }
     placeTwins(to, carried, placed);
@@ -170,25 +168,23 @@ State carryOver(const System& from, const State& state, const System& to, State 
     const KeyIndex panelOf = indexOf(from.panelKey, [](Key key) { return key; });
     for (std::size_t j = 0; j < to.panelKey.size(); ++j)
         if (const int match = panelOf(to.panelKey[j]); match >= 0)
-            carried.panelGone[j] = state.panelGone[std::size_t(match)];
+            carryEntry<Per::Panel>(state, match, carried, j);
 
     const KeyIndex inputOf = indexOf(from.inputs, [](const Input& input) { return input.key; });
     for (std::size_t j = 0; j < to.inputs.size(); ++j)
-        if (const int match = inputOf(to.inputs[j].key); match >= 0) {
-            carried.inputCommand[j] = state.inputCommand[std::size_t(match)];
-            carried.inputValue[j] = state.inputValue[std::size_t(match)];
-        }
+        if (const int match = inputOf(to.inputs[j].key); match >= 0)
+            carryEntry<Per::Input>(state, match, carried, j);
 
     const KeyIndex gustsOf = indexOf(from.gusts, [](const GustSpec& gusts) { return gusts.key; });
     for (std::size_t j = 0; j < to.gusts.size(); ++j)
         if (const int match = gustsOf(to.gusts[j].key); match >= 0)
-            carried.gusts[j] = state.gusts[std::size_t(match)];
+            carryEntry<Per::Gusts>(state, match, carried, j);
 
     for (std::size_t j = 0; j < to.canopies.size(); ++j) // of which there are few
         for (std::size_t i = 0; i < from.canopies.size(); ++i)
             if (from.canopies[i].part == to.canopies[j].part
                 && from.canopies[i].piece == to.canopies[j].piece)
-                carried.canopies[j] = state.canopies[i];
+                carryEntry<Per::Canopy>(state, int(i), carried, j);
     return carried;
 }
 

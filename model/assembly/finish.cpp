@@ -5,6 +5,7 @@
 #include "base/key_index.h"
 #include "forces/gusts.h"
 #include "forces/wing_load.h"
+#include "system/fields.h"
 
 #include <algorithm>
 #include <array>
@@ -141,13 +142,6 @@ std::uint64_t nextSerial()
     return ++last;
 }
 
-template <typename T>
-void fill(std::vector<T>& values, std::size_t count, const T& value)
-{
-    if (values.size() != count)
-        values.assign(count, value);
-}
-
 } // namespace
 
 void finish(System& system)
@@ -194,17 +188,11 @@ void finishOrdered(System& system, RodOrder order)
         listDragLines(system);
     listBends(system);
 
-    State& start = system.start;
-    fill(start.velocity, n, PaddedVec3());
-    fill(start.drift, n, PaddedVec3());
-    fill(start.inputCommand, system.inputs.size(), 0.0);
-    fill(start.inputValue, system.inputs.size(), 0.0);
+    forEachSized(system, system.start, [](auto& values, std::size_t count) {
+        if (values.size() != count)
+            values.assign(count, {});
+    });
     startGusts(system);
-    fill(start.canopies, system.canopies.size(), CanopyAir());
-    fill(start.springTorn, system.springs.size(), std::uint8_t(0));
-    fill(start.rodTorn, system.rods.size(), std::uint8_t(0));
-    fill(start.panelGone, system.panels.size(), std::uint8_t(0));
-    fill(start.rodTension, system.rods.size(), 0.0);
     listWings(system);
 }
 

@@ -2,6 +2,7 @@
 
 #include "assembly/finish.h"
 #include "base/key_index.h"
+#include "system/fields.h"
 
 #include <algorithm>
 #include <utility>
@@ -113,9 +114,12 @@ private:
         s.key.push_back(split.twin);
         s.mass.push_back(mass);
         s.inverseMass.push_back(1.0 / mass);
-        s.start.position.push_back(Vec3(s.start.position[from]));
-        s.start.velocity.push_back(Vec3(s.start.velocity[from]));
-        s.start.drift.push_back(Vec3(s.start.drift[from]));
+        forEachPer<Per::Particle>(
+            [&](auto& values) {
+                auto value = values[from];
+                values.push_back(value);
+            },
+            s.start);
         if (!s.fabricLayer.empty())
             s.fabricLayer.push_back(FabricLayer(s.fabricLayer[from]));
         m_particleOf.add(split.twin, twin);
@@ -236,10 +240,9 @@ std::shared_ptr<System> splitSystem(const System& compiled, std::span<const Spli
     divider.addToProbes();
     for (const Key pin : pins)
         divider.pin(pin);
-    State& start = system->start;
-    start.springTorn.assign(system->springs.size(), 0);
-    start.rodTorn.assign(system->rods.size(), 0);
-    start.rodTension.assign(system->rods.size(), 0.0);
+    const auto startAnew = [](auto& values) { values.clear(); }; // finish() puts rods in order
+    forEachPer<Per::Spring>(startAnew, system->start);
+    forEachPer<Per::Rod>(startAnew, system->start);
     finish(*system);
     return system;
 }

@@ -188,21 +188,20 @@ template <typename Test>
 std::vector<Id> Matcher::where(const Property& property, Test test) const
 {
     std::vector<Id> ids;
-    const Property* general =
-        property.kind == Kind::Link ? findProperty(Kind::Material, property.key) : nullptr;
-    std::map<Id, Value> ofMaterial;
-    if (general && property.optional)
+    const Property* general = ofMaterial(property);
+    std::map<Id, Value> inherited;
+    if (general)
         for (const Entry& entry : m_scene.items)
             if (const auto* material = std::get_if<Material>(&entry.item))
-                ofMaterial.emplace(entry.id, general->get(material));
+                inherited.emplace(entry.id, general->get(material));
     forEachOf(m_scene, property.kind, [&](Id id, const ConstRef& ref) {
         const Value value = property.get(ref);
         if (!std::holds_alternative<std::monostate>(value)) {
             if (test(value))
                 ids.push_back(id);
-        } else if (!ofMaterial.empty()) {
-            const auto found = ofMaterial.find(std::get<const Link*>(ref)->material);
-            if (found != ofMaterial.end() && test(found->second))
+        } else if (!inherited.empty()) {
+            const auto found = inherited.find(std::get<const Link*>(ref)->material);
+            if (found != inherited.end() && test(found->second))
                 ids.push_back(id);
         }
     });

@@ -276,7 +276,7 @@ Copies mirrored(const Scene& scene, const std::vector<Id>& selected, const Vec3&
     motion.map.translation()[axis] = 2.0 * point[axis];
 
     Copier copier(scene.nextId);
-    SetValues onPlane{findProperty(Kind::Particle, "position"), {}, {}};
+    SetValues onPlane{&propertyOf<&Particle::position>(), {}, {}};
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& row : part.particles) {
             const double away = row.position[axis] - point[axis];
@@ -308,9 +308,8 @@ Copies mirrored(const Scene& scene, const std::vector<Id>& selected, const Vec3&
                 if (copier.isCopied(id))
                     members.push_back(copier(id));
             if (members.size() > group->members.size())
-                copies.edit.changes.emplace_back(SetValues{findProperty(Kind::Group, "members"),
-                                                           {entry.id},
-                                                           {sortedOf(std::move(members))}});
+                copies.edit.changes.emplace_back(SetValues{
+                    &propertyOf<&Group::members>(), {entry.id}, {sortedOf(std::move(members))}});
         }
     std::sort(copies.ids.begin(), copies.ids.end());
     return copies;

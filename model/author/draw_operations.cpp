@@ -171,11 +171,11 @@ Result<Shaped> spar(const Scene& scene, const std::vector<Id>& ids, const Parame
     Edit edit = drawing.finish("Spar");
     std::ranges::sort(taken);
     if (!taken.empty()) {
-        edit.changes.emplace_back(SetValues{findProperty(Kind::Link, "material"), taken, {of}});
+        edit.changes.emplace_back(SetValues{&propertyOf<&Link::material>(), taken, {of}});
         edit.changes.emplace_back(
-            SetValues{findProperty(Kind::Link, "kind"), taken, {std::string("rod")}});
+            SetValues{&propertyOf<&Link::kind>(), taken, {std::string("rod")}});
         edit.changes.emplace_back(
-            SetValues{findProperty(Kind::Link, "resists"), taken, {std::string("both")}});
+            SetValues{&propertyOf<&Link::resists>(), taken, {std::string("both")}});
     }
     return Shaped{std::move(edit), std::move(links)};
 }

@@ -299,7 +299,7 @@ Edit Drawing::finish(std::string label)
         edit.changes.emplace_back(std::move(item));
     for (auto& [part, rows] : m_rows)
         edit.changes.emplace_back(std::move(rows));
-    SetValues masses{findProperty(Kind::Particle, "mass"), {}, {}};
+    SetValues masses{&propertyOf<&Particle::mass>(), {}, {}};
     for (const auto& [id, mass] : m_mass) {
         masses.targets.push_back(id);
         masses.values.emplace_back(mass);

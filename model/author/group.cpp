@@ -18,7 +18,7 @@ Edit regrouped(const Scene& scene, Id group, std::vector<Id> members, const std:
 {
     if (members == findItem<Group>(scene, group)->members)
         return {};
-    const Property* property = findProperty(Kind::Group, "members");
+    const Property* property = &propertyOf<&Group::members>();
     return {label, {SetValues{property, {group}, {std::move(members)}}}};
 }
 

@@ -101,8 +101,8 @@ void addSettings(Insertion& insertion, const Scene& scene, const Scene& built,
         const Value held = property.get(&scene.settings);
         if (wanted == held || wanted == property.get(&usual))
             continue;
-        const bool isTitle = property.key == "title" || property.key == "notes";
-        if (property.key == "substeps") {
+        const bool isTitle = isOneOf<&Settings::title, &Settings::notes>(property);
+        if (isOneOf<&Settings::substeps>(property)) {
             if (std::get<int>(wanted) <= std::get<int>(held))
                 continue;
             insertion.substeps = std::get<int>(wanted);

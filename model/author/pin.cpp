@@ -20,7 +20,7 @@ Edit pinning(const Scene& scene, const std::vector<Id>& ids, bool pinned)
     std::vector<Id> particles = particlesOf(scene, ids);
     if (!particles.empty())
         edit.changes.emplace_back(
-            SetValues{findProperty(Kind::Particle, "pinned"), std::move(particles), {pinned}});
+            SetValues{&propertyOf<&Particle::pinned>(), std::move(particles), {pinned}});
     return edit;
 }
 
@@ -28,15 +28,15 @@ Edit guiding(const Scene& scene, const std::vector<Id>& ids, Guide guide, const 
 {
     const std::vector<Id> particles = particlesOf(scene, ids);
     Edit edit{guide == Guide::None ? "Let go" : "Guide", {}};
-    const auto set = [&](const char* key, const Value& value) {
-        edit.changes.emplace_back(SetValues{findProperty(Kind::Particle, key), particles, {value}});
+    const auto set = [&](const Property& property, const Value& value) {
+        edit.changes.emplace_back(SetValues{&property, particles, {value}});
     };
     if (particles.empty())
         return edit;
-    set("pinned", false);
-    set("guide", std::string(choiceNames<Guide>[std::size_t(guide)]));
+    set(propertyOf<&Particle::pinned>(), false);
+    set(propertyOf<&Particle::guide>(), std::string(choiceNames<Guide>[std::size_t(guide)]));
     if (guide != Guide::None)
-        set("guideAxis", axis);
+        set(propertyOf<&Particle::guideAxis>(), axis);
     return edit;
 }
 

@@ -36,7 +36,7 @@ std::size_t countDifferent(const std::vector<Row>& built, const std::vector<Row>
     std::size_t different = 0;
     for (std::size_t i = 0; i < built.size(); ++i)
         for (const Property& property : propertiesOf(kindOf(ConstRef(&built[i])))) {
-            if (property.key == "position" || property.key == "velocity")
+            if (isOneOf<&Particle::position, &Particle::velocity>(property))
                 continue;
             Value wanted = property.get(&built[i]);
             if (Id* id = std::get_if<Id>(&wanted))
@@ -367,8 +367,8 @@ private:
             const Value before = property.get(&m_before.settings);
             const Value held = property.get(&m_scene.settings);
             const bool isTuned = held != before;
-            const bool isShort =
-                property.key == "substeps" && std::get<int>(held) < std::get<int>(wanted);
+            const bool isShort = isOneOf<&Settings::substeps>(property)
+                                 && std::get<int>(held) < std::get<int>(wanted);
             if (wanted != before && wanted != held && (!isTuned || isShort))
                 m_rebuilt.edit.changes.emplace_back(SetValues{&property, {settingsId}, {wanted}});
         }
@@ -445,7 +445,7 @@ HandWork handWork(const Scene& scene, Id id)
 
 Edit detached(const Scene& scene, const std::vector<Id>& parts)
 {
-    SetValues change{findProperty(Kind::Part, "builder"), {}, {std::string()}};
+    SetValues change{&propertyOf<&Part::builder>(), {}, {std::string()}};
     for (const Id id : parts)
         if (const Part* part = findItem<Part>(scene, id); part && builderOf(*part))
             change.targets.push_back(id);

@@ -28,7 +28,7 @@ std::string nameOf(const Scene& scene, Id id)
     if (id == noId)
         return {};
     if (const auto thing = find(scene, id))
-        if (const Property* name = findProperty(kindOf(*thing), "name")) {
+        if (const Property* name = findProperty(kindOf(*thing), Meaning::Name)) {
             const Value value = name->get(*thing);
             if (const auto* text = std::get_if<std::string>(&value); text && !text->empty())
                 return *text;

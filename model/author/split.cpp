@@ -45,8 +45,8 @@ public:
 
     LinksSplit finish()
     {
-        m_split.edit.label = "LinksSplit links";
-        SetValues masses{findProperty(Kind::Particle, "mass"), {}, {}};
+        m_split.edit.label = "Split links";
+        SetValues masses{&propertyOf<&Particle::mass>(), {}, {}};
         for (const auto& [id, mass] : m_endMass) {
             masses.targets.push_back(id);
             masses.values.emplace_back(mass);

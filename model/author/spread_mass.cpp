@@ -92,7 +92,7 @@ Result<Edit> massSpread(const Scene& scene, const std::vector<Id>& ids, MassBy b
                 mass[i] = amount * share[i];
     }
     Edit edit{"Set mass", {}};
-    edit.changes.emplace_back(SetValues{findProperty(Kind::Particle, "mass"), bodies.ids,
+    edit.changes.emplace_back(SetValues{&propertyOf<&Particle::mass>(), bodies.ids,
                                         std::vector<Value>(mass.begin(), mass.end())});
     return edit;
 }

@@ -25,11 +25,10 @@ std::string counted(std::size_t count, const char* one, const char* many)
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-Edit setting(std::string label, Kind kind, std::string_view key, std::vector<Id> ids,
+Edit setting(std::string label, const Property& property, std::vector<Id> ids,
              std::vector<Value> values)
 {
-    return {std::move(label),
-            {SetValues{findProperty(kind, key), std::move(ids), std::move(values)}}};
+    return {std::move(label), {SetValues{&property, std::move(ids), std::move(values)}}};
 }
 
 // What is looked at, once.
@@ -88,10 +87,10 @@ std::optional<Finding> timeStep(const Look& look)
                       + " a shorter substep than " + shortNumber(substep) + " s, down to "
                       + shortNumber(least) + " s.";
     const double wanted = std::ceil(settings.timeStep / (0.9 * least));
-    const Property& substeps = *findProperty(Kind::Settings, "substeps");
+    const Property& substeps = propertyOf<&Settings::substeps>();
     if (least > 0.0 && wanted <= substeps.range.high)
-        finding.repair = setting("Take " + shortNumber(wanted) + " substeps", Kind::Settings,
-                                 "substeps", {settingsId}, {int(wanted)});
+        finding.repair = setting("Take " + shortNumber(wanted) + " substeps", substeps,
+                                 {settingsId}, {int(wanted)});
     return finding;
 }
 
@@ -125,8 +124,8 @@ std::optional<Finding> massRatio(const Look& look)
     finding.verdict = Poor;
     finding.message += ", and sweeps lift a heavy end by a light one only slowly: even the masses "
                        "out, or choose the automatic solver.";
-    finding.repair = setting("Choose the automatic solver", Kind::Settings, "solver", {settingsId},
-                             {std::string("auto")});
+    finding.repair = setting("Choose the automatic solver", propertyOf<&Settings::solver>(),
+                             {settingsId}, {std::string("auto")});
     return finding;
 }
 
@@ -199,8 +198,8 @@ std::optional<Finding> iterations(const Look& look)
                    "Iterations",
                    crossing + passes + ": it will look elastic.",
                    {},
-                   setting("Make " + std::to_string(wanted) + " sweeps", Kind::Settings, "sweeps",
-                           {settingsId}, {wanted})};
+                   setting("Make " + std::to_string(wanted) + " sweeps",
+                           propertyOf<&Settings::sweeps>(), {settingsId}, {wanted})};
 }
 
 std::vector<Finding> lengths(const Look& look)
@@ -239,7 +238,7 @@ std::vector<Finding> lengths(const Look& look)
                             + " at the start than at rest by more than "
                             + shortNumber(100.0 * mostStartStrain) + " %, up to "
                             + shortNumber(100.0 * worst) + " %.";
-        stretched.repair = setting("Rest as they start", Kind::Link, "restLength",
+        stretched.repair = setting("Rest as they start", propertyOf<&Link::restLength>(),
                                    stretched.culprits, std::move(starts));
     } else if (!look.net.ends.empty()) {
         stretched.message = worst < 1e-4 ? "No link is longer at the start than at rest."
@@ -275,8 +274,8 @@ std::optional<Finding> massless(const Look& look)
     const double mean = weighed > 0 ? sum / double(weighed) : 1e-3; // kg
     finding.message =
         counted(finding.culprits.size(), "free particle has", "free particles have") + " no mass.";
-    finding.repair = setting("Give " + shortNumber(1e3 * mean) + " g each", Kind::Particle, "mass",
-                             finding.culprits, {mean});
+    finding.repair = setting("Give " + shortNumber(1e3 * mean) + " g each",
+                             propertyOf<&Particle::mass>(), finding.culprits, {mean});
     return finding;
 }
 

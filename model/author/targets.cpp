@@ -45,19 +45,23 @@ double areaOf(const Scene& scene, const Elements& elements)
 }
 
 template <typename Holder>
-std::vector<Target> targetsOf(const Scene& scene, const Holder& holder, Kind kind, Id id)
+std::vector<Target> targetsOf(const Scene& scene, const Holder& holder, Id id)
 {
     std::vector<Target> targets;
     if (!holder.massTarget && !holder.lengthTarget && !holder.areaTarget)
         return targets;
     const Elements elements = sortedElements(scene, elementsOf(scene, {id}));
-    const auto add = [&](const char* key, const std::optional<double>& wanted, auto value) {
+    const auto add = [&](TargetOf of, const Property& property, const std::optional<double>& wanted,
+                         auto value) {
         if (wanted)
-            targets.push_back({findProperty(kind, key), value(), *wanted});
+            targets.push_back({&property, value(), *wanted, of});
     };
-    add("massTarget", holder.massTarget, [&] { return massOf(elements); });
-    add("lengthTarget", holder.lengthTarget, [&] { return lengthOf(elements); });
-    add("areaTarget", holder.areaTarget, [&] { return areaOf(scene, elements); });
+    add(TargetOf::Mass, propertyOf<&Holder::massTarget>(), holder.massTarget,
+        [&] { return massOf(elements); });
+    add(TargetOf::Length, propertyOf<&Holder::lengthTarget>(), holder.lengthTarget,
+        [&] { return lengthOf(elements); });
+    add(TargetOf::Area, propertyOf<&Holder::areaTarget>(), holder.areaTarget,
+        [&] { return areaOf(scene, elements); });
     return targets;
 }
 
@@ -68,16 +72,16 @@ bool Target::isMet() const { return std::abs(excess()) <= near * wanted; }
 std::vector<Target> targetsOf(const Scene& scene, Id id)
 {
     if (const Part* part = findItem<Part>(scene, id))
-        return targetsOf(scene, *part, Kind::Part, id);
+        return targetsOf(scene, *part, id);
     if (const Group* group = findItem<Group>(scene, id))
-        return targetsOf(scene, *group, Kind::Group, id);
+        return targetsOf(scene, *group, id);
     return {};
 }
 
 Result<Edit> massBroughtToTarget(const Scene& scene, Id id)
 {
     for (const Target& target : targetsOf(scene, id)) {
-        if (target.property->key != "massTarget")
+        if (target.of != TargetOf::Mass)
             continue;
         const Elements elements = sortedElements(scene, elementsOf(scene, {id}));
         std::vector<Id> particles;

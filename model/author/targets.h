@@ -8,11 +8,14 @@
 
 namespace ripstop {
 
+enum class TargetOf { Mass, Length, Area };
+
 struct Target
 {
     const Property* property; // mass, length or area; its unit is that of the numbers
     double value;             // of now
     double wanted;
+    TargetOf of;
 
     double excess() const { return value - wanted; }
     // To within half a percent.

@@ -34,17 +34,17 @@ std::string pathText(const std::vector<PathKey>& path)
 }
 
 // The property that a motion changes beside the place, or null.
-const char* shapeKey(const Collider& collider, bool rigid)
+const Property* shapeProperty(const Collider& collider, bool rigid)
 {
     switch (collider.shape) {
     case ColliderShape::Plane:
-        return "normal";
+        return &propertyOf<&Collider::normal>();
     case ColliderShape::Sphere:
-        return rigid ? nullptr : "radius";
+        return rigid ? nullptr : &propertyOf<&Collider::radius>();
     case ColliderShape::Mesh:
-        return rigid ? "turn" : "scale";
+        return &(rigid ? propertyOf<&Collider::turn>() : propertyOf<&Collider::scale>());
     default:
-        return rigid ? "turn" : "size";
+        return &(rigid ? propertyOf<&Collider::turn>() : propertyOf<&Collider::size>());
     }
 }
 
@@ -53,15 +53,14 @@ const char* shapeKey(const Collider& collider, bool rigid)
 void addCollider(Edit& edit, const MovableCollider& one, const Motion& motion)
 {
     const Collider now = placed(one.collider, motion);
-    const auto set = [&](const char* key) {
-        const Property* property = findProperty(Kind::Collider, key);
-        edit.changes.emplace_back(SetValues{property, {one.id}, {property->get(&now)}});
+    const auto set = [&](const Property& property) {
+        edit.changes.emplace_back(SetValues{&property, {one.id}, {property.get(&now)}});
     };
-    set("position");
+    set(propertyOf<&Collider::position>());
     if (!now.path.empty())
-        set("path");
-    if (const char* key = shapeKey(now, motion.rigid))
-        set(key);
+        set(propertyOf<&Collider::path>());
+    if (const Property* property = shapeProperty(now, motion.rigid))
+        set(*property);
 }
 
 void bind(SetValues& lengths, const std::vector<Tie>& ties, const std::vector<Vec3>& places)
@@ -81,10 +80,9 @@ Edit edited(const Movable& movable, const std::vector<Vec3>& places, RestLengths
 {
     Edit edit{std::move(label), {}};
     if (!places.empty())
-        edit.changes.emplace_back(SetValues{findProperty(Kind::Particle, "position"),
-                                            movable.particles,
+        edit.changes.emplace_back(SetValues{&propertyOf<&Particle::position>(), movable.particles,
                                             std::vector<Value>(places.begin(), places.end())});
-    SetValues lengths{findProperty(Kind::Link, "restLength"), {}, {}};
+    SetValues lengths{&propertyOf<&Link::restLength>(), {}, {}};
     if (restLengths == RestLengths::Rebind) {
         bind(lengths, movable.crossing, places);
         if (among == Among::Bound)
@@ -174,7 +172,7 @@ Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths
         places.push_back(motion.map * was);
     Edit edit = edited(movable, places, restLengths, motion.rigid ? Among::Left : Among::Bound,
                        std::move(label));
-    SetValues axes{findProperty(Kind::Particle, "guideAxis"), {}, {}};
+    SetValues axes{&propertyOf<&Particle::guideAxis>(), {}, {}};
     for (const MovableGuide& one : movable.guides) {
         axes.targets.push_back(one.particle);
         axes.values.emplace_back(turnedAxis(one.guide, one.axis, motion.map.linear()));

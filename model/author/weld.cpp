@@ -71,8 +71,8 @@ private:
 class Columns
 {
 public:
-    Columns(Kind kind, const char* key)
-        : m_change{findProperty(kind, key), {}, {}}
+    explicit Columns(const Property& property)
+        : m_change{&property, {}, {}}
     {}
     void set(Id id, Value value)
     {
@@ -194,10 +194,11 @@ private:
     const Renamed& m_renamed;
     std::set<LinkKey> m_links;
     std::set<PanelKey> m_panels;
-    Columns m_from{Kind::Link, "from"};
-    Columns m_to{Kind::Link, "to"};
-    std::array<Columns, 3> m_corners{Columns(Kind::Panel, "a"), Columns(Kind::Panel, "b"),
-                                     Columns(Kind::Panel, "c")};
+    Columns m_from{propertyOf<&Link::from>()};
+    Columns m_to{propertyOf<&Link::to>()};
+    std::array<Columns, 3> m_corners{Columns(propertyOf<&Panel::a>()),
+                                     Columns(propertyOf<&Panel::b>()),
+                                     Columns(propertyOf<&Panel::c>())};
 };
 
 Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
@@ -231,9 +232,9 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
     }
     if (weld.merged == 0)
         return weld;
-    Columns position(Kind::Particle, "position"), mass(Kind::Particle, "mass"),
-        pinned(Kind::Particle, "pinned"), guide(Kind::Particle, "guide"),
-        guideAxis(Kind::Particle, "guideAxis");
+    Columns position(propertyOf<&Particle::position>()), mass(propertyOf<&Particle::mass>()),
+        pinned(propertyOf<&Particle::pinned>()), guide(propertyOf<&Particle::guide>()),
+        guideAxis(propertyOf<&Particle::guideAxis>());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Sum& sum = sums[i];
         if (sum.count < 2)
@@ -243,8 +244,7 @@ Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
         mass.set(id, sum.mass);
         pinned.set(id, sum.pinned);
         if (sum.guided && sum.guided->id != id) {
-            const Property* property = findProperty(Kind::Particle, "guide");
-            guide.set(id, property->get(sum.guided));
+            guide.set(id, propertyOf<&Particle::guide>().get(sum.guided));
             guideAxis.set(id, sum.guided->guideAxis);
         }
         if (at == WeldAt::Middle)

@@ -1,21 +1,20 @@
-// Values as bytes, and back. A struct says once what it is made of, and both directions follow:
+// Values as bytes, and back. A struct becomes the bytes of its fields, in the order of its list
+// (fields.h); nothing else says what it is made of, in either direction.
 //
-//     template <typename A>
-//     void visit(A& archive, Of<A, Split>& split)
-//     {
-//         auto& [from, twin, share] = split; // does not compile when a field is missing
-//         archive(from, twin, share);
-//     }
+// Bytes of a version have the fields that there were then (Since); a field that came later is
+// neither written nor read, and keeps the value that it begins with.
 //
 // The bytes are those of the machine. Who reads them has checked that they are whole; a length that
 // cannot be is noticed all the same.
 #pragma once
 
+#include "base/fields.h"
 #include "base/vec3.h"
 
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,13 +29,15 @@ namespace ripstop {
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
+inline constexpr int newestVersion = std::numeric_limits<int>::max();
+
 class ByteWriter
 {
 public:
-    static constexpr bool writes = true;
-
-    explicit ByteWriter(std::string room = {}) // whose memory it uses
+    explicit ByteWriter(std::string room = {}, // whose memory it uses
+                        int version = newestVersion)
         : m_bytes(std::move(room))
+        , m_version(version)
     {
         m_bytes.clear();
     }
@@ -99,22 +100,25 @@ private:
         put(std::uint8_t(value.index()));
         std::visit([this](const auto& held) { put(held); }, value);
     }
-    template <typename T>
-    void put(const T& value)
+    template <HasFields T>
+    void put([[maybe_unused]] const T& value)
     {
-        visit(*this, value);
+        forEachField<T>([&](auto field) {
+            if (field.mark(Since{1}).version <= m_version)
+                put(field.of(value));
+        });
     }
 
     std::string m_bytes;
+    int m_version;
 };
 
 class ByteReader
 {
 public:
-    static constexpr bool writes = false;
-
-    explicit ByteReader(std::string_view bytes)
+    explicit ByteReader(std::string_view bytes, int version = newestVersion)
         : m_left(bytes)
+        , m_version(version)
     {}
 
     template <typename... T>
@@ -211,18 +215,18 @@ private:
         take(index);
         takeOne(index, value);
     }
-    template <typename T>
-    void take(T& value)
+    template <HasFields T>
+    void take([[maybe_unused]] T& value)
     {
-        visit(*this, value);
+        forEachField<T>([&](auto field) {
+            if (field.mark(Since{1}).version <= m_version)
+                take(field.of(value));
+        });
     }
 
     std::string_view m_left;
+    int m_version;
     bool m_ok = true;
 };
-
-// What `visit` of an archive gets: const when it writes.
-template <typename Archive, typename T>
-using Of = std::conditional_t<Archive::writes, const T, T>;
 
 } // namespace ripstop

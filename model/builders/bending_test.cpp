@@ -33,10 +33,10 @@ constexpr double thickness = 2e-3; // m, of ramps
 constexpr const char* fabrics[]{"gray_interlock", "denim_11oz", "royal_target"};
 constexpr const char* colors[]{"#8d99a6", "#34507a", "#b0413e"};
 
-double numberOf(const Preset& preset, std::string_view key)
+double numberOf(const Preset& preset, const Property& property)
 {
-    for (const auto& [name, value] : preset.values)
-        if (name == key)
+    for (const auto& [key, value] : preset.values)
+        if (key == property.key)
             return std::get<double>(value);
     return 0.0;
 }
@@ -47,8 +47,8 @@ Material fabricOf(const Preset& preset, const char* color)
     Material material;
     material.name = preset.name;
     material.color = color;
-    material.arealDensity = numberOf(preset, "arealDensity");
-    material.bendingStiffness = numberOf(preset, "bendingStiffness");
+    material.arealDensity = numberOf(preset, propertyOf<&Material::arealDensity>());
+    material.bendingStiffness = numberOf(preset, propertyOf<&Material::bendingStiffness>());
     return material;
 }
 

@@ -7,16 +7,6 @@
 namespace ripstop {
 namespace {
 
-// Whether the property says who is joined to whom and by what.
-bool isStructure(const Property& property)
-{
-    const auto is = [&](auto... keys) { return ((property.key == keys) || ...); };
-    return (property.kind == Kind::Link && is("from", "to", "kind"))
-           || (property.kind == Kind::Wind && is("kind")) // the states of gusts
-           || (property.kind == Kind::Panel && is("a", "b", "c"))
-           || (property.kind == Kind::Part && is("canopyPressure")); // the states of its air
-}
-
 // Whether some fabric holds air. Its shape hangs on where particles start and on rest lengths, so
 // it is found anew rather than patched.
 bool hasCanopies(const Scene& scene)
@@ -86,7 +76,7 @@ void LiveSystem::note(const SetValues& change)
         return;
     const bool shapes = property.kind == Kind::Particle || property.kind == Kind::Link
                         || property.kind == Kind::Part;
-    if (isStructure(property) || (shapes && hasCanopies(m_scene)))
+    if (property.use.traits.contains(Trait::Structure) || (shapes && hasCanopies(m_scene)))
         m_noted.structure = true;
     if (m_noted.structure)
         return;

@@ -7,30 +7,10 @@
 #include "scene/property.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <numeric>
-#include <optional>
 
 namespace ripstop {
 namespace {
-
-std::string_view trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(" \t\r\"");
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::optional<double> numberOf(std::string_view text)
-{
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
 
 std::string numberText(std::uint32_t id) { return std::string(1, '#').append(std::to_string(id)); }
 
@@ -62,7 +42,7 @@ std::string nameOf(const Scene& scene, std::uint32_t id)
         if (const Control* control = std::get_if<Control>(&entry.item);
             control && std::uint32_t(entry.id) == id)
             name = control->name;
-    const bool isPlain = !name.empty() && name == trimmed(name)
+    const bool isPlain = !name.empty() && name == cellContent(name)
                          && name.find_first_of("\"#\n\r") == name.npos && !isHandRow(name);
     const Result<std::uint32_t> found = controlOf(scene, name);
     return isPlain && found && *found == id ? name : numberText(id);
@@ -74,12 +54,12 @@ Result<ControlCommand> commandOf(const Scene& scene, std::string_view line)
     const auto last = line.rfind(',');
     if (first == std::string_view::npos || first == last)
         return Failure{"write TIME,CONTROL,VALUE."};
-    const std::optional<double> time = numberOf(trimmed(line.substr(0, first)));
-    const std::optional<double> value = numberOf(trimmed(line.substr(last + 1)));
+    const std::optional<double> time = cellNumber(line.substr(0, first));
+    const std::optional<double> value = cellNumber(line.substr(last + 1));
     if (!time || !value)
         return Failure{"time (s) and value (m) must be finite numbers."};
     const Result<std::uint32_t> control =
-        controlOf(scene, trimmed(line.substr(first + 1, last - first - 1)));
+        controlOf(scene, cellContent(line.substr(first + 1, last - first - 1)));
     if (!control)
         return control.failure();
     return ControlCommand{*time, *control, *value};
@@ -88,14 +68,14 @@ Result<ControlCommand> commandOf(const Scene& scene, std::string_view line)
 std::optional<Failure> addRow(const Scene& scene, std::string_view line, ControlTrack& track)
 {
     const std::string_view rest = line.substr(std::min(line.size(), line.find(',')));
-    if (rest.empty() || !isHandRow(trimmed(rest.substr(1)))) {
+    if (rest.empty() || !isHandRow(cellContent(rest.substr(1)))) {
         const Result<ControlCommand> command = commandOf(scene, line);
         if (!command)
             return command.failure();
         track.commands.push_back(*command);
         return std::nullopt;
     }
-    const std::optional<double> time = numberOf(trimmed(line.substr(0, line.find(','))));
+    const std::optional<double> time = cellNumber(line.substr(0, line.find(',')));
     if (!time)
         return Failure{"time (s) must be a finite number."};
     Result<HandNote::What> what = handOf(rest.substr(1));
@@ -142,9 +122,8 @@ Result<ControlTrack> readControlTrack(const std::filesystem::path& file, const S
     for (int number = 1; !rest.empty(); ++number) {
         const std::string_view line = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-        const bool heading =
-            number == 1 && !numberOf(trimmed(line.substr(0, line.find(',')))).has_value();
-        if (heading || trimmed(line).empty())
+        const bool heading = number == 1 && !cellNumber(line.substr(0, line.find(','))).has_value();
+        if (heading || cellContent(line).empty())
             continue;
         if (const auto failure = addRow(scene, line, track))
             return Failure{file.string() + ", line " + std::to_string(number) + ": "

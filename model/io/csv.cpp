@@ -4,6 +4,7 @@
 #include "measure/diagnostics.h"
 
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -31,6 +32,25 @@ std::string csvCell(const std::string& text, char separator)
         quoted.append(c == '"' ? 2 : 1, c);
     quoted += '"';
     return quoted;
+}
+
+std::string_view cellContent(std::string_view cell)
+{
+    const auto first = cell.find_first_not_of(" \t\r\"");
+    if (first == std::string_view::npos)
+        return {};
+    return cell.substr(first, cell.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+std::optional<double> cellNumber(std::string_view cell)
+{
+    const std::string_view content = cellContent(cell);
+    double value = 0.0;
+    const char* const last = content.data() + content.size();
+    const auto [end, error] = std::from_chars(content.data(), last, value);
+    if (error != std::errc() || end != last || !std::isfinite(value))
+        return std::nullopt;
+    return value;
 }
 
 std::string csvHeader(const Frame& first)

@@ -5,11 +5,20 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace ripstop {
 
 // Quoted where RFC 4180 asks for it; tables for the clipboard have tabs between their cells.
 std::string csvCell(const std::string& text, char separator = ',');
+
+// What a cell holds, without blanks and quotation marks around it.
+std::string_view cellContent(std::string_view cell);
+
+// The finite number that is all of a cell's content.
+std::optional<double> cellNumber(std::string_view cell);
 
 // A table of probe values, one row for each frame. Comments, lines that begin with #, say which
 // program and which state it began with; the header gives each column its unit: "time (s),height

@@ -1,61 +1,118 @@
 #include "io/hand_rows.h"
 
+#include "base/hand_fields.h"
+#include "io/csv.h"
 #include "io/json_text.h"
 #include "scene/property.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
+#include <type_traits>
 
 namespace ripstop {
 namespace {
 
 using Numbers = std::vector<double>;
 
-Vec3 vectorAt(const Numbers& numbers, std::size_t i)
+// A row has the numbers of a note in the order of its fields (base/hand_fields.h), and so it is
+// written and read by these.
+class RowReader
 {
-    return {numbers[i], numbers[i + 1], numbers[i + 2]};
+public:
+    explicit RowReader(const Numbers& numbers)
+        : m_next(numbers.begin())
+    {}
+
+    void take(double& number) { number = *m_next++; }
+    void take(std::uint32_t& key) { key = std::uint32_t(*m_next++); }
+    void take(Vec3& value)
+    {
+        for (int k = 0; k < 3; ++k)
+            take(value[k]);
+    }
+    void take(std::array<std::uint32_t, 3>& keys)
+    {
+        for (std::uint32_t& key : keys)
+            take(key);
+    }
+    template <HasFields T>
+    void take(T& record)
+    {
+        forEachField<T>([&](auto field) { take(field.of(record)); });
+    }
+
+private:
+    Numbers::const_iterator m_next;
+};
+
+void append(Numbers& numbers, double number) { numbers.push_back(number); }
+void append(Numbers& numbers, const Vec3& v) { numbers.insert(numbers.end(), v.begin(), v.end()); }
+void append(Numbers& numbers, const std::array<std::uint32_t, 3>& keys)
+{
+    numbers.insert(numbers.end(), keys.begin(), keys.end());
+}
+template <HasFields T>
+void append(Numbers& numbers, const T& record)
+{
+    forEachField<T>([&](auto field) { append(numbers, field.of(record)); });
 }
 
-void append(Numbers& numbers, const Vec3& v)
+// How many numbers those are.
+template <typename T>
+constexpr std::size_t numbersIn()
 {
-    for (int k = 0; k < 3; ++k)
-        numbers.push_back(v[k]);
+    std::size_t sum = 0;
+    if constexpr (HasFields<T>)
+        forEachField<T>([&](auto field) { sum += numbersIn<TypeIn<T, decltype(field)>>(); });
+    else
+        sum = std::is_arithmetic_v<T> ? 1 : 3;
+    return sum;
 }
 
-std::uint32_t keyOf(double number) { return std::uint32_t(number); }
-
-HandNote::What pullOf(const Numbers& n)
+// What a row has of a fan, which is a jet.
+template <typename Fan>
+auto jetOf(Fan& fan)
 {
-    HandPull pull;
-    for (std::size_t i = 0; i < 3; ++i)
-        pull.grip.particle[i] = keyOf(n[i]);
-    pull.grip.share = vectorAt(n, 3);
-    pull.to = vectorAt(n, 6);
-    pull.stiffness = n[9];
-    pull.damping = n[10];
-    pull.most = n[11];
-    return pull;
+    return std::tie(fan.origin, fan.velocity, fan.radius, fan.widening);
 }
 
-HandNote::What fanOf(const Numbers& n)
+template <typename T>
+HandNote::What noteOf(const Numbers& numbers)
+{
+    T note;
+    RowReader(numbers).take(note);
+    return note;
+}
+
+HandNote::What fanOf(const Numbers& numbers)
 {
     Airflow fan;
     fan.kind = WindKind::Jet;
-    fan.origin = vectorAt(n, 0);
-    fan.velocity = vectorAt(n, 3);
-    fan.radius = n[6];
-    fan.widening = n[7];
+    RowReader row(numbers);
+    std::apply([&](auto&... value) { (row.take(value), ...); }, jetOf(fan));
     return fan;
 }
 
-HandNote::What cutOf(const Numbers& n)
+HandNote::What pinOf(const Numbers& numbers, bool holds)
+{
+    HandNote::Pin pin;
+    RowReader(numbers).take(pin.particle);
+    pin.holds = holds;
+    return pin;
+}
+
+constexpr std::size_t ofCut = numbersIn<Cut::Edge>(); // for each point
+
+HandNote::What cutOf(const Numbers& numbers)
 {
     auto cut = std::make_shared<Cut>();
-    for (std::size_t i = 0; i + 6 <= n.size(); i += 6)
-        cut->edges.push_back({vectorAt(n, i), vectorAt(n, i + 3)});
+    cut->edges.resize(numbers.size() / ofCut);
+    RowReader row(numbers);
+    for (Cut::Edge& edge : cut->edges)
+        row.take(edge);
     return std::shared_ptr<const Cut>(std::move(cut));
 }
 
@@ -68,26 +125,17 @@ struct Word
     HandNote::What (*read)(const Numbers&);
 };
 
-constexpr std::size_t ofCut = 6; // for each point
-
 // In the order of the alternatives of HandNote::What; a pin has two words.
 const std::array words{
-    Word{"@pull", 12, 3, "three particles, their shares, x, y, z, stiffness, damping, most force",
-         pullOf},
+    Word{"@pull", numbersIn<HandPull>(), 3,
+         "three particles, their shares, x, y, z, stiffness, damping, most force",
+         noteOf<HandPull>},
     Word{"@let go", 0, 0, "nothing",
          [](const Numbers&) -> HandNote::What { return HandNote::LetGo{}; }},
-    Word{"@pin", 1, 1, "a particle",
-         [](const Numbers& n) -> HandNote::What {
-             return HandNote::Pin{keyOf(n[0]), true};
-         }},
+    Word{"@pin", 1, 1, "a particle", [](const Numbers& numbers) { return pinOf(numbers, true); }},
     Word{"@unpin", 1, 1, "a particle",
-         [](const Numbers& n) -> HandNote::What {
-             return HandNote::Pin{keyOf(n[0]), false};
-         }},
-    Word{"@carry", 4, 1, "a collider and x, y, z",
-         [](const Numbers& n) -> HandNote::What {
-             return Carry{keyOf(n[0]), vectorAt(n, 1)};
-         }},
+         [](const Numbers& numbers) { return pinOf(numbers, false); }},
+    Word{"@carry", numbersIn<Carry>(), 1, "a collider and x, y, z", noteOf<Carry>},
     Word{"@fan", 8, 0, "x, y, z, velocity x, y, z, radius, widening", fanOf},
     Word{"@fan off", 0, 0, "nothing",
          [](const Numbers&) -> HandNote::What { return HandNote::FanOff{}; }},
@@ -103,11 +151,7 @@ struct Writer
 
     std::string_view operator()(const HandPull& pull) const
     {
-        for (const std::uint32_t key : pull.grip.particle)
-            n.push_back(key);
-        append(n, pull.grip.share);
-        append(n, pull.to);
-        n.insert(n.end(), {pull.stiffness, pull.damping, pull.most});
+        append(n, pull);
         return "@pull";
     }
     std::string_view operator()(HandNote::LetGo) const { return "@let go"; }
@@ -118,51 +162,29 @@ struct Writer
     }
     std::string_view operator()(const Carry& carry) const
     {
-        n.push_back(carry.collider);
-        append(n, carry.way);
+        append(n, carry);
         return "@carry";
     }
     std::string_view operator()(const Airflow& fan) const
     {
-        append(n, fan.origin);
-        append(n, fan.velocity);
-        n.insert(n.end(), {fan.radius, fan.widening});
+        std::apply([&](const auto&... value) { (append(n, value), ...); }, jetOf(fan));
         return "@fan";
     }
     std::string_view operator()(HandNote::FanOff) const { return "@fan off"; }
     std::string_view operator()(const std::shared_ptr<const Cut>& cut) const
     {
-        for (const Cut::Edge& edge : cut->edges) {
-            append(n, edge.near);
-            append(n, edge.far);
-        }
+        for (const Cut::Edge& edge : cut->edges)
+            append(n, edge);
         return "@cut";
     }
     std::string_view operator()(HandNote::Halt) const { return "@halt"; }
 };
 
-std::string_view trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(" \t\r\"");
-    return first == std::string_view::npos
-               ? std::string_view()
-               : text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::optional<double> numberOf(std::string_view text)
-{
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
 std::string_view takeCell(std::string_view& row)
 {
     const std::string_view cell = row.substr(0, row.find(','));
     row.remove_prefix(std::min(row.size(), cell.size() + 1));
-    return trimmed(cell);
+    return cellContent(cell);
 }
 
 bool isKey(double number)
@@ -182,6 +204,9 @@ bool fits(const Word& word, const Numbers& numbers)
             return false;
     return true;
 }
+
+// So files have them: with another number a track is one of a later version.
+static_assert(numbersIn<HandPull>() == 12 && numbersIn<Carry>() == 4 && ofCut == 6);
 
 } // namespace
 
@@ -211,8 +236,8 @@ Result<HandNote::What> handOf(std::string_view row)
                        + (near.empty() ? "." : "; did you mean \"" + std::string(near) + "\"?")};
     }
     Numbers numbers;
-    while (!trimmed(row).empty()) {
-        const std::optional<double> number = numberOf(takeCell(row));
+    while (!cellContent(row).empty()) {
+        const std::optional<double> number = cellNumber(takeCell(row));
         if (!number)
             return Failure{"what follows " + std::string(name) + " must be finite numbers."};
         numbers.push_back(*number);

@@ -41,16 +41,10 @@ bool JsonCapture::add(const JsonEvent& event, std::string_view text)
         into += ": ";
         break;
     case Type::BeginObject:
-        into += '{';
-        break;
     case Type::EndObject:
-        into += '}';
-        break;
     case Type::BeginArray:
-        into += '[';
-        break;
     case Type::EndArray:
-        into += ']';
+        into += text[event.end - 1]; // the bracket itself
         break;
     case Type::Error:
         break;

@@ -1,6 +1,7 @@
 #include "io/json_events.h"
 
 #include <rapidjson/error/en.h>
+#include <rapidjson/memorystream.h>
 #include <rapidjson/reader.h>
 
 #include <algorithm>
@@ -12,34 +13,6 @@ namespace ripstop {
 namespace {
 
 constexpr const char* tooLarge = "must be a finite number; this one is too large for a computer";
-
-// The text, as the parser wants to read it: zero at the end.
-class Characters
-{
-public:
-    // NOLINTBEGIN(readability-identifier-naming)
-    using Ch = char;
-
-    explicit Characters(std::string_view text, std::size_t begin)
-        : m_text(text)
-        , m_at(begin)
-    {}
-
-    char Peek() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
-    char Take() { return m_at < m_text.size() ? m_text[m_at++] : '\0'; }
-    std::size_t Tell() const { return m_at; }
-
-    // Asked for by the parser, and called only where it changes a text in place.
-    char* PutBegin() { return nullptr; }
-    void Put(char) {}
-    void Flush() {}
-    std::size_t PutEnd(char*) { return 0; }
-    // NOLINTEND(readability-identifier-naming)
-
-private:
-    std::string_view m_text;
-    std::size_t m_at;
-};
 
 // The word at a place, in lower case.
 std::string wordAt(std::string_view text, std::size_t place)
@@ -77,29 +50,30 @@ std::string explanation(std::string_view text, std::size_t place, rapidjson::Par
 }
 
 // What RapidJSON reports, by the names that it asks for.
-class Handler
+class Handler : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Handler>
 {
 public:
     using Type = JsonEvent::Type;
+    using Size = rapidjson::SizeType;
 
-    Handler(const Characters& characters, const JsonVisitor& visit)
-        : m_characters(characters)
+    // `begin` is where the stream begins in the text.
+    Handler(const rapidjson::MemoryStream& stream, std::size_t begin, const JsonVisitor& visit)
+        : m_stream(stream)
+        , m_begin(begin)
         , m_visit(visit)
     {}
 
+    std::size_t place() const { return m_begin + m_stream.Tell(); }
     bool tell(Type type, std::string_view text = {}) const
     {
-        return m_visit({.type = type, .text = text, .end = m_characters.Tell()});
+        return m_visit({.type = type, .text = text, .end = place()});
     }
 
     // NOLINTBEGIN(readability-identifier-naming)
-    using Ch = char;
-    using Size = rapidjson::SizeType;
-
     bool Null() { return tell(Type::Null); }
     bool Bool(bool value)
     {
-        return m_visit({.type = Type::Boolean, .boolean = value, .end = m_characters.Tell()});
+        return m_visit({.type = Type::Boolean, .boolean = value, .end = place()});
     }
     // Read here, since the parser does not round every decimal to the nearest double.
     bool RawNumber(const char* begin, Size length, bool)
@@ -111,7 +85,7 @@ public:
             tell(Type::Error, tooLarge);
             return false;
         }
-        return m_visit({.type = Type::Number, .number = number, .end = m_characters.Tell()});
+        return m_visit({.type = Type::Number, .number = number, .end = place()});
     }
     bool String(const char* begin, Size length, bool) { return tell(Type::Text, {begin, length}); }
     bool Key(const char* begin, Size length, bool) { return tell(Type::Key, {begin, length}); }
@@ -120,22 +94,13 @@ public:
     bool EndObject(Size) { return tellBracket(Type::EndObject); }
     bool StartArray() { return tellBracket(Type::BeginArray); }
     bool EndArray(Size) { return tellBracket(Type::EndArray); }
-
-    // Numbers come as texts.
-    bool Int(int) { return false; }
-    bool Uint(unsigned) { return false; }
-    bool Int64(std::int64_t) { return false; }
-    bool Uint64(std::uint64_t) { return false; }
-    bool Double(double) { return false; }
     // NOLINTEND(readability-identifier-naming)
 
 private:
-    bool tellBracket(Type type) const
-    {
-        return m_visit({.type = type, .end = m_characters.Tell() + 1});
-    }
+    bool tellBracket(Type type) const { return m_visit({.type = type, .end = place() + 1}); }
 
-    const Characters& m_characters;
+    const rapidjson::MemoryStream& m_stream;
+    std::size_t m_begin;
     const JsonVisitor& m_visit;
 };
 
@@ -146,20 +111,20 @@ void walkJson(std::string_view text, std::size_t begin, bool whole, const JsonVi
     constexpr unsigned flags = rapidjson::kParseIterativeFlag | rapidjson::kParseStopWhenDoneFlag
                                | rapidjson::kParseNumbersAsStringsFlag
                                | rapidjson::kParseValidateEncodingFlag;
-    Characters characters(text, begin);
-    Handler handler(characters, visit);
+    rapidjson::MemoryStream stream(text.data() + begin, text.size() - begin);
+    Handler handler(stream, begin, visit);
     rapidjson::Reader reader;
-    const rapidjson::ParseResult result = reader.Parse<flags>(characters, handler);
+    const rapidjson::ParseResult result = reader.Parse<flags>(stream, handler);
     const auto fail = [&](std::size_t place, rapidjson::ParseErrorCode code) {
         visit({.type = JsonEvent::Type::Error,
                .text = explanation(text, place, code),
                .end = std::min(place + 1, text.size())});
     };
     if (result.IsError() && result.Code() != rapidjson::kParseErrorTermination)
-        fail(result.Offset(), result.Code());
+        fail(begin + result.Offset(), result.Code());
     if (result.IsError() || !whole)
         return;
-    const std::size_t rest = text.find_first_not_of(" \t\r\n", characters.Tell());
+    const std::size_t rest = text.find_first_not_of(" \t\r\n", handler.place());
     if (rest != std::string_view::npos)
         fail(rest, rapidjson::kParseErrorDocumentRootNotSingular);
 }

@@ -1,5 +1,9 @@
 // A JSON text as a stream of events: nothing is kept, so a file of any size costs no memory, and
 // deep nesting cannot overflow a stack.
+//
+// RapidJSON reads, and not simdjson, as that indexes a whole text before its first event: four
+// bytes for each token, together nearly as much memory again as the text of a scene, and no place
+// to tell of when it refuses the text there.
 #pragma once
 
 #include <cstddef>

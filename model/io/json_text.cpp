@@ -57,6 +57,23 @@ void appendEscaped(std::string& text, char c)
     }
 }
 
+// Calls back with each character of one byte; others are appended, and a question mark for each
+// byte that is not UTF-8.
+template <typename Ascii>
+void appendCharacters(std::string& text, std::string_view value, const Ascii& appendAscii)
+{
+    while (!value.empty()) {
+        const std::size_t length = characterLength(value);
+        if (length == 1)
+            appendAscii(value.front());
+        else if (length == 0)
+            text += '?';
+        else
+            text += value.substr(0, length);
+        value.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+}
+
 } // namespace
 
 void appendNumber(std::string& text, double number)
@@ -74,36 +91,17 @@ void appendNumber(std::string& text, double number)
 void appendQuoted(std::string& text, std::string_view value)
 {
     text += '"';
-    if (std::all_of(value.begin(), value.end(), isPlain)) {
+    if (std::all_of(value.begin(), value.end(), isPlain))
         text += value;
-    } else {
-        while (!value.empty()) {
-            const std::size_t length = characterLength(value);
-            if (length == 1)
-                appendEscaped(text, value.front());
-            else if (length == 0)
-                text += '?';
-            else
-                text += value.substr(0, length);
-            value.remove_prefix(std::max<std::size_t>(length, 1));
-        }
-    }
+    else
+        appendCharacters(text, value, [&](char c) { appendEscaped(text, c); });
     text += '"';
 }
 
 std::string printable(std::string_view value)
 {
     std::string text;
-    while (!value.empty()) {
-        const std::size_t length = characterLength(value);
-        if (length == 0)
-            text += '?';
-        else if (length == 1 && static_cast<unsigned char>(value.front()) < 0x20)
-            text += ' ';
-        else
-            text += value.substr(0, length);
-        value.remove_prefix(std::max<std::size_t>(length, 1));
-    }
+    appendCharacters(text, value, [&](char c) { text += c < ' ' ? ' ' : c; });
     return text;
 }
 

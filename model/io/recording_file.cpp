@@ -4,69 +4,25 @@
 #include "io/scene_file.h"
 #include "io/whole_file.h"
 #include "run/packed.h"
-#include "run/run_visit.h"
+#include "run/run_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <mutex>
 
 namespace ripstop {
-
-template <typename A>
-void visit(A& archive, Of<A, Bookmark>& bookmark)
-{
-    auto& [step, time, name] = bookmark;
-    archive(step, time, name);
-}
-
-template <typename A>
-void visit(A& archive, Of<A, RunEvent>& event)
-{
-    auto& [kind, step, time, what, count, with] = event;
-    archive(kind, step, time, what, count, with);
-}
-
-template <typename A>
-void visit(A& archive, Of<A, StoredChunk>& chunk)
-{
-    auto& [firstStep, design, frameSteps, frameTimes, hashes, inputs, events] = chunk;
-    archive(firstStep, design, frameSteps, frameTimes, hashes, inputs, events);
-}
-
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view firstLine = "RIPSTOP-RUN 3\n";
-constexpr std::string_view firstLine2 =
-    "RIPSTOP-RUN 2\n"; // frames had no work: chunkOf() sees that
-constexpr std::string_view firstLine1 = "RIPSTOP-RUN 1\n"; // and events named no collider
-static_assert(firstLine.size() == firstLine1.size() && firstLine.size() == firstLine2.size());
-
-struct EventBefore
-{
-    RunEvent event;
-};
-
-template <typename A>
-void visit(A& archive, Of<A, EventBefore>& before)
-{
-    auto& [kind, step, time, what, count, with] = before.event;
-    archive(kind, step, time, what, count);
-}
-
-struct StretchBefore
-{
-    StoredChunk chunk;
-    std::vector<EventBefore> events;
-};
-
-template <typename A>
-void visit(A& archive, Of<A, StretchBefore>& before)
-{
-    auto& [firstStep, design, frameSteps, frameTimes, hashes, inputs, events] = before.chunk;
-    archive(firstStep, design, frameSteps, frameTimes, hashes, inputs, before.events);
-}
+// The first line of a file of each version, the newest last. What came since a version is marked at
+// its field (Since).
+constexpr std::array<std::string_view, recordingVersion> firstLines{
+    "RIPSTOP-RUN 1\n", "RIPSTOP-RUN 2\n", "RIPSTOP-RUN 3\n"};
+constexpr std::string_view firstLine = firstLines.back();
+static_assert(std::all_of(firstLines.begin(), firstLines.end(),
+                          [](std::string_view line) { return line.size() == firstLine.size(); }));
 
 enum class BlockKind : std::uint32_t { About = 1, Design, Stretch, End };
 
@@ -76,13 +32,6 @@ struct BlockHead
     std::uint64_t length = 0;
     std::uint64_t checksum = 0; // of kind and content
 };
-
-template <typename A>
-void visit(A& archive, Of<A, BlockHead>& head)
-{
-    auto& [kind, length, sum] = head;
-    archive(kind, length, sum);
-}
 
 constexpr std::size_t headSize = sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
@@ -94,12 +43,17 @@ struct About
     std::vector<Bookmark> bookmarks;
 };
 
-template <typename A>
-void visit(A& archive, Of<A, About>& about)
-{
-    auto& [program, name, origin, bookmarks] = about;
-    archive(program, name, origin, bookmarks);
-}
+} // namespace
+
+template <>
+inline constexpr auto fieldsOf<BlockHead> =
+    fields<BlockHead, &BlockHead::kind, &BlockHead::length, &BlockHead::checksum>;
+
+template <>
+inline constexpr auto fieldsOf<About> =
+    fields<About, &About::program, &About::name, &About::origin, &About::bookmarks>;
+
+namespace {
 
 std::uint64_t checksumOf(BlockKind kind, std::string_view content)
 {
@@ -115,21 +69,11 @@ std::string written(const T& value)
 }
 
 template <typename T>
-bool readWhole(std::string_view bytes, T& value)
+bool readWhole(std::string_view bytes, T& value, int version = newestVersion)
 {
-    ByteReader reader(bytes);
+    ByteReader reader(bytes, version);
     reader(value);
     return reader.ok() && reader.atEnd();
-}
-
-bool readBefore(std::string_view bytes, StoredChunk& chunk)
-{
-    StretchBefore before;
-    const bool whole = readWhole(bytes, before);
-    chunk = std::move(before.chunk);
-    for (const EventBefore& event : before.events)
-        chunk.events.push_back(event.event);
-    return whole;
 }
 
 // --- writing -------------------------------------------------------------------------------------
@@ -229,8 +173,7 @@ private:
 class Reader
 {
 public:
-    enum class Version { First, Now };
-    Reader(std::shared_ptr<RunFile> file, Version version, std::uint64_t size, const fs::path& path)
+    Reader(std::shared_ptr<RunFile> file, int version, std::uint64_t size, const fs::path& path)
         : m_file(std::move(file))
         , m_version(version)
         , m_size(size)
@@ -319,9 +262,7 @@ private:
         const Result<std::string> head =
             unpacked(std::string_view(content).substr(prefix, std::size_t(length)));
         StoredChunk chunk;
-        if (!head
-            || !(m_version == Version::Now ? readWhole(*head, chunk) : readBefore(*head, chunk))
-            || !isSound(chunk))
+        if (!head || !readWhole(*head, chunk, m_version) || !isSound(chunk))
             return "is damaged";
         std::erase_if(chunk.events, [](const RunEvent& event) { // of a later version
             return std::size_t(event.kind) >= runEventNames.size();
@@ -339,7 +280,7 @@ private:
     }
 
     std::shared_ptr<RunFile> m_file;
-    Version m_version;
+    int m_version; // of the file
     std::uint64_t m_size;
     std::string m_name;
     std::string m_folder; // what scenes name is seen from there
@@ -379,14 +320,15 @@ Result<OpenedRecording> openRecording(const fs::path& file, const Progress& prog
     if (error || !open->isOpen())
         return Failure{file.string() + " cannot be opened; check that you may read it."};
     const std::string start = open->read(0, firstLine.size());
-    if (start != firstLine && start != firstLine2 && start != firstLine1) {
+    const auto line = std::find(firstLines.begin(), firstLines.end(), start);
+    if (line == firstLines.end()) {
         const bool newer = start.starts_with(firstLine.substr(0, firstLine.find(' ') + 1));
         return Failure{file.string()
                        + (newer ? " was written by a later version of Ripstop; open it with that."
                                 : " is not a recording of Ripstop (*.ripstop-run).")};
     }
 
-    const auto version = start == firstLine1 ? Reader::Version::First : Reader::Version::Now;
+    const int version = int(line - firstLines.begin()) + 1;
     Reader reader(open, version, size, file);
     OpenedRecording opened;
     std::optional<std::string> wrong;

@@ -1,5 +1,6 @@
 #include "measure/diagnostics.h"
 
+#include "base/bytes.h"
 #include "forces/bend_force.h"
 #include "forces/canopy_air.h"
 #include "forces/line_drag.h"
@@ -7,6 +8,7 @@
 #include "forces/spring_force.h"
 #include "forces/wing_load.h"
 #include "step/inputs.h"
+#include "system/fields.h"
 
 #include <Eigen/Geometry>
 
@@ -22,20 +24,39 @@ Vec3 separation(const LinkPlace& link, const State& state)
     return state.position[std::size_t(link.b)] - state.position[std::size_t(link.a)];
 }
 
-class Hash // FNV-1a, 64 bits, fed with words of eight bytes
+// FNV-1a, 64 bits, fed with words of eight bytes. What has no rule here cannot be hashed.
+class Hasher
 {
 public:
+    template <Plain T>
+    void add(const T& value)
+    {
+        addBytes(&value, sizeof value);
+    }
+    template <Plain T, std::size_t n>
+    void add(const std::array<T, n>& values)
+    {
+        addBytes(values.data(), sizeof values);
+    }
+    void add(const Vec3& value) { addBytes(value.data(), sizeof(Vec3)); }
     template <typename T>
     void add(const std::vector<T>& values)
     {
-        add(values.data(), values.size() * sizeof(T));
+        if constexpr (Plain<T>)
+            addBytes(values.data(), values.size() * sizeof(T));
+        else
+            for (const T& value : values)
+                add(value);
     }
-    void add(const std::vector<PaddedVec3>& values)
+    template <HasFields T>
+    void add(const T& record)
     {
-        for (const PaddedVec3& value : values)
-            add(value.data(), sizeof(Vec3));
+        forEachField<T>([&](auto field) { add(field.of(record)); });
     }
-    void add(const void* data, std::size_t size)
+    std::uint64_t value() const { return m_value; }
+
+private:
+    void addBytes(const void* data, std::size_t size)
     {
         const auto* bytes = static_cast<const unsigned char*>(data);
         for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t)) {
@@ -45,9 +66,7 @@ public:
             m_value ^= m_value >> 32; // a word's high bits must reach the low ones
         }
     }
-    std::uint64_t value() const { return m_value; }
 
-private:
     std::uint64_t m_value = 0xcbf29ce484222325u;
 };
 
@@ -193,16 +212,11 @@ std::vector<Vec3> lineDrags(const System& system, const State& state)
 
 std::uint64_t stateHash(const State& state)
 {
-    Hash hash;
-    hash.add(&state.step, sizeof state.step);
-    hash.add(state.position);
-    hash.add(state.velocity);
-    hash.add(state.inputValue);
-    hash.add(state.carried);
-    hash.add(state.gusts);
-    hash.add(state.springTorn);
-    hash.add(state.rodTorn);
-    hash.add(state.panelGone);
+    Hasher hash;
+    forEachField<State>([&](auto field) {
+        if constexpr (field.mark(Hash::Out) == Hash::In)
+            hash.add(field.of(state));
+    });
     return hash.value();
 }
 

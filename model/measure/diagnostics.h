@@ -41,8 +41,8 @@ std::vector<Vec3> panelLoads(const System& system, const State& state);
 //   [dragLines]
 std::vector<Vec3> lineDrags(const System& system, const State& state);
 
-// FNV-1a over the step, positions, velocities, inputs, gusts and what is torn: equal for equal bits
-// only.
+// FNV-1a over the fields that are marked so (system/fields.h: the step, positions, velocities,
+// inputs, gusts and what is torn), equal for equal bits only.
 std::uint64_t stateHash(const State& state);
 std::string hashText(std::uint64_t hash); // 16 hexadecimal digits
 

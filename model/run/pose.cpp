@@ -79,9 +79,9 @@ private:
         const Link* row = nullptr;
     };
 
-    static void set(Edit& edit, Kind kind, const char* key, Id target, Value value)
+    static void set(Edit& edit, const Property& property, Id target, Value value)
     {
-        edit.changes.emplace_back(SetValues{findProperty(kind, key), {target}, {std::move(value)}});
+        edit.changes.emplace_back(SetValues{&property, {target}, {std::move(value)}});
     }
 
     void addParticles()
@@ -107,7 +107,7 @@ private:
         }
         for (std::size_t i = 0; i < m_system.key.size(); ++i)
             if (m_parted.contains(m_system.key[i]))
-                set(edit, Kind::Particle, "mass", Id{m_system.key[i]}, m_system.mass[i]);
+                set(edit, propertyOf<&Particle::mass>(), Id{m_system.key[i]}, m_system.mass[i]);
         m_draft.make(std::move(edit));
     }
 
@@ -150,10 +150,11 @@ private:
 
     void writePanel(std::size_t panel, Edit& edit) const
     {
-        const char* const names[]{"a", "b", "c"};
+        const Property* const corners[]{&propertyOf<&Panel::a>(), &propertyOf<&Panel::b>(),
+                                        &propertyOf<&Panel::c>()};
         for (std::size_t k = 0; k < 3; ++k)
             if (const int corner = m_system.panels[panel].corner[k]; m_twins.contains(corner))
-                set(edit, Kind::Panel, names[k], Id{m_system.panelKey[panel]}, particleId(corner));
+                set(edit, *corners[k], Id{m_system.panelKey[panel]}, particleId(corner));
     }
 
     Draft& m_draft;
@@ -199,9 +200,9 @@ void place(Draft& draft, const Frame& frame, const RowIds& ids, const PoseOption
     std::unordered_map<Id, std::size_t> index;
     for (std::size_t i = 0; i < ids.particles.size(); ++i)
         index.emplace(ids.particles[i], i);
-    SetValues positions{findProperty(Kind::Particle, "position"), {}, {}};
-    SetValues velocities{findProperty(Kind::Particle, "velocity"), {}, {}};
-    SetValues pins{findProperty(Kind::Particle, "pinned"), {}, {}};
+    SetValues positions{&propertyOf<&Particle::position>(), {}, {}};
+    SetValues velocities{&propertyOf<&Particle::velocity>(), {}, {}};
+    SetValues pins{&propertyOf<&Particle::pinned>(), {}, {}};
     const auto& handPins = frame.handPins;
     forEachPart(draft.posed.scene, [&](Id, const Part& part) {
         for (const Particle& particle : part.particles) {
@@ -230,7 +231,7 @@ void place(Draft& draft, const Frame& frame, const RowIds& ids, const PoseOption
 
 void placeColliders(Draft& draft, const Frame& frame)
 {
-    SetValues places{findProperty(Kind::Collider, "position"), {}, {}};
+    SetValues places{&propertyOf<&Collider::position>(), {}, {}};
     for (const Carry& carry : frame.carries)
         if (const auto* collider = findItem<Collider>(draft.posed.scene, Id{carry.collider})) {
             places.targets.push_back(Id{carry.collider});
@@ -260,7 +261,7 @@ void rebind(Draft& draft)
         for (const Particle& particle : part.particles)
             place.emplace(particle.id, particle.position);
     });
-    SetValues lengths{findProperty(Kind::Link, "restLength"), {}, {}};
+    SetValues lengths{&propertyOf<&Link::restLength>(), {}, {}};
     forEachPart(draft.posed.scene, [&](Id, const Part& part) {
         for (const Link& link : part.links) {
             lengths.targets.push_back(link.id);

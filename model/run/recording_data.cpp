@@ -2,6 +2,7 @@
 
 #include "compile/compile.h"
 #include "run/packed.h"
+#include "system/fields.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,20 +23,14 @@ auto fromStep(const List& list, Step step)
 
 bool fits(const System& system, const State& state)
 {
-    const std::size_t particles = system.key.size();
+    bool sized = true;
+    forEachSized(system, state, [&](const auto& values, std::size_t count) {
+        sized = sized && values.size() == count;
+    });
     const auto isLink = [&](const TearHold& hold) {
         return hold.link >= 0 && std::size_t(hold.link) < system.links.size();
     };
-    return state.position.size() == particles && state.velocity.size() == particles
-           && state.drift.size() == particles && state.inputCommand.size() == system.inputs.size()
-           && state.inputValue.size() == system.inputs.size()
-           && state.gusts.size() == system.gusts.size()
-           && state.canopies.size() == system.canopies.size()
-           && state.springTorn.size() == system.springs.size()
-           && state.rodTorn.size() == system.rods.size()
-           && state.rodTension.size() == system.rods.size()
-           && state.panelGone.size() == system.panels.size()
-           && state.carried.size() == state.hands.carries.size()
+    return sized && state.carried.size() == state.hands.carries.size()
            && std::all_of(state.tearHolds.begin(), state.tearHolds.end(), isLink);
 }
 

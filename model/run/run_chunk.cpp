@@ -1,41 +1,43 @@
 #include "run/run_chunk.h"
 
-#include "run/run_visit.h"
+#include "base/bytes.h"
+#include "run/run_fields.h"
 
 #include <algorithm>
+#include <tuple>
+#include <type_traits>
 
 namespace ripstop {
-
-template <typename A>
-void visit(A& archive, Of<A, KeptFrame>& frame)
-{
-    auto& [step, substep, time, substeps, tears, broken, inputCommand, inputValue, hands, carried,
-           gusts, canopies, work, way, velocity, tension] = frame;
-    (void)work; // after all else: version 2 of the file had none
-    archive(step, substep, time, substeps, tears, broken, inputCommand, inputValue, hands, carried,
-            gusts, canopies, way, velocity, tension);
-}
-
-template <typename A>
-void visit(A& archive, Of<A, Broken>& broken)
-{
-    auto& [springs, rods, panels] = broken;
-    archive(springs, rods, panels);
-}
-
-template <typename A>
-void visit(A& archive, Of<A, RunChunk>& chunk)
-{
-    auto& [start, frames, broken, tears] = chunk;
-    archive(start, frames, broken, tears);
-}
-
 namespace {
 
 void append(std::vector<float>& list, const Vec3& value)
 {
     for (int k = 0; k < 3; ++k)
         list.push_back(float(value[k]));
+}
+
+// A stretch may be older than the file that it is in, as it is copied into a new one unread. So
+// what states and frames are made of since this version stands after the rest, version by version,
+// and what is left of the bytes tells how far it goes.
+constexpr int firstAfter = 3;
+
+// The fields of a state or a frame that came with a version, into or out of bytes.
+template <typename Bytes, typename Record>
+void passSince(int version, Bytes& bytes, Record& record)
+{
+    forEachField<std::remove_const_t<Record>>([&](auto field) {
+        if (field.mark(Since{1}).version == version)
+            bytes(field.of(record));
+    });
+}
+
+// What a frame says exactly, by the names that the state has for it.
+template <typename Record>
+auto exactPart(Record& record)
+{
+    return std::tie(record.step, record.substep, record.time, record.substeps, record.inputCommand,
+                    record.inputValue, record.hands, record.carried, record.gusts, record.canopies,
+                    record.work);
 }
 
 bool isSound(const RunChunk& chunk)
@@ -48,16 +50,6 @@ bool isSound(const RunChunk& chunk)
     };
     return chunk.start->velocity.size() == particles
            && std::all_of(chunk.frames.begin(), chunk.frames.end(), isSoundFrame);
-}
-
-// Into a chunk that has just been read: nobody else has its parts yet, and they were not made
-// const.
-//   works  [1 + frames]  of the start and of each frame
-void addWork(const RunChunk& chunk, const std::vector<Work>& works)
-{
-    const_cast<State&>(*chunk.start).work = works.front();
-    for (std::size_t i = 0; i < chunk.frames.size(); ++i)
-        const_cast<KeptFrame&>(*chunk.frames[i]).work = works[i + 1];
 }
 
 } // namespace
@@ -76,22 +68,10 @@ KeptFrame kept(const State& state, RunChunk& chunk)
     if (chunk.broken.empty() || !isNoted(chunk.broken.back()))
         chunk.broken.push_back({state.springTorn, state.rodTorn, state.panelGone});
 
-    KeptFrame frame{.step = state.step,
-                    .substep = state.substep,
-                    .time = state.time,
-                    .substeps = state.substeps,
-                    .tears = std::uint32_t(chunk.tears.size()),
-                    .broken = std::uint32_t(chunk.broken.size() - 1),
-                    .inputCommand = state.inputCommand,
-                    .inputValue = state.inputValue,
-                    .hands = state.hands,
-                    .carried = state.carried,
-                    .gusts = state.gusts,
-                    .canopies = state.canopies,
-                    .work = state.work,
-                    .way = {},
-                    .velocity = {},
-                    .tension = {}};
+    KeptFrame frame;
+    exactPart(frame) = exactPart(state);
+    frame.tears = std::uint32_t(chunk.tears.size());
+    frame.broken = std::uint32_t(chunk.broken.size() - 1);
     frame.way.reserve(3 * state.position.size());
     frame.velocity.reserve(3 * state.position.size());
     for (std::size_t i = 0; i < state.position.size(); ++i) {
@@ -105,17 +85,7 @@ KeptFrame kept(const State& state, RunChunk& chunk)
 State stateOf(const RunChunk& chunk, const KeptFrame& frame)
 {
     State state = *chunk.start;
-    state.step = frame.step;
-    state.substep = frame.substep;
-    state.time = frame.time;
-    state.substeps = frame.substeps;
-    state.inputCommand = frame.inputCommand;
-    state.inputValue = frame.inputValue;
-    state.hands = frame.hands;
-    state.carried = frame.carried;
-    state.gusts = frame.gusts;
-    state.canopies = frame.canopies;
-    state.work = frame.work;
+    exactPart(state) = exactPart(frame);
     const Broken& broken = chunk.broken[frame.broken];
     state.springTorn = broken.springs;
     state.rodTorn = broken.rods;
@@ -144,28 +114,36 @@ std::size_t bytesIn(const State& state)
 
 std::string bytesOf(const RunChunk& chunk, std::string room)
 {
-    std::vector<Work> works{chunk.start->work};
-    for (const auto& frame : chunk.frames)
-        works.push_back(frame->work);
-    ByteWriter writer(std::move(room));
-    writer(chunk, works);
+    ByteWriter writer(std::move(room), firstAfter - 1);
+    writer(chunk);
+    for (int version = firstAfter; version <= recordingVersion; ++version) {
+        writer(std::uint64_t(1 + chunk.frames.size()));
+        passSince(version, writer, *chunk.start);
+        for (const auto& frame : chunk.frames)
+            passSince(version, writer, *frame);
+    }
     return writer.take();
 }
 
 std::optional<RunChunk> chunkOf(std::string_view bytes)
 {
-    ByteReader reader(bytes);
+    ByteReader reader(bytes, firstAfter - 1);
     RunChunk chunk;
-    std::vector<Work> works;
     reader(chunk);
-    const bool knowsWork = !reader.atEnd();
-    if (knowsWork)
-        reader(works);
-    if (!reader.ok() || !reader.atEnd() || !chunk.start || !isSound(chunk)
-        || (knowsWork && works.size() != chunk.frames.size() + 1))
+    if (!reader.ok() || !chunk.start || !isSound(chunk))
         return std::nullopt;
-    if (knowsWork)
-        addWork(chunk, works);
+    for (int version = firstAfter; version <= recordingVersion && !reader.atEnd(); ++version) {
+        std::uint64_t count = 0;
+        reader(count);
+        if (count != 1 + chunk.frames.size())
+            return std::nullopt;
+        // nobody else has these parts yet, and they were not made const
+        passSince(version, reader, const_cast<State&>(*chunk.start));
+        for (const auto& frame : chunk.frames)
+            passSince(version, reader, const_cast<KeptFrame&>(*frame));
+    }
+    if (!reader.ok() || !reader.atEnd())
+        return std::nullopt;
     return chunk;
 }
 

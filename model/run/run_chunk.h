@@ -15,6 +15,10 @@
 
 namespace ripstop {
 
+// Of files. A field of a state or a frame that is new since the last release is marked with the
+// next number (Since), so that older stretches can be read.
+inline constexpr int recordingVersion = 3;
+
 struct KeptFrame
 {
     std::int64_t step = 0;

@@ -3,7 +3,6 @@
 #include "scene/weigh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +10,12 @@ namespace ripstop {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+
+template <auto member>
+std::string_view keyOf()
+{
+    return propertyOf<member>().key;
+}
 
 // --- fabrics ---------------------------------------------------------------------------------
 
@@ -29,11 +34,12 @@ Preset fabric(const char* name, const char* label, std::string source, double de
               double membrane, std::optional<double> shear, std::optional<double> porosity)
 {
     Preset preset{PresetKind::Fabric, name, label, std::move(source), {}};
-    preset.values = {{"arealDensity", density}, {"membraneStiffness", membrane}};
+    preset.values = {{keyOf<&Material::arealDensity>(), density},
+                     {keyOf<&Material::membraneStiffness>(), membrane}};
     if (shear)
-        preset.values.emplace_back("shearStiffness", *shear);
+        preset.values.emplace_back(keyOf<&Material::shearStiffness>(), *shear);
     if (porosity)
-        preset.values.emplace_back("porosity", *porosity);
+        preset.values.emplace_back(keyOf<&Material::porosity>(), *porosity);
     return preset;
 }
 
@@ -66,7 +72,7 @@ Preset garment(const char* name, const char* label, double density, double membr
         "twice its C11 as read by others; shear is left to the material's own stiffness, air is "
         "held back.",
         density, membrane, std::nullopt, std::nullopt);
-    preset.values.emplace_back("bendingStiffness", bending);
+    preset.values.emplace_back(keyOf<&Material::bendingStiffness>(), bending);
     return preset;
 }
 
@@ -152,12 +158,12 @@ Preset line(const Cord& cord)
                       + " N, from which EA is the secant; mass by the fit 0.134 d + 0.6859 d^2 g/m "
                         "(d in mm), drag coefficient 1.1 of the same program.",
                   {}};
-    preset.values = {{"linearDensity", 1e-3 * (0.134 * d + 0.6859 * d * d)},
-                     {"axialStiffness", cord.load / (cord.stretch / 100.0)},
-                     {"diameter", 1e-3 * d},
-                     {"dragCoefficient", 1.1},
-                     {"tearRule", std::string("force")},
-                     {"tearLimit", cord.strength}};
+    preset.values = {{keyOf<&Material::linearDensity>(), 1e-3 * (0.134 * d + 0.6859 * d * d)},
+                     {keyOf<&Material::axialStiffness>(), cord.load / (cord.stretch / 100.0)},
+                     {keyOf<&Material::diameter>(), 1e-3 * d},
+                     {keyOf<&Material::dragCoefficient>(), 1.1},
+                     {keyOf<&Material::tearRule>(), std::string("force")},
+                     {keyOf<&Material::tearLimit>(), cord.strength}};
     return preset;
 }
 
@@ -172,10 +178,10 @@ Preset dyneema(const char* name, const char* label, double millimetres)
                   "0.958, as in KiteModels; strength is not given, so that it does not tear: knots "
                   "cost half of it or more.",
                   {}};
-    preset.values = {{"linearDensity", 724.0 * area},
-                     {"axialStiffness", 55e9 * area},
-                     {"diameter", d},
-                     {"dragCoefficient", 0.958}};
+    preset.values = {{keyOf<&Material::linearDensity>(), 724.0 * area},
+                     {keyOf<&Material::axialStiffness>(), 55e9 * area},
+                     {keyOf<&Material::diameter>(), d},
+                     {keyOf<&Material::dragCoefficient>(), 0.958}};
     return preset;
 }
 
@@ -186,13 +192,14 @@ Preset spar(const char* name, const char* label, const std::string& source, doub
             std::optional<double> density)
 {
     Preset preset{PresetKind::Spar, name, label, source, {}};
-    preset.values = {{"flexuralRigidity", rigidity}, {"dragCoefficient", 1.1}};
+    preset.values = {{keyOf<&Material::flexuralRigidity>(), rigidity},
+                     {keyOf<&Material::dragCoefficient>(), 1.1}};
     if (axial)
-        preset.values.emplace_back("axialStiffness", *axial);
+        preset.values.emplace_back(keyOf<&Material::axialStiffness>(), *axial);
     if (diameter)
-        preset.values.emplace_back("diameter", *diameter);
+        preset.values.emplace_back(keyOf<&Material::diameter>(), *diameter);
     if (density)
-        preset.values.emplace_back("linearDensity", *density);
+        preset.values.emplace_back(keyOf<&Material::linearDensity>(), *density);
     return preset;
 }
 
@@ -259,27 +266,44 @@ std::vector<Preset> made()
 
 // --- applying --------------------------------------------------------------------------------
 
-// What some preset sets. Another one that has nothing to say about it brings the default back.
-constexpr std::array<std::string_view, 10> settable{
-    "axialStiffness",   "membraneStiffness", "shearStiffness",  "porosity", "bendingStiffness",
-    "flexuralRigidity", "diameter",          "dragCoefficient", "tearRule", "tearLimit"};
+// What some preset sets, apart from densities. Another one that has nothing to say about it brings
+// the default back.
+std::vector<const Property*> madeSettable()
+{
+    std::vector<const Property*> settable;
+    for (const Property& property : propertiesOf(Kind::Material)) {
+        const auto sets = [&](const Preset& preset) {
+            return std::ranges::any_of(
+                preset.values, [&](const auto& value) { return value.first == property.key; });
+        };
+        if (!weighs(property) && std::ranges::any_of(allPresets(), sets))
+            settable.push_back(&property);
+    }
+    return settable;
+}
 
-const Value* valueOf(const Preset& preset, std::string_view key)
+const std::vector<const Property*>& settable()
+{
+    static const std::vector<const Property*> properties = madeSettable();
+    return properties;
+}
+
+const Value* valueOf(const Preset& preset, const Property& property)
 {
     const auto found = std::find_if(preset.values.begin(), preset.values.end(),
-                                    [&](const auto& value) { return value.first == key; });
+                                    [&](const auto& value) { return value.first == property.key; });
     return found == preset.values.end() ? nullptr : &found->second;
 }
 
-std::optional<double> numberOf(const Preset& preset, std::string_view key)
+std::optional<double> numberOf(const Preset& preset, const Property& property)
 {
-    const Value* value = valueOf(preset, key);
+    const Value* value = valueOf(preset, property);
     return value ? std::optional(std::get<double>(*value)) : std::nullopt;
 }
 
-SetValues setting(std::string_view key, const std::vector<Id>& materials, const Value& value)
+SetValues setting(const Property& property, const std::vector<Id>& materials, const Value& value)
 {
-    return {findProperty(Kind::Material, key), materials, {value}};
+    return {&property, materials, {value}};
 }
 
 } // namespace
@@ -312,16 +336,18 @@ Result<const Preset*> findPreset(std::string_view name)
 
 const Preset* presetOf(const Material& material)
 {
-    const auto has = [&material](std::string_view key, const Value* value) {
-        const Property& property = *findProperty(Kind::Material, key);
+    const auto has = [&material](const Property& property, const Value* value) {
         return property.get(&material) == (value ? *value : property.initial);
     };
     for (const Preset& preset : allPresets()) {
         const bool alike =
-            std::ranges::all_of(
-                settable, [&](std::string_view key) { return has(key, valueOf(preset, key)); })
-            && std::ranges::all_of(
-                preset.values, [&](const auto& value) { return has(value.first, &value.second); });
+            std::ranges::all_of(settable(),
+                                [&](const Property* property) {
+                                    return has(*property, valueOf(preset, *property));
+                                })
+            && std::ranges::all_of(preset.values, [&](const auto& value) {
+                   return has(*findProperty(Kind::Material, value.first), &value.second);
+               });
         if (alike)
             return &preset;
     }
@@ -334,15 +360,15 @@ Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
     PresetEdit result;
     std::vector<Change>& changes = result.edit.changes;
     result.edit.label = "Preset " + preset.label;
-    for (const std::string_view key : settable) {
-        const Value* value = valueOf(preset, key);
-        const Value& initial = findProperty(Kind::Material, key)->initial;
-        changes.push_back({setting(key, materials, value ? *value : initial)});
+    for (const Property* property : settable()) {
+        const Value* value = valueOf(preset, *property);
+        changes.push_back({setting(*property, materials, value ? *value : property->initial)});
     }
 
     const bool ofArea = preset.kind == PresetKind::Fabric;
-    const std::string_view key = ofArea ? "arealDensity" : "linearDensity";
-    const std::optional<double> density = numberOf(preset, key);
+    const Property& weight =
+        ofArea ? propertyOf<&Material::arealDensity>() : propertyOf<&Material::linearDensity>();
+    const std::optional<double> density = numberOf(preset, weight);
     for (const Id id : materials) {
         const Material& material = *findItem<Material>(scene, id);
         const auto old = ofArea ? material.arealDensity : material.linearDensity;
@@ -350,7 +376,7 @@ Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
             result.notWeighed.push_back(id);
             continue;
         }
-        changes.push_back({setting(key, {id}, *density)});
+        changes.push_back({setting(weight, {id}, *density)});
     }
     Result<Edit> edit = weighed(scene, std::move(result.edit));
     if (!edit)

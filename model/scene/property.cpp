@@ -1,18 +1,13 @@
+// What each property is, and the lookups. What a change of it does stands in property_uses.h.
 #include "scene/property.h"
 
+#include "scene/property_uses.h"
+
 #include <algorithm>
+#include <cassert>
 
 namespace ripstop {
 namespace {
-
-template <typename T>
-struct MemberOf;
-template <typename Owner_, typename Field_>
-struct MemberOf<Field_ Owner_::*>
-{
-    using Owner = Owner_;
-    using Field = Field_;
-};
 
 template <typename Field>
 struct Codec // bool, int, double, text, Vec3, id, ids: held as they are
@@ -52,6 +47,15 @@ struct Codec<std::optional<T>>
     }
 };
 
+// The other half of a row; a field without one does not compile.
+consteval PropertyUse useOf(const MemberPlace& place)
+{
+    for (const PropertyUse& use : propertyUses)
+        if (use.place == place)
+            return use;
+    throw "no row in property_uses.h";
+}
+
 // Builds a row from a pointer to member, so that a row cannot name one field and read another.
 template <auto member>
 Property property(std::string_view key, std::string_view label, std::string_view unit,
@@ -67,9 +71,8 @@ Property property(std::string_view key, std::string_view label, std::string_view
     const auto set = [](const Ref& ref, const Value& value) {
         std::get<Owner*>(ref)->*member = Coded::field(value);
     };
-    Owner example;
-    const Kind kind = kindOf(ConstRef(&std::as_const(example)));
-    return {kind,
+    static constexpr PropertyUse use = useOf(memberPlace<member>);
+    return {kindOfType<Owner>,
             key,
             label,
             unit,
@@ -78,9 +81,10 @@ Property property(std::string_view key, std::string_view label, std::string_view
             range,
             pointsAt,
             Coded::choices(),
-            Coded::value(example.*member),
+            Coded::value(Owner().*member),
             Coded::optional,
             columns,
+            use,
             get,
             set};
 }
@@ -247,6 +251,7 @@ std::span<const Property> allProperties()
         property<&Plot::high>            ("high",        "Highest value", "",       DisplayOnly, "Upper end of the axis of values, in the unit of the curves; empty fits what is in sight."),
     };
     // clang-format on
+    static_assert(table.size() == propertyUses.size(), "a row of property_uses.h is left over");
     return table;
 }
 
@@ -264,6 +269,40 @@ const Property* findProperty(Kind kind, std::string_view key)
         if (property.key == key)
             return &property;
     return nullptr;
+}
+
+const Property* findProperty(Kind kind, Meaning meaning)
+{
+    for (const Property& property : propertiesOf(kind))
+        if (property.use.meaning == meaning)
+            return &property;
+    return nullptr;
+}
+
+const Property& propertyAt(const MemberPlace& place)
+{
+    const auto of = propertiesOf(place.kind);
+    const auto found =
+        std::ranges::find(of, place, [](const Property& property) { return property.use.place; });
+    assert(found != of.end());
+    return *found;
+}
+
+const Property* ofMaterial(const Property& property)
+{
+    return property.kind == Kind::Link && property.optional
+               ? findProperty(Kind::Material, property.key)
+               : nullptr;
+}
+
+bool isResettable(const Property& property)
+{
+    return property.pointsAt.empty() && !property.use.traits.contains(Trait::Own);
+}
+
+bool changesLooks(const Property& property)
+{
+    return property.effect == Effect::DisplayOnly || property.use.traits.contains(Trait::Looks);
 }
 
 } // namespace ripstop

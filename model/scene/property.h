@@ -2,12 +2,17 @@
 //
 // One row describes one quantity completely. The file format, the inspector, the check of what a
 // user typed, the command line's --set and the property manual all walk this table: a new
-// quantity is a field in items.h, a row here and its use.
+// quantity is a field in items.h, a row in property.cpp (what it is), a row in property_uses.h
+// (what a change of it does and when it counts) and its use. A missing row does not compile.
+//
+// Whoever needs one particular property names it by its field, propertyOf<&Particle::mass>(), and
+// asks for the others by what the table says of them: keys are for files, paths and people.
 #pragma once
 
 #include "base/result.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -47,7 +52,7 @@ using ConstRef = std::variant<const Settings*, const Particle*, const Link*, con
                               const Part*, const Material*, const Group*, const Collider*,
                               const Wind*, const Control*, const Probe*, const Plot*>;
 
-inline Kind kindOf(const ConstRef& ref) { return Kind(ref.index()); }
+constexpr Kind kindOf(const ConstRef& ref) { return Kind(ref.index()); }
 ConstRef asConst(const Ref& ref);
 
 // The thing with this id anywhere in the scene; nothing when there is none.
@@ -69,21 +74,127 @@ struct Range
     bool openLow = false; // `low` itself is not allowed
 };
 
-// The kinds that an id may point at, as a set.
-class Kinds
+// A few of an enumeration's names.
+template <typename Enum>
+class SetOf
 {
 public:
-    constexpr Kinds() = default;
-    constexpr Kinds(std::initializer_list<Kind> kinds)
+    constexpr SetOf() = default;
+    constexpr SetOf(std::initializer_list<Enum> members)
     {
-        for (const Kind kind : kinds)
-            m_bits |= 1u << unsigned(kind);
+        for (const Enum member : members)
+            m_bits |= 1u << unsigned(member);
     }
-    constexpr bool contains(Kind kind) const { return (m_bits >> unsigned(kind)) & 1u; }
+    constexpr bool contains(Enum member) const { return (m_bits >> unsigned(member)) & 1u; }
     constexpr bool empty() const { return m_bits == 0; }
 
 private:
     unsigned m_bits = 0;
+};
+
+using Kinds = SetOf<Kind>; // that an id may point at
+
+// The field that a row is about, as something to compare: the place of the field in an example of
+// its owner.
+struct MemberPlace
+{
+    Kind kind;
+    const void* place;
+
+    friend constexpr bool operator==(const MemberPlace& a, const MemberPlace& b)
+    {
+        return a.kind == b.kind && a.place == b.place;
+    }
+};
+
+template <typename T>
+struct MemberOf;
+template <typename Owner_, typename Field_>
+struct MemberOf<Field_ Owner_::*>
+{
+    using Owner = Owner_;
+    using Field = Field_;
+};
+
+template <typename Owner>
+inline const Owner exampleOf{};
+template <typename Owner>
+inline constexpr Kind kindOfType = kindOf(ConstRef(static_cast<const Owner*>(nullptr)));
+template <auto member>
+inline constexpr MemberPlace memberPlace{
+    kindOfType<typename MemberOf<decltype(member)>::Owner>,
+    &(exampleOf<typename MemberOf<decltype(member)>::Owner>.*member)};
+
+// What the value of a property stands for, beyond its type.
+enum class Meaning {
+    Plain,
+    Name,  // what its thing is called; forms insist on one
+    Color, // a text as #rrggbb
+    Shown, // a switch: whether the view draws the thing
+    Path,  // times and places, as collider_path.h reads them
+    File,  // its name, beside the scene file
+    Keys,  // a key sequence as Qt writes it
+    Notes, // a text of many lines
+    Polar  // rows of angles that rise from 0 to 90 degrees, lift and drag
+};
+
+// What a change of a property touches beside its number, and what its value is worth.
+enum class Trait {
+    Structure, // who is joined to whom and by what, or which states there are (of gusts, of the
+               // air in a canopy): another value means a new system
+    Looks,     // how things are drawn; what has DisplayOnly as its effect has this in any case
+    Counts,    // how many things ask for what (usage.h)
+    Own        // the thing's own, such as a name or a place: no default is worth going back to
+};
+using Traits = SetOf<Trait>;
+
+// The stretch of values that a slider covers. Fields take any value that the property allows. A
+// vector is tuned by its length.
+struct SliderRange
+{
+    double low = 0.0;
+    double high = 1.0;
+    bool logarithmic = false; // `low` is above 0; below 1, zero is at the left end
+
+    friend bool operator==(const SliderRange&, const SliderRange&) = default;
+};
+
+struct Circumstances; // of a thing: usage.h
+
+// A condition under which a value counts, and why it is idle where that does not hold.
+struct Need
+{
+    std::optional<Kind> kind; // of the thing that is asked, or any
+    bool (*holds)(const ConstRef& thing, const Circumstances& around);
+    const char* otherwise; // half a sentence: "the particle is pinned"
+};
+
+// All of them, in the order in which they are asked; none for what always counts.
+class NeedList
+{
+public:
+    constexpr NeedList() = default;
+    constexpr NeedList(std::initializer_list<Need> needs)
+    {
+        for (const Need& need : needs)
+            m_needs[m_count++] = need;
+    }
+    constexpr const Need* begin() const { return m_needs.data(); }
+    constexpr const Need* end() const { return m_needs.data() + m_count; }
+
+private:
+    std::array<Need, 5> m_needs{};
+    std::size_t m_count = 0;
+};
+
+// A row of property_uses.h.
+struct PropertyUse
+{
+    MemberPlace place;
+    Meaning meaning;
+    Traits traits;
+    std::optional<SliderRange> usual; // that a form shows without being asked
+    NeedList needs;
 };
 
 struct Property
@@ -100,6 +211,7 @@ struct Property
     Value initial;                             // the default; its type is the type of the property
     bool optional;                             // may be absent
     int columns;                               // numbers in each row, for tables
+    PropertyUse use;
     Value (*get)(const ConstRef&);
     void (*set)(const Ref&, const Value&); // a value that refusal() has let through
 };
@@ -107,6 +219,28 @@ struct Property
 std::span<const Property> allProperties();
 std::span<const Property> propertiesOf(Kind kind);
 const Property* findProperty(Kind kind, std::string_view key); // null when there is none
+const Property* findProperty(Kind kind, Meaning meaning);      // the first of this meaning, or null
+const Property& propertyAt(const MemberPlace& place);          // of a field that has a row
+
+// The row of a field: propertyOf<&Particle::mass>().
+template <auto member>
+const Property& propertyOf()
+{
+    return propertyAt(memberPlace<member>);
+}
+
+// Whether the row is that of one of these fields.
+template <auto... members>
+bool isOneOf(const Property& property)
+{
+    return ((property.use.place == memberPlace<members>) || ...);
+}
+
+// What a link takes where it has no value of its own: the same of its material; or null.
+const Property* ofMaterial(const Property& property);
+
+bool isResettable(const Property& property); // has a default worth going back to
+bool changesLooks(const Property& property); // of things in the view, or what tells of them
 
 // Why the property cannot have this value, as half a sentence ("must be above 0"), or nothing.
 // Dangling ids are found by check.h, which sees the whole scene.

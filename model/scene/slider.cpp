@@ -1,41 +1,11 @@
 #include "scene/slider.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
 namespace ripstop {
 namespace {
-
-struct Usual
-{
-    Kind kind;
-    std::string_view key;
-    SliderRange range;
-};
-
-// clang-format off
-constexpr std::array usual{
-    Usual{Kind::Settings, "substeps",          {1.0,  64.0,  true}},
-    Usual{Kind::Settings, "sweeps",            {1.0,  256.0, true}},
-    Usual{Kind::Settings, "airDensity",        {0.0,  2.0}},
-    Usual{Kind::Settings, "viscosity",         {0.0,  5.0}},
-    Usual{Kind::Material, "stiffness",         {1.0,  1e5,   true}},
-    Usual{Kind::Material, "damping",           {1e-3, 10.0,  true}},
-    Usual{Kind::Material, "compliance",        {1e-8, 1e-2,  true}},
-    Usual{Kind::Material, "tearLimit",         {1e-2, 1e3,   true}},
-    Usual{Kind::Material, "normalCoefficient", {0.0,  4.0}},
-    Usual{Kind::Material, "skinFriction",      {0.0,  0.2}},
-    Usual{Kind::Material, "porosity",          {0.0,  0.2}},
-    Usual{Kind::Collider, "restitution",       {0.0,  1.0}},
-    Usual{Kind::Collider, "thickness",         {0.0,  0.05}},
-    Usual{Kind::Collider, "hillLength",        {0.02, 2.0,   true}},
-    Usual{Kind::Collider, "friction",          {0.0,  1.5}},
-    Usual{Kind::Wind,     "velocity",          {0.0,  25.0}},
-    Usual{Kind::Wind,     "gustiness",         {0.0,  25.0}},
-};
-// clang-format on
 
 std::string numberText(double value)
 {
@@ -144,17 +114,9 @@ bool canBeTuned(const Property& property)
            || !property.choices.empty();
 }
 
-std::optional<SliderRange> usualRange(const Property& property)
-{
-    const auto found = std::ranges::find_if(usual, [&](const Usual& row) {
-        return row.kind == property.kind && row.key == property.key;
-    });
-    return found == usual.end() ? std::nullopt : std::optional(found->range);
-}
-
 SliderRange rangeAround(const Property& property, double value)
 {
-    if (const auto range = usualRange(property); range && value <= range->high)
+    if (const auto range = property.use.usual; range && value <= range->high)
         return *range;
     const Range& allowed = property.range;
     const bool isWhole = std::holds_alternative<int>(property.initial);

@@ -12,17 +12,6 @@
 
 namespace ripstop {
 
-// The stretch of values that a slider covers. Fields take any value that the property allows. A
-// vector is tuned by its length.
-struct SliderRange
-{
-    double low = 0.0;
-    double high = 1.0;
-    bool logarithmic = false; // `low` is above 0; below 1, zero is at the left end
-
-    friend bool operator==(const SliderRange&, const SliderRange&) = default;
-};
-
 struct Slider
 {
     const Property* property;
@@ -39,10 +28,7 @@ inline constexpr std::size_t mostOfASlider = 200;
 bool hasRange(const Property& property);   // numbers and vectors
 bool canBeTuned(const Property& property); // those, switches and choices
 
-// The range that a form shows without being asked; nothing for what is seldom tuned.
-std::optional<SliderRange> usualRange(const Property& property);
-
-// The usual one, or one around the value.
+// The usual one of the table, or one around the value.
 SliderRange rangeAround(const Property& property, double value);
 
 // A refusal as half a sentence where the range cannot be had.

@@ -2,6 +2,7 @@
 //
 // The stiffness of a rod, the sweeps of a solver that makes one, the air of a scene without fabric:
 // such numbers can be turned for hours without effect, so forms say that they do nothing, and why.
+// The conditions stand in property_uses.h, a column of the table of properties.
 #pragma once
 
 #include "scene/edit.h"
@@ -35,6 +36,14 @@ struct Usage
 
 // Goes over all links and panels once.
 Usage usageOf(const Scene& scene);
+
+// What a condition of the property table may look at, beside the thing itself.
+struct Circumstances
+{
+    const Scene& scene;
+    const Use& all; // of all links and panels
+    Use made;       // of the thing, where it is a material
+};
 
 // Whether the edit may make a usage stale.
 bool changesUsage(const Edit& edit);

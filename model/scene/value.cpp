@@ -95,7 +95,7 @@ std::optional<std::string> refusalOfRows(const Property& property, const NumberR
             return "must have " + std::to_string(property.columns) + " numbers in each row" + here;
         if (!std::ranges::all_of(row, [](double value) { return std::isfinite(value); }))
             return "must be finite numbers" + here;
-        if (property.key != "polar")
+        if (property.use.meaning != Meaning::Polar)
             continue;
         if (row[0] < 0.0 || row[0] > 90.0 || row[0] <= last)
             return "must have angles that rise from row to row, between 0 and 90" + here;
@@ -234,9 +234,9 @@ std::optional<std::string> refusal(const Property& property, const Value& value)
         const auto choices = property.choices;
         if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
             return "must be one of " + joined(choices);
-        if (property.key == "color" && !isColor(*text))
+        if (property.use.meaning == Meaning::Color && !isColor(*text))
             return "must be a colour as #rrggbb";
-        if (property.kind == Kind::Collider && property.key == "path")
+        if (property.use.meaning == Meaning::Path)
             if (const auto path = pathFromText(*text); !path)
                 return path.message();
     }
@@ -245,7 +245,7 @@ std::optional<std::string> refusal(const Property& property, const Value& value)
 
 std::string_view unitOf(const Scene& scene, const Property& property, const ConstRef& ref)
 {
-    if (property.key != "tearLimit")
+    if (!isOneOf<&Link::tearLimit, &Material::tearLimit>(property))
         return property.unit;
     const Material* material = nullptr;
     if (const auto* own = std::get_if<const Material*>(&ref))

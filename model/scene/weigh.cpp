@@ -77,9 +77,14 @@ private:
     std::vector<double> m_mass;               // [particles] kg
 };
 
-SetValues noMasses() { return {findProperty(Kind::Particle, "mass"), {}, {}}; }
+SetValues noMasses() { return {&propertyOf<&Particle::mass>(), {}, {}}; }
 
 } // namespace
+
+bool weighs(const Property& property)
+{
+    return isOneOf<&Material::arealDensity, &Material::linearDensity>(property);
+}
 
 Result<Edit> weighed(const Scene& scene, Edit edit)
 {
@@ -92,11 +97,9 @@ Result<Edit> weighed(const Scene& scene, Edit edit)
     std::vector<More> more;
     for (const Change& change : edit.changes) {
         const SetValues* const set = std::get_if<SetValues>(&change);
-        if (!set || set->property->kind != Kind::Material)
+        if (!set || !weighs(*set->property))
             continue;
-        const bool areal = set->property->key == "arealDensity";
-        if (!areal && set->property->key != "linearDensity")
-            continue;
+        const bool areal = isOneOf<&Material::arealDensity>(*set->property);
         for (std::size_t i = 0; i < set->targets.size(); ++i) {
             const Material* material = findItem<Material>(scene, set->targets[i]);
             const Value& value = set->values[set->values.size() == 1 ? 0 : i];

@@ -11,6 +11,9 @@
 
 namespace ripstop {
 
+// Whether it is a density, so that another value of it weighs particles anew.
+bool weighs(const Property& property);
+
 // The edit, and with it the masses that follow from the densities that it changes from a known one
 // to another. Fails where a particle would be left without mass.
 Result<Edit> weighed(const Scene& scene, Edit edit);

@@ -9,6 +9,7 @@
 #include "measure/diagnostics.h"
 #include "run/runner.h"
 #include "run/torn_system.h"
+#include "system/fields.h"
 
 #include <QtTest>
 
@@ -196,16 +197,17 @@ public:
             m_patched = *made.system;
         else
             ripstop::apply(*made.patch, m_patched);
-        if (!(m_patched == **whole))
-            return "another system";
+        if (const std::string field(differingField(m_patched, **whole)); !field.empty())
+            return QString::fromStdString("another system: " + field);
 
         m_following.load(made);
         m_loaded.load(*whole);
         for (int i = 0; i < 3; ++i)
             if (m_following.step() != m_loaded.step())
                 return "only one of them can go on";
-        if (!(m_following.state() == m_loaded.state()))
-            return "another motion";
+        const std::string field(differingField(m_following.state(), m_loaded.state()));
+        if (!field.empty())
+            return QString::fromStdString("another motion: " + field);
         if (!isAlike(*m_following.frame()->layout, *m_loaded.frame()->layout))
             return "another layout";
         if (m_following.trouble())

@@ -9,6 +9,7 @@
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "shapes/shape_files.h"
+#include "system/fields.h"
 #include "verify/tear_sheets.h"
 
 #include <Eigen/Geometry>
@@ -39,16 +40,15 @@ QString wrongIn(const System& system, const State& state)
 {
     const int n = int(system.key.size());
     const auto is = [](int i, std::size_t count) { return i >= 0 && i < int(count); };
-    if (state.position.size() != std::size_t(n) || state.velocity.size() != std::size_t(n)
-        || state.drift.size() != std::size_t(n) || system.mass.size() != std::size_t(n)
-        || system.inverseMass.size() != std::size_t(n)
+    if (system.mass.size() != std::size_t(n) || system.inverseMass.size() != std::size_t(n)
         || (!system.fabricLayer.empty() && system.fabricLayer.size() != std::size_t(n)))
         return "sizes of particles";
-    if (state.springTorn.size() != system.springs.size()
-        || state.rodTorn.size() != system.rods.size()
-        || state.rodTension.size() != system.rods.size()
-        || state.panelGone.size() != system.panels.size())
-        return "sizes of links and panels";
+    bool sized = true;
+    forEachSized(system, state, [&](const auto& values, std::size_t count) {
+        sized = sized && values.size() == count;
+    });
+    if (!sized)
+        return "sizes of what is kept of particles, links and panels";
     for (const FabricPanel& panel : system.panels) {
         const auto& c = panel.corner;
         if (!is(c[0], n) || !is(c[1], n) || !is(c[2], n) || c[0] == c[1] || c[1] == c[2]

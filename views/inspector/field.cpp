@@ -74,11 +74,6 @@ QWidget* sideBySide(QWidget* left, QWidget* right)
     return both;
 }
 
-bool isKey(const Property& property)
-{
-    return property.key == "keyLess" || property.key == "keyMore";
-}
-
 } // namespace
 
 Field makeField(const FieldPlace& place)
@@ -97,11 +92,22 @@ Field makeField(const FieldPlace& place)
         return idField(place);
     if (!place.property.choices.empty())
         return choiceField(place);
-    if (place.property.key == "color")
+    switch (place.property.use.meaning) {
+    case Meaning::Color:
         return colorField(place);
-    if (place.property.kind == Kind::Collider && place.property.key == "file")
+    case Meaning::File:
         return fileField(place);
-    return place.property.key == "notes" ? notesField(place) : textField(place);
+    case Meaning::Notes:
+        return notesField(place);
+    case Meaning::Plain:
+    case Meaning::Name:
+    case Meaning::Shown:
+    case Meaning::Path:
+    case Meaning::Keys:
+    case Meaning::Polar:
+        break;
+    }
+    return textField(place);
 }
 
 Field flagField(const FieldPlace& place)
@@ -144,10 +150,11 @@ Field choiceField(const FieldPlace& place)
 Field textField(const FieldPlace& place)
 {
     const auto judge = [place](const QString& text) -> QString {
-        if (isKey(place.property) && !text.trimmed().isEmpty()
+        const Meaning meaning = place.property.use.meaning;
+        if (meaning == Meaning::Keys && !text.trimmed().isEmpty()
             && QKeySequence::fromString(text.trimmed()).toString().isEmpty())
             return words("No key is called so; try Left, A or Ctrl+Up.");
-        if (place.property.key == "name" && text.trimmed().isEmpty())
+        if (meaning == Meaning::Name && text.trimmed().isEmpty())
             return words("A name is needed.");
         const auto reason = refusal(place.property, text.trimmed().toStdString());
         return reason

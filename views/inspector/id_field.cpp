@@ -100,9 +100,7 @@ QString hintOf(const FieldPlace& place, const Common& common)
         std::sort(sorted.begin(), sorted.end());
         return describe(place.subject.document().scene(), sorted);
     }
-    return place.property.kind == Kind::Probe && place.property.key == "target"
-               ? words("whole scene")
-               : words("none");
+    return isOneOf<&Probe::target>(place.property) ? words("whole scene") : words("none");
 }
 
 void fillMenu(QMenu& menu, const FieldPlace& place)

@@ -96,14 +96,14 @@ ValueEdit* numberEdit(const FieldPlace& place, int axis, ScrubLabel& label)
 // A slider for what is tuned while it flies; null for other properties.
 QSlider* slider(const FieldPlace& place)
 {
-    const auto range = place.slides ? usualRange(place.property) : std::nullopt;
+    const auto range = place.slides ? place.property.use.usual : std::nullopt;
     return range ? makeSlider(place.subject, place.property, [range] { return *range; }) : nullptr;
 }
 
 void refreshSlider(QSlider* bar, const Property& property, const Common& common)
 {
     if (bar)
-        showOn(*bar, *usualRange(property), common);
+        showOn(*bar, *property.use.usual, common);
 }
 
 QWidget* stacked(QWidget* above, QWidget* below)
@@ -151,11 +151,10 @@ private:
 // What an absent value falls back to: "from material (100 N/m)".
 QString inherited(const FieldPlace& place)
 {
-    const Property* source = findProperty(Kind::Material, place.property.key);
-    const Property* material = findProperty(place.property.kind, "material");
-    if (!source || !material)
+    const Property* source = ofMaterial(place.property);
+    if (!source)
         return words("none");
-    const Value id = Subject::common(*material, place.subject.refs()).value;
+    const Value id = Subject::common(propertyOf<&Link::material>(), place.subject.refs()).value;
     const Scene& scene = place.subject.document().scene();
     const auto ref = std::holds_alternative<Id>(id) ? find(scene, std::get<Id>(id)) : std::nullopt;
     if (!ref)

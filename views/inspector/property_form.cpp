@@ -6,6 +6,7 @@
 #include "inspector/slider_shelf.h"
 #include "inspector/usage_watch.h"
 #include "inspector/value_edit.h"
+#include "scene/weigh.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -50,14 +51,6 @@ QString tipOf(const Property& property)
     return text;
 }
 
-// A name, a place or what something points at has no default worth going back to.
-bool canReset(const Property& property)
-{
-    return property.pointsAt.empty() && property.key != "name" && property.key != "builder"
-           && property.key != "position" && property.key != "restLength" && property.key != "title"
-           && property.key != "notes";
-}
-
 constexpr int rowButtonWidth = 18; // px
 
 // A small button at the end of a row, which keeps its place while it is hidden.
@@ -79,8 +72,7 @@ QToolButton* rowButton(const QString& picture, const QString& tip, const QString
 
 bool isTunable(const Property& property)
 {
-    const bool isMass = property.key == "arealDensity" || property.key == "linearDensity";
-    return canBeTuned(property) && (property.effect != Effect::DisplayOnly || isMass);
+    return canBeTuned(property) && (property.effect != Effect::DisplayOnly || weighs(property));
 }
 
 } // namespace
@@ -162,7 +154,7 @@ void PropertyForm::addMenu(const Row& row)
         tune->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         row.field.widget->addAction(tune);
     }
-    if (canReset(property))
+    if (isResettable(property))
         add(tr("Back to the default"),
             [this, &property] { m_subject.edit(property, setTo(property.initial)); });
     add(tr("Copy path, for --set"), [this, &property] {
@@ -217,7 +209,7 @@ void PropertyForm::refresh()
         const Property& property = *row.property;
         const Common common = Subject::common(property, refs);
         row.field.refresh(common);
-        row.isChanged = !common.isDefault && canReset(property);
+        row.isChanged = !common.isDefault && isResettable(property);
         row.reset->setVisible(row.isChanged && !row.label->isHidden());
         QFont font = this->font();
         font.setBold(row.isChanged);

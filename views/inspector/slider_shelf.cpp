@@ -83,20 +83,23 @@ void SliderShelf::addUsual()
     const Scene& scene = m_document.scene();
     const Usage usage = usageOf(scene);
     std::vector<Slider> sliders = this->sliders();
-    const auto add = [&](Kind kind, const char* key, Id id) {
-        const Property& property = *findProperty(kind, key);
+    const auto add = [&](const Property& property, Id id) {
         if (sliders.size() < enough && !has(property, {id}) && !whyIdle(scene, usage, property, id))
             sliders.push_back(sliderFor(scene, property, {id}));
     };
     for (const Entry& entry : scene.items)
         if (std::holds_alternative<Wind>(entry.item))
-            add(Kind::Wind, "velocity", entry.id);
-    for (const char* key : {"substeps", "sweeps", "strainGoal"})
-        add(Kind::Settings, key, settingsId);
+            add(propertyOf<&Wind::velocity>(), entry.id);
+    for (const Property* property :
+         {&propertyOf<&Settings::substeps>(), &propertyOf<&Settings::sweeps>(),
+          &propertyOf<&Settings::strainGoal>()})
+        add(*property, settingsId);
     for (const Entry& entry : scene.items)
         if (std::holds_alternative<Material>(entry.item))
-            for (const char* key : {"stiffness", "damping", "compliance", "tearLimit"})
-                add(Kind::Material, key, entry.id);
+            for (const Property* property :
+                 {&propertyOf<&Material::stiffness>(), &propertyOf<&Material::damping>(),
+                  &propertyOf<&Material::compliance>(), &propertyOf<&Material::tearLimit>()})
+                add(*property, entry.id);
     take(std::move(sliders));
 }
 

@@ -43,10 +43,15 @@ QString differenceOf(const Target& target)
 
 QString nameOf(const Target& target)
 {
-    const std::string_view key = target.property->key;
-    return key == "massTarget"     ? TargetRows::tr("Mass")
-           : key == "lengthTarget" ? TargetRows::tr("Length of line")
-                                   : TargetRows::tr("Area");
+    switch (target.of) {
+    case TargetOf::Mass:
+        return TargetRows::tr("Mass");
+    case TargetOf::Length:
+        return TargetRows::tr("Length of line");
+    case TargetOf::Area:
+        return TargetRows::tr("Area");
+    }
+    return {};
 }
 
 } // namespace
@@ -93,7 +98,7 @@ void TargetRows::addRow(const Target& target)
     value->setObjectName(QString::fromUtf8(target.property->key.data()));
     m_rows->addWidget(name, row, 0, Qt::AlignTop);
     m_rows->addWidget(value, row, 1);
-    if (target.property->key != "massTarget" || target.isMet())
+    if (target.of != TargetOf::Mass || target.isMet())
         return;
     auto* button = new QToolButton;
     button->setText(tr("Spread"));

@@ -160,11 +160,7 @@ bool changesLook(const Edit& edit)
         const auto* set = std::get_if<SetValues>(&change);
         if (!set)
             return true;
-        const Property& property = *set->property;
-        return property.effect == Effect::DisplayOnly || property.kind == Kind::Collider
-               || property.kind == Kind::Wind || property.key == "material"
-               || property.key == "tearRule" || property.key == "tearLimit"
-               || property.key == "width" || property.key == "role";
+        return changesLooks(*set->property);
     });
 }
 

@@ -191,7 +191,7 @@ bool OutlineModel::setData(const QModelIndex& index, const QVariant& value, int 
 {
     const Node n = node(index);
     const QString name = value.toString().trimmed();
-    const Property* property = findProperty(n.kind, "name");
+    const Property* property = findProperty(n.kind, Meaning::Name);
     if (role != Qt::EditRole || !property || name.isEmpty())
         return false;
     if (name != nameOf(m_document.scene(), n.id))
@@ -212,7 +212,7 @@ void OutlineModel::toggleShown(const QModelIndex& index)
 
 const Property* OutlineModel::shownProperty(const Node& node) const
 {
-    return node.sort == Node::Sort::Thing ? findProperty(node.kind, "shown") : nullptr;
+    return node.sort == Node::Sort::Thing ? findProperty(node.kind, Meaning::Shown) : nullptr;
 }
 
 bool OutlineModel::isShown(const Node& node) const

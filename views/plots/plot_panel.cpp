@@ -406,7 +406,7 @@ void PlotPanel::tick(QTreeWidgetItem* item)
             return plot.probes.empty() ? rebuildList() : change(plot); // none would mean all
         }
         const auto* ticked = findItem<Probe>(m_document.scene(), id);
-        const Property* property = findProperty(Kind::Probe, "plotted");
+        const Property* property = &propertyOf<&Probe::plotted>();
         if (ticked && ticked->plotted != wanted)
             m_document.push({(wanted ? "Plot " : "Do not plot ") + ticked->name,
                              {SetValues{property, {id}, {wanted}}}});

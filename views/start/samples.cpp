@@ -1,5 +1,7 @@
 #include "start/samples.h"
 
+#include "scene/property.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -14,6 +16,14 @@ constexpr int generations = 4; // from build/release/bin up to the source tree, 
 constexpr qint64 longest = 64 * 1024 * 1024; // bytes; a sample is far shorter
 
 QString suffix() { return QStringLiteral(".ripstop.json"); }
+
+// A text of a scene's settings, from a file that is not read as a scene, for that takes long.
+template <auto member>
+QString textIn(const QJsonObject& settings)
+{
+    const std::string_view key = propertyOf<member>().key;
+    return settings.value(QLatin1String(key.data(), qsizetype(key.size()))).toString();
+}
 
 } // namespace
 
@@ -64,8 +74,8 @@ Sample readSample(const QString& file)
                        .object()
                        .value(QStringLiteral("settings"))
                        .toObject();
-    sample.title = settings.value(QStringLiteral("title")).toString();
-    sample.note = settings.value(QStringLiteral("notes")).toString().section('\n', 0, 0);
+    sample.title = textIn<&Settings::title>(settings);
+    sample.note = textIn<&Settings::notes>(settings).section('\n', 0, 0);
     if (sample.title.isEmpty() && !sample.name.isEmpty()) {
         sample.title = QString(sample.name).replace('_', ' ');
         sample.title[0] = sample.title.at(0).toUpper();

@@ -168,9 +168,9 @@ QVariant SheetModel::data(const QModelIndex& index, int role) const
     case Qt::TextAlignmentRole:
         return int((isNumber(property) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::DecorationRole:
-        return property.key == "color" ? QVariant(
+        return property.use.meaning == Meaning::Color ? QVariant(
                    QColor(QString::fromStdString(cellText(m_document.scene(), *thing, column))))
-                                       : QVariant();
+                                                      : QVariant();
     default:
         return {};
     }

@@ -32,7 +32,7 @@ bool changesRows(const Edit& edit)
 {
     return std::ranges::any_of(edit.changes, [](const Change& change) {
         const auto* values = std::get_if<SetValues>(&change);
-        return !values || (values->property->kind == Kind::Link && values->property->key == "role");
+        return !values || isOneOf<&Link::role>(*values->property);
     });
 }
 
