@@ -5,6 +5,9 @@
 #include <QDirIterator>
 #include <QRegularExpression>
 
+#include <algorithm>
+#include <array>
+
 // A line of rooms.txt.
 struct Room
 {
@@ -28,6 +31,18 @@ struct Plan
     QList<Room> rooms;
     Walls walls;
 };
+
+// Lines that a file may have at most, where that is less than usual.
+struct Limit
+{
+    const char* file;
+    int lines;
+};
+
+constexpr int usualLimit = 500;
+constexpr std::array<Limit, 1> limits{{
+    {"app/editor/main_window.cpp", 300}, // it would be the first to become a list of all there is
+}};
 
 struct Include
 {
@@ -145,6 +160,43 @@ static QString wayTo(const QString& header, const Reached& reached)
     for (QString at = header; !at.isEmpty(); at = reached[at])
         way.prepend(at);
     return way.join(" -> ");
+}
+
+static QString nounOf(const QString& header) { return header.section('.', 0, 0); }
+
+// The nouns of a room, each with those of the same room that it includes.
+static QMap<QString, QStringList> nounsOf(const QString& room)
+{
+    QMap<QString, QStringList> nouns;
+    const QString name = room.section('/', 1);
+    for (const QString& file : sourcesUnder(room)) {
+        const QString noun = nounOf(relative(file).section('/', 1));
+        QStringList& others = nouns[noun];
+        for (const Include& include : includesOf(file))
+            if (const QString other = nounOf(include.header);
+                include.header.startsWith(name + '/') && other != noun && !others.contains(other))
+                others << other;
+    }
+    return nouns;
+}
+
+// From a noun by others back to it; empty when there is no such way.
+static QString wayBack(const QString& noun, const QMap<QString, QStringList>& nouns)
+{
+    Reached reached;
+    QStringList open{noun};
+    while (!open.isEmpty()) {
+        const QString next = open.takeFirst();
+        for (const QString& other : nouns[next]) {
+            if (other == noun)
+                return noun + " -> " + wayTo(next, reached) + " -> " + noun;
+            if (!reached.contains(other)) {
+                reached[other] = next == noun ? QString() : next;
+                open << other;
+            }
+        }
+    }
+    return {};
 }
 
 // A source without comments, texts and lines of the preprocessor.
@@ -296,6 +348,50 @@ private slots:
         }
     }
 
+    // Neither of two headers could be read first.
+    void noHeadersIncludeEachOther_data()
+    {
+        QTest::addColumn<QString>("file");
+        for (const char* top : {"model", "views", "app"})
+            for (const QString& file : sourcesUnder(top))
+                if (!file.endsWith(".cpp"))
+                    QTest::newRow(qPrintable(relative(file))) << file;
+    }
+
+    void noHeadersIncludeEachOther()
+    {
+        QFETCH(QString, file);
+        const QString header = relative(file).section('/', 1);
+        for (const Include& include : includesOf(file)) {
+            if (!include.isOurs || fileOf(include.header).isEmpty())
+                continue;
+            const Reached& reached = reachedFrom(include.header);
+            QVERIFY2(!reached.contains(header),
+                     qPrintable("includes itself by " + wayTo(header, reached)));
+        }
+    }
+
+    // A header and its source are one noun. Where two nouns include each other, none of them can be
+    // understood or moved alone. In the rooms of the window there are none; the others are to
+    // follow.
+    void nounsGoOneWay_data()
+    {
+        QTest::addColumn<QString>("room");
+        for (const QString& path : foldersUnder("app"))
+            QTest::newRow(qPrintable(path)) << path;
+    }
+
+    void nounsGoOneWay()
+    {
+        QFETCH(QString, room);
+        const QMap<QString, QStringList> nouns = nounsOf(room);
+        QVERIFY(!nouns.isEmpty());
+        for (auto it = nouns.begin(); it != nouns.end(); ++it) {
+            const QString way = wayBack(it.key(), nouns);
+            QVERIFY2(way.isEmpty(), qPrintable(way));
+        }
+    }
+
     // Two types of one name in one namespace compile and link, and are undefined behaviour.
     void everyTypeIsDefinedOnce()
     {
@@ -311,13 +407,22 @@ private slots:
                      qPrintable(it.key() + " is defined in " + it->join(" and in ")));
     }
 
-    void filesAreShort_data() { everySource(); }
+    void filesAreShort_data()
+    {
+        everySource();
+        for (const Limit& limit : limits)
+            QVERIFY2(QFile::exists(QStringLiteral(SOURCE_DIR "/") + limit.file), limit.file);
+    }
 
     void filesAreShort()
     {
         QFETCH(QString, file);
+        const auto own = std::ranges::find_if(
+            limits, [&](const Limit& limit) { return relative(file) == limit.file; });
+        const int limit = own == limits.end() ? usualLimit : own->lines;
         const auto lines = textOf(file).count('\n');
-        QVERIFY2(lines <= 500, qPrintable(QString("%1 lines; the limit is 500").arg(lines)));
+        QVERIFY2(lines <= limit,
+                 qPrintable(QString("%1 lines; the limit is %2").arg(lines).arg(limit)));
     }
 
     void habits_data()

@@ -1,9 +1,10 @@
-#include "actions/design_rows.h"
+#include "actions/menu_rows.h"
 
-#include "actions/actions.h"
+#include "actions/workbench.h"
 #include "author/align.h"
 #include "author/pin.h"
 #include "dialogs/operation_dialog.h"
+#include "docks/docks.h"
 #include "document/clipboard.h"
 #include "document/document.h"
 #include "document/selection.h"
@@ -25,8 +26,6 @@ constexpr std::array<std::array<const char*, 3>, 3> alignIds{
      {"alignLeastZ", "alignMiddleZ", "alignMostZ"}}};
 constexpr std::array<const char*, 3> distributeIds{"distributeX", "distributeY", "distributeZ"};
 
-QString tr(const char* text) { return Actions::tr(text); }
-
 // What shapes the design: it goes there from a run first.
 class Shaper
 {
@@ -35,7 +34,7 @@ public:
         : m_document(bench.document)
         , m_selection(bench.selection)
         , m_tool(bench.viewport.transformTool())
-        , m_outline(bench.outline)
+        , m_outline(bench.docks.panel<Outline>())
         , m_window(bench.window)
     {}
 
@@ -133,7 +132,7 @@ private:
     QMainWindow& m_window;
 };
 
-void addAlignRows(std::vector<MenuRow>& rows, const Shaper& shaper)
+void addAlignRows(MenuRows& rows, const Shaper& shaper)
 {
     const std::array<QString, 3> sides{tr("Least %1"), tr("Middle %1"), tr("Most %1")};
     const std::array<QString, 3> tips{tr("Bring all to the least %1 of what is selected."),
@@ -170,17 +169,17 @@ void addAlignRows(std::vector<MenuRow>& rows, const Shaper& shaper)
 
 } // namespace
 
-std::vector<MenuRow> designRows(const Workbench& bench)
+MenuRows designRows(const Workbench& bench)
 {
     const Shaper shaper(bench);
     const auto shaping = [&](Shaping wanted) { return [=] { shaper.choose(wanted); }; };
     const auto operation = [&](const char* name) { return [=] { shaper.operate(name); }; };
     const auto no = Toggle::No;
     const auto some = Needs::Selection;
-    const MenuRow line{"&Design", nullptr, {}, nullptr, {}, {}, {}};
+    const MenuRow line = lineIn("&Design");
     // clang-format off
-    std::vector<MenuRow> rows{
-        {"&Edit", nullptr, {}, nullptr, {}, {}, {}},
+    MenuRows rows{
+        lineIn("&Edit"),
         {"&Edit", "cut",       tr("Cu&t"),         nullptr,  QKeySequence::Cut,       tr("Copy what is selected, and remove it."), [=] { shaper.cut(); }, no, nullptr, some},
         {"&Edit", "copy",      tr("&Copy"),        nullptr,  QKeySequence::Copy,      tr("Copy what is selected, with the links and panels among it, for this or another scene."), [=] { shaper.copy(); }, no, nullptr, some},
         {"&Edit", "paste",     tr("&Paste"),       nullptr,  QKeySequence::Paste,     tr("Put what was copied into this scene, as a part of its own, and move it."), [=] { shaper.paste(); }},
@@ -204,7 +203,7 @@ std::vector<MenuRow> designRows(const Workbench& bench)
         {"&Design", "mass",   tr("M&ass…"),        nullptr,  QKeySequence("Ctrl+Shift+M"), tr("Give the selected particles mass: each, by length, by area, or a total to share."), operation("mass"), no, nullptr, some},
     };
     // clang-format on
-    std::vector<MenuRow> lines;
+    MenuRows lines;
     addAlignRows(lines, shaper);
     const auto flatten = std::ranges::find_if(
         rows, [](const MenuRow& row) { return row.id && QLatin1String(row.id) == "flatten"; });

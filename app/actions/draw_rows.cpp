@@ -1,7 +1,7 @@
-#include "actions/draw_rows.h"
+#include "actions/menu_rows.h"
 
-#include "actions/actions.h"
 #include "actions/dialogs.h"
+#include "actions/workbench.h"
 #include "dialogs/operation_dialog.h"
 #include "document/document.h"
 #include "document/selection.h"
@@ -42,15 +42,14 @@ std::function<void()> operating(const Workbench& bench, const char* name)
 
 } // namespace
 
-std::vector<MenuRow> drawRows(const Workbench& bench)
+MenuRows drawRows(const Workbench& bench)
 {
-    const auto tr = [](const char* text) { return Actions::tr(text); };
     const auto draw = [&](DrawTool::Shape shape) { return drawing(bench, shape); };
     const auto operation = [&](const char* name) { return operating(bench, name); };
     const auto no = Toggle::No;
     const auto some = Needs::Selection;
     using Shape = DrawTool::Shape;
-    const MenuRow line{"D&raw", nullptr, {}, nullptr, {}, {}, {}};
+    const MenuRow line = lineIn("D&raw");
     // clang-format off
     return {
         {"D&raw", "drawParticles", tr("&Particles"), "draw-particle", QKeySequence("Shift+A"), tr("Click where particles are to be: in a plane, on fabric."), draw(Shape::Particles), Toggle::Off, "tool"},

@@ -1,5 +1,7 @@
 #include "actions/group_menus.h"
 
+#include "actions/menu_row.h"
+#include "actions/workbench.h"
 #include "author/elements.h"
 #include "author/group.h"
 #include "document/document.h"
@@ -29,7 +31,7 @@ QMenu* groupMenu(QMenu& menu, const Workbench& bench, const QString& title, cons
                 groups->addAction(QString::fromStdString(group->name).replace('&', "&&"), groups,
                                   [run, id = entry.id] { run(id); });
         if (groups->isEmpty())
-            groups->addAction(Actions::tr("No groups yet"))->setEnabled(false);
+            groups->addAction(tr("No groups yet"))->setEnabled(false);
         else if (ofSelection && bench.selection.ids().empty())
             for (QAction* action : groups->actions())
                 action->setEnabled(false);
@@ -52,24 +54,22 @@ void addGroupMenus(QMenu& menu, const Workbench& bench)
     Document& document = bench.document;
     Selection& selection = bench.selection;
     QMainWindow& window = bench.window;
-    groupMenu(menu, bench, Actions::tr("By gro&up"), Actions::tr("Select the members of a group."),
-              false, [&document, &selection](Id group) {
+    groupMenu(menu, bench, tr("By gro&up"), tr("Select the members of a group."), false,
+              [&document, &selection](Id group) {
                   selection.set(elementsOf(document.scene(), {group}));
               });
-    groupMenu(menu, bench, Actions::tr("A&dd to group"),
-              Actions::tr("Make the selected elements members of a group."), true,
-              [&document, &selection, &window](Id group) {
-                  pushIfAny(document, window,
-                            addedToGroup(document.scene(), group, selection.ids()),
-                            Actions::tr("They all belong to the group already."));
-              });
-    groupMenu(menu, bench, Actions::tr("&Remove from group"),
-              Actions::tr("Take the selected elements out of a group."), true,
-              [&document, &selection, &window](Id group) {
-                  pushIfAny(document, window,
-                            removedFromGroup(document.scene(), group, selection.ids()),
-                            Actions::tr("None of them belongs to the group."));
-              });
+    groupMenu(
+        menu, bench, tr("A&dd to group"), tr("Make the selected elements members of a group."),
+        true, [&document, &selection, &window](Id group) {
+            pushIfAny(document, window, addedToGroup(document.scene(), group, selection.ids()),
+                      tr("They all belong to the group already."));
+        });
+    groupMenu(
+        menu, bench, tr("&Remove from group"), tr("Take the selected elements out of a group."),
+        true, [&document, &selection, &window](Id group) {
+            pushIfAny(document, window, removedFromGroup(document.scene(), group, selection.ids()),
+                      tr("None of them belongs to the group."));
+        });
 }
 
 void groupSelection(const Workbench& bench)
@@ -77,14 +77,13 @@ void groupSelection(const Workbench& bench)
     const Scene& scene = bench.document.scene();
     const std::vector<Id> ids = sortedElements(scene, bench.selection.ids()).ids();
     if (ids.empty()) {
-        bench.window.statusBar()->showMessage(
-            Actions::tr("Select particles, links or panels first."), 5000);
+        bench.window.statusBar()->showMessage(tr("Select particles, links or panels first."), 5000);
         return;
     }
     bool accepted = false;
     const QString name =
-        QInputDialog::getText(&bench.window, Actions::tr("Group selection"),
-                              Actions::tr("Name of the group of %1:").arg(describe(scene, ids)),
+        QInputDialog::getText(&bench.window, tr("Group selection"),
+                              tr("Name of the group of %1:").arg(describe(scene, ids)),
                               QLineEdit::Normal, QString::fromStdString(freeName(scene, "group")),
                               &accepted)
             .trimmed();

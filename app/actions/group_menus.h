@@ -1,11 +1,15 @@
+// The parts of the Select menu that depend on the groups of the scene. The menus put them below the
+// rows of that menu, one of which groups the selection.
 #pragma once
 
-#include "actions/actions.h"
+class QMenu;
 
 namespace ripstop {
 
-// The parts of the Select menu that list the groups of the scene: select one, add to one, take away
-// from one. They are filled when they open.
+struct Workbench;
+
+// The menus that list the groups: select one, add to one, take away from one. They are filled when
+// they open.
 void addGroupMenus(QMenu& menu, const Workbench& bench);
 
 // Asks for a name and makes a group of the selection, in one step of the history.

@@ -1,11 +1,13 @@
-#include "actions/insert_rows.h"
+#include "actions/menu_rows.h"
 
-#include "actions/actions.h"
+#include "actions/workbench.h"
 #include "author/rebuild.h"
+#include "builders/builder.h"
 #include "dialogs/builder_dialog.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "files/arrivals.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
 
@@ -49,10 +51,10 @@ public:
     {
         const std::vector<Id> parts = builtParts(m_document.scene(), m_selection.ids());
         if (parts.size() != 1)
-            return say(parts.empty() ? Actions::tr("Nothing of a builder is selected: parts that "
-                                                   "were drawn, imported or detached have no "
-                                                   "parameters.")
-                                     : Actions::tr("Select one part only."));
+            return say(parts.empty() ? tr("Nothing of a builder is selected: parts that "
+                                          "were drawn, imported or detached have no "
+                                          "parameters.")
+                                     : tr("Select one part only."));
         m_viewport.transformTool().goToDesign();
         const Part& part = *findItem<Part>(m_document.scene(), parts.front());
         BuilderDialog(QString::fromStdString(part.builder),
@@ -65,10 +67,10 @@ public:
     {
         const std::vector<Id> parts = builtParts(m_document.scene(), m_selection.ids());
         if (parts.empty())
-            return say(Actions::tr("Nothing of a builder is selected."));
-        QMessageBox box(QMessageBox::Question, Actions::tr("Detach from builder"), lossOf(parts),
+            return say(tr("Nothing of a builder is selected."));
+        QMessageBox box(QMessageBox::Question, tr("Detach from builder"), lossOf(parts),
                         QMessageBox::Ok | QMessageBox::Cancel, &m_window);
-        box.button(QMessageBox::Ok)->setText(Actions::tr("Detach"));
+        box.button(QMessageBox::Ok)->setText(tr("Detach"));
         if (box.exec() == QMessageBox::Ok)
             m_document.push(detached(m_document.scene(), parts));
     }
@@ -87,17 +89,17 @@ private:
                 labels << choiceLabel(parameter.key).toLower();
             const int shown = 6;
             const QString some = labels.mid(0, shown).join(QStringLiteral(", "));
-            lines << Actions::tr("%1 keeps its %2 and %3 as they are, with all that was changed by "
-                                 "hand.")
+            lines << tr("%1 keeps its %2 and %3 as they are, with all that was changed by "
+                        "hand.")
                          .arg(QString::fromStdString(part.name),
                               counted(Kind::Particle, qsizetype(part.particles.size())),
                               counted(Kind::Link, qsizetype(part.links.size())));
-            lines << Actions::tr("It loses its %1 parameters (%2\u2026): they can no longer be "
-                                 "changed, and the mesh no finer or coarser.")
+            lines << tr("It loses its %1 parameters (%2\u2026): they can no longer be "
+                        "changed, and the mesh no finer or coarser.")
                          .arg(labels.size())
                          .arg(some);
         }
-        lines << Actions::tr("Undo attaches it again.");
+        lines << tr("Undo attaches it again.");
         return lines.join(QStringLiteral("\n\n"));
     }
 
@@ -109,14 +111,14 @@ private:
 
 } // namespace
 
-std::vector<MenuRow> insertRows(const Workbench& bench)
+MenuRows insertRows(const Workbench& bench)
 {
-    std::vector<MenuRow> rows;
-    const auto insert = bench.insert;
+    MenuRows rows;
+    Arrivals& arrivals = bench.arrivals;
     for (std::size_t i = 0; i < allBuilders().size(); ++i) {
         const Builder& builder = allBuilders()[i];
         if (i > 0 && builder.family != allBuilders()[i - 1].family)
-            rows.push_back({"&Insert", nullptr, {}, nullptr, {}, {}, {}});
+            rows.push_back(lineIn("&Insert"));
         const bool isObstacle = builder.family == Family::Obstacles;
         rows.push_back({"&Insert",
                         idOf(i),
@@ -124,22 +126,22 @@ std::vector<MenuRow> insertRows(const Workbench& bench)
                         isObstacle ? "collider" : "builder",
                         {},
                         translated(builder.help),
-                        [insert, name = text(builder.name)] { insert(name); }});
+                        [&arrivals, name = text(builder.name)] { arrivals.insert(name); }});
     }
     const Shop shop(bench);
-    rows.push_back({"&Insert", nullptr, {}, nullptr, {}, {}, {}});
-    rows.push_back({"&Insert", "parameters", Actions::tr("Change &parameters\u2026"), "settings",
+    rows.push_back(lineIn("&Insert"));
+    rows.push_back({"&Insert", "parameters", tr("Change &parameters\u2026"), "settings",
                     QKeySequence("Shift+B"),
-                    Actions::tr("Build the selected part again with other parameters; it keeps its "
-                                "place and what was tuned."),
+                    tr("Build the selected part again with other parameters; it keeps its "
+                       "place and what was tuned."),
                     [shop] { shop.changeParameters(); }, Toggle::No, nullptr, Needs::Selection});
     rows.push_back({"&Insert",
                     "detach",
-                    Actions::tr("&Detach from builder\u2026"),
+                    tr("&Detach from builder\u2026"),
                     nullptr,
                     {},
-                    Actions::tr("Keep the selected part as it is, to be shaped by hand only; says "
-                                "what is lost."),
+                    tr("Keep the selected part as it is, to be shaped by hand only; says "
+                       "what is lost."),
                     [shop] { shop.detach(); },
                     Toggle::No,
                     nullptr,

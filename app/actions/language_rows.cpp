@@ -1,6 +1,6 @@
-#include "actions/language_rows.h"
+#include "actions/menu_rows.h"
 
-#include "actions/actions.h"
+#include "actions/workbench.h"
 #include "language/language.h"
 
 #include <QMainWindow>
@@ -32,22 +32,22 @@ void choose(Language language, QMainWindow& window)
 {
     keepLanguage(language);
     window.statusBar()->showMessage(
-        Actions::tr("The language is kept, and heard when Ripstop starts the next time."), 8000);
+        tr("The language is kept, and heard when Ripstop starts the next time."), 8000);
 }
 
 } // namespace
 
-std::vector<MenuRow> languageRows(const Workbench& bench)
+MenuRows languageRows(const Workbench& bench)
 {
-    std::vector<MenuRow> rows;
+    MenuRows rows;
     const Language kept = keptLanguage();
     for (std::size_t i = 0; i < choices.size(); ++i)
         rows.push_back({"&View/Lan&guage",
                         choices[i].action,
-                        Actions::tr(choices[i].name),
+                        tr(choices[i].name),
                         nullptr,
                         {},
-                        Actions::tr(choices[i].tip),
+                        tr(choices[i].tip),
                         [&window = bench.window, i] { choose(Language(i), window); },
                         Language(i) == kept ? Toggle::On : Toggle::Off,
                         "language"});

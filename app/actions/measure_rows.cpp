@@ -1,5 +1,7 @@
-#include "actions/measure_rows.h"
+#include "actions/menu_rows.h"
 
+#include "actions/actions.h"
+#include "actions/workbench.h"
 #include "author/measure.h"
 #include "base/quantity.h"
 #include "document/document.h"
@@ -47,25 +49,26 @@ std::string idOf(Quantity quantity)
 }
 
 // The new probe is selected, so that the inspector shows it, and its value stands in the view.
-void measure(const Workbench& bench, const Actions& actions, Quantity quantity)
+void measure(const Workbench& bench, Quantity quantity)
 {
     const auto added = withProbe(bench.document.scene(), quantity, bench.selection.ids());
     if (!added) {
         bench.window.statusBar()->showMessage(
-            Actions::tr("%1 is measured on %2: select that first.")
+            tr("%1 is measured on %2: select that first.")
                 .arg(labelOf(quantity), translated(asks(quantity))),
             8000);
         return;
     }
     bench.document.push(added->edit);
     bench.selection.set({added->probe});
-    if (!actions["probeValues"]->isChecked())
-        actions["probeValues"]->trigger();
+    QAction& showing = *bench.actions["probeValues"];
+    if (!showing.isChecked())
+        showing.trigger();
 }
 
 } // namespace
 
-std::vector<MenuRow> measureRows(const Workbench& bench, const Actions& actions)
+MenuRows measureRows(const Workbench& bench)
 {
     static const std::vector<std::string> ids = [] { // rows keep pointers
         std::vector<std::string> all;
@@ -73,7 +76,7 @@ std::vector<MenuRow> measureRows(const Workbench& bench, const Actions& actions)
             all.push_back(idOf(Quantity(i)));
         return all;
     }();
-    std::vector<MenuRow> rows;
+    MenuRows rows;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const auto quantity = Quantity(i);
         const QuantityRow& row = rowOf(quantity);
@@ -82,23 +85,23 @@ std::vector<MenuRow> measureRows(const Workbench& bench, const Actions& actions)
                         labelOf(quantity),
                         nullptr,
                         {},
-                        Actions::tr(row.help.data()),
-                        [&bench, &actions, quantity] { measure(bench, actions, quantity); }});
+                        tr(row.help.data()),
+                        [&bench, quantity] { measure(bench, quantity); }});
     }
     return rows;
 }
 
-void showViewMenu(const Workbench& bench, const Actions& actions, const QPoint& place)
+void showViewMenu(const Workbench& bench, const QPoint& place)
 {
     QMenu menu(&bench.window);
     menu.setToolTipsVisible(true);
     const auto add = [&](QMenu& to, const char* id) {
-        if (QAction* action = actions.find(id))
+        if (QAction* action = bench.actions.find(id))
             to.addAction(action);
     };
     const bool isAny = !bench.selection.ids().empty();
     if (isAny) {
-        QMenu* measuring = menu.addMenu(Actions::tr("&Measure"));
+        QMenu* measuring = menu.addMenu(tr("&Measure"));
         measuring->setToolTipsVisible(true);
         for (std::size_t i = 0; i < choiceNames<Quantity>.size(); ++i)
             if (const auto quantity = Quantity(i);

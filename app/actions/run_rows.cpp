@@ -1,7 +1,8 @@
-#include "actions/run_rows.h"
+#include "actions/menu_rows.h"
 
 #include "actions/actions.h"
 #include "actions/dialogs.h"
+#include "actions/workbench.h"
 #include "dialogs/pose_dialog.h"
 #include "document/document.h"
 #include "document/player.h"
@@ -38,10 +39,10 @@ void adoptPose(const Workbench& bench)
 {
     const auto& frame = bench.player.frame();
     if (!frame || !frame->underWay)
-        return say(bench, Actions::tr("The design stands at its start; run it first (Space)."));
+        return say(bench, tr("The design stands at its start; run it first (Space)."));
     if (!bench.player.isCurrent())
-        return say(bench, Actions::tr("What is shown is no run of the design as it is now: mend "
-                                      "its problems, or wait for the next step."));
+        return say(bench, tr("What is shown is no run of the design as it is now: mend "
+                             "its problems, or wait for the next step."));
     bench.player.pause();
     PoseDialog(bench.document, bench.player, &bench.window).exec();
 }
@@ -50,16 +51,17 @@ void pullOutPins(const Workbench& bench)
 {
     const std::vector<std::uint32_t> pins = bench.player.hands().hands.pins;
     if (pins.empty())
-        return say(bench, Actions::tr("Nothing is pinned by hand: grab it and press P."));
+        return say(bench, tr("Nothing is pinned by hand: grab it and press P."));
     for (const std::uint32_t particle : pins)
         bench.player.handle(HandNote::Pin{particle, false});
 }
 
 } // namespace
 
-std::vector<MenuRow> handRows(const Workbench& bench, const Actions& actions)
+MenuRows runRows(const Workbench& bench)
 {
-    const auto tr = [](const char* text) { return Actions::tr(text); };
+    Player& player = bench.player;
+    const Actions& actions = bench.actions;
     const auto grab = [&bench] {
         Viewport& viewport = bench.viewport;
         take(bench,
@@ -80,9 +82,12 @@ std::vector<MenuRow> handRows(const Workbench& bench, const Actions& actions)
     };
     const auto adopt = [&bench] { adoptPose(bench); };
     const auto unpin = [&bench] { pullOutPins(bench); };
-    const MenuRow line{"&Run", nullptr, {}, nullptr, {}, {}, {}};
+    const MenuRow line = lineIn("&Run");
     // clang-format off
     return {
+        {"&Run", "play",        tr("&Play"),               "play",    QKeySequence("Space"), tr("Run the simulation, or hold it."), [&player] { player.toggle(); }},
+        {"&Run", "step",        tr("&Step"),               "step",    QKeySequence("."),    tr("One time step."), [&player] { player.step(); }},
+        {"&Run", "reset",       tr("&Reset"),              "reset",   QKeySequence("Ctrl+R"), tr("Back to the design; controls return to zero."), [&player] { player.reset(); }},
         line,
         {"&Run", "toolGrab",   tr("&Grab"),          "grab",     QKeySequence("H"), tr("Pull at fabric and lines, carry colliders, move controls: drag them. The wheel moves the hand nearer or farther, P pins what it holds. Ctrl and a drag does this with any tool."), grab, Toggle::Off, "tool"},
         {"&Run", "toolCut",    tr("&Cut"),           "tool-cut", QKeySequence("K"), tr("Draw a stroke across links and fabric: they part where it runs."), cut, Toggle::Off, "tool"},

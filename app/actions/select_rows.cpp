@@ -1,7 +1,9 @@
-#include "actions/select_rows.h"
+#include "actions/menu_rows.h"
 
+#include "actions/actions.h"
 #include "actions/dialogs.h"
 #include "actions/group_menus.h"
+#include "actions/workbench.h"
 #include "author/condition.h"
 #include "author/select.h"
 #include "document/document.h"
@@ -23,8 +25,8 @@ void choose(const Workbench& bench, std::vector<Id> ids)
 {
     if (!ids.empty())
         return bench.selection.set(std::move(ids));
-    bench.window.statusBar()->showMessage(
-        Actions::tr("There is none of that here; the selection stays."), 5000);
+    bench.window.statusBar()->showMessage(tr("There is none of that here; the selection stays."),
+                                          5000);
 }
 
 // An open list has the key first.
@@ -66,10 +68,10 @@ std::function<void()> likening(const Workbench& bench, Alike alike)
     };
 }
 
-std::function<void()> drawing(const Workbench& bench, const Actions& actions,
-                              RegionTool::Shape shape)
+std::function<void()> drawing(const Workbench& bench, RegionTool::Shape shape)
 {
-    return [&selection = bench.selection, &viewport = bench.viewport, &actions, shape] {
+    return [&selection = bench.selection, &viewport = bench.viewport, &actions = bench.actions,
+            shape] {
         const auto options = [&pointing = viewport.pointing(), &actions] {
             return RegionTool::Options{pointing.pickable, actions["through"]->isChecked()
                                                               ? Depth::Through
@@ -80,10 +82,9 @@ std::function<void()> drawing(const Workbench& bench, const Actions& actions,
     };
 }
 
-std::function<void()> taking(const Workbench& bench, const Actions& actions, const char* id,
-                             bool ElementKinds::*kind)
+std::function<void()> taking(const Workbench& bench, const char* id, bool ElementKinds::*kind)
 {
-    return [&viewport = bench.viewport, &actions, id, kind] {
+    return [&viewport = bench.viewport, &actions = bench.actions, id, kind] {
         viewport.pointing().pickable.wanted.*kind = actions[id]->isChecked();
     };
 }
@@ -109,14 +110,13 @@ std::function<void()> finding(const Workbench& bench, std::vector<const Row*> El
     };
 }
 
-std::vector<MenuRow> toolRows(const Workbench& bench, const Actions& actions)
+MenuRows pointingRows(const Workbench& bench)
 {
-    const auto tr = [](const char* text) { return Actions::tr(text); };
-    const auto draw = [&](RegionTool::Shape shape) { return drawing(bench, actions, shape); };
+    const auto draw = [&](RegionTool::Shape shape) { return drawing(bench, shape); };
     const auto take = [&](const char* id, bool ElementKinds::*kind) {
-        return taking(bench, actions, id, kind);
+        return taking(bench, id, kind);
     };
-    const MenuRow line{"&Select", nullptr, {}, nullptr, {}, {}, {}};
+    const MenuRow line = lineIn("&Select");
     using Shape = RegionTool::Shape;
     // clang-format off
     return {
@@ -132,9 +132,8 @@ std::vector<MenuRow> toolRows(const Workbench& bench, const Actions& actions)
     // clang-format on
 }
 
-std::vector<MenuRow> typeRows(const Workbench& bench)
+MenuRows typeRows(const Workbench& bench)
 {
-    const auto tr = [](const char* text) { return Actions::tr(text); };
     const auto find = [&](auto what) { return finding(bench, what); };
     // clang-format off
     return {
@@ -155,53 +154,49 @@ std::vector<MenuRow> typeRows(const Workbench& bench)
 
 } // namespace
 
-const std::vector<const char*> actionsOnSelection{
-    "deselect",    "grow",        "shrink",    "connected", "loop",
-    "toParticles", "toLinks",     "toPanels",  "likeType",  "likeMaterial",
-    "likeRole",    "likeMeasure", "likeGroup", "likePart",  "group"};
-
-std::vector<MenuRow> selectRows(const Workbench& bench, const Actions& actions)
+MenuRows selectRows(const Workbench& bench)
 {
-    const auto tr = [](const char* text) { return Actions::tr(text); };
     const auto from = [&](auto function) { return selecting(bench, function); };
     const auto into = [&](Kind kind) { return turning(bench, kind); };
     const auto like = [&](Alike alike) { return likening(bench, alike); };
     const auto all = [&document = bench.document, &selection = bench.selection] {
         selection.set(everyElement(document.scene()).ids());
     };
-    const MenuRow line{"&Select", nullptr, {}, nullptr, {}, {}, {}};
-    std::vector<MenuRow> rows = toolRows(bench, actions);
+    const MenuRow line = lineIn("&Select");
+    const auto no = Toggle::No;
+    const auto some = Needs::Selection;
+    MenuRows rows = pointingRows(bench);
     // clang-format off
-    const std::vector<MenuRow> more{
+    const MenuRows more{
         {"&Select", "selectAll", tr("&All"),        "select-all", QKeySequence::SelectAll, tr("Select all particles, links and panels."), all},
-        {"&Select", "deselect",  tr("Non&e"),       "deselect",   QKeySequence("Esc"),     tr("Select nothing; the inspector then shows the settings."), [&selection = bench.selection] { deselect(selection); }},
+        {"&Select", "deselect",  tr("Non&e"),       "deselect",   QKeySequence("Esc"),     tr("Select nothing; the inspector then shows the settings."), [&selection = bench.selection] { deselect(selection); }, no, nullptr, some},
         {"&Select", "invert",    tr("&Invert"),     nullptr,      QKeySequence("Ctrl+I"),  tr("Select all others of the same kinds: the other particles, where particles are selected."), reducing(bench, inverted)},
         line,
-        {"&Select", "grow",      tr("&Grow"),       nullptr,      QKeySequence("Ctrl++"),  tr("Add one ring: the neighbours of particles, the links and panels that touch the selected ones."), from(grown)},
-        {"&Select", "shrink",    tr("&Shrink"),     nullptr,      QKeySequence("Ctrl+-"),  tr("Take one ring away: whatever has a neighbour that is not selected."), reducing(bench, shrunk)},
-        {"&Select", "connected", tr("Co&nnected"),  nullptr,      QKeySequence("Ctrl+L"),  tr("Add all that hangs together with the selection by links and panels."), from(connected)},
-        {"&Select", "loop",      tr("L&oop or line"), nullptr,    QKeySequence("Ctrl+Shift+L"), tr("Follow the selected links or particles both ways: along a line, along a thread, around an edge."), from(loop)},
+        {"&Select", "grow",      tr("&Grow"),       nullptr,      QKeySequence("Ctrl++"),  tr("Add one ring: the neighbours of particles, the links and panels that touch the selected ones."), from(grown), no, nullptr, some},
+        {"&Select", "shrink",    tr("&Shrink"),     nullptr,      QKeySequence("Ctrl+-"),  tr("Take one ring away: whatever has a neighbour that is not selected."), reducing(bench, shrunk), no, nullptr, some},
+        {"&Select", "connected", tr("Co&nnected"),  nullptr,      QKeySequence("Ctrl+L"),  tr("Add all that hangs together with the selection by links and panels."), from(connected), no, nullptr, some},
+        {"&Select", "loop",      tr("L&oop or line"), nullptr,    QKeySequence("Ctrl+Shift+L"), tr("Follow the selected links or particles both ways: along a line, along a thread, around an edge."), from(loop), no, nullptr, some},
         {"&Select", "boundary",  tr("Edge o&f fabric"), nullptr,  QKeySequence("Ctrl+Shift+B"), tr("The edge of the selected panels, or of all fabric."), from(boundary)},
-        {"&Select/&Turn into", "toParticles", tr("&Particles"), "particle", {}, tr("The particles at the ends of the selected links and the corners of the selected panels."), into(Kind::Particle)},
-        {"&Select/&Turn into", "toLinks",     tr("&Links"),     "link",     {}, tr("The links between the selected."), into(Kind::Link)},
-        {"&Select/&Turn into", "toPanels",    tr("P&anels"),    "panel",    {}, tr("The panels between the selected."), into(Kind::Panel)},
+        {"&Select/&Turn into", "toParticles", tr("&Particles"), "particle", {}, tr("The particles at the ends of the selected links and the corners of the selected panels."), into(Kind::Particle), no, nullptr, some},
+        {"&Select/&Turn into", "toLinks",     tr("&Links"),     "link",     {}, tr("The links between the selected."), into(Kind::Link), no, nullptr, some},
+        {"&Select/&Turn into", "toPanels",    tr("P&anels"),    "panel",    {}, tr("The panels between the selected."), into(Kind::Panel), no, nullptr, some},
         line,
         {"&Select", "byProperty", tr("By &property…"), "search", QKeySequence("Ctrl+Shift+F"), tr("Select by what things are: strain > 5 %, mass < 1 g, material = ripstop."), [&dialogs = bench.dialogs] { dialogs.showCondition(); }},
-        {"&Select/Si&milar", "likeType",     tr("Same &type"),     nullptr, {}, tr("All springs where a spring is selected, all rods, pinned particles, free particles, panels."), like(Alike::Type)},
-        {"&Select/Si&milar", "likeMaterial", tr("Same &material"), nullptr, {}, tr("All links and panels of the materials of the selected ones."), like(Alike::Material)},
-        {"&Select/Si&milar", "likeRole",     tr("Same &role"),     nullptr, {}, tr("All links of the role of the selected ones: line, thread or bias."), like(Alike::Role)},
-        {"&Select/Si&milar", "likeMeasure",  tr("Same &size"),     nullptr, {}, tr("All with the mass, the rest length or the area of the selected ones, within 1 %."), like(Alike::Measure)},
-        {"&Select/Si&milar", "likeGroup",    tr("Same &group"),    nullptr, {}, tr("All members of the groups that the selected ones belong to."), like(Alike::Group)},
-        {"&Select/Si&milar", "likePart",     tr("Same &part"),     nullptr, {}, tr("All elements of these kinds in the same parts."), like(Alike::Part)},
+        {"&Select/Si&milar", "likeType",     tr("Same &type"),     nullptr, {}, tr("All springs where a spring is selected, all rods, pinned particles, free particles, panels."), like(Alike::Type), no, nullptr, some},
+        {"&Select/Si&milar", "likeMaterial", tr("Same &material"), nullptr, {}, tr("All links and panels of the materials of the selected ones."), like(Alike::Material), no, nullptr, some},
+        {"&Select/Si&milar", "likeRole",     tr("Same &role"),     nullptr, {}, tr("All links of the role of the selected ones: line, thread or bias."), like(Alike::Role), no, nullptr, some},
+        {"&Select/Si&milar", "likeMeasure",  tr("Same &size"),     nullptr, {}, tr("All with the mass, the rest length or the area of the selected ones, within 1 %."), like(Alike::Measure), no, nullptr, some},
+        {"&Select/Si&milar", "likeGroup",    tr("Same &group"),    nullptr, {}, tr("All members of the groups that the selected ones belong to."), like(Alike::Group), no, nullptr, some},
+        {"&Select/Si&milar", "likePart",     tr("Same &part"),     nullptr, {}, tr("All elements of these kinds in the same parts."), like(Alike::Part), no, nullptr, some},
     };
     // clang-format on
     rows.insert(rows.end(), more.begin(), more.end());
-    const std::vector<MenuRow> types = typeRows(bench);
+    const MenuRows types = typeRows(bench);
     rows.insert(rows.end(), types.begin(), types.end());
     rows.push_back(line);
     rows.push_back({"&Select", "group", tr("Group sele&ction…"), "group", QKeySequence("Ctrl+G"),
                     tr("Give the selected elements a name, as a group."),
-                    [&bench] { groupSelection(bench); }});
+                    [&bench] { groupSelection(bench); }, no, nullptr, some});
     return rows;
 }
 

@@ -8,6 +8,8 @@
 #include "editor/options.h"
 #include "editor/screenshot.h"
 #include "editor/table_texts.h"
+#include "files/arrivals.h"
+#include "files/kept_work.h"
 #include "icons/icon.h"
 #include "language/language.h"
 #include "look/scene_frame.h"
@@ -120,7 +122,7 @@ int main(int argc, char** argv)
         window.showViewOnly();
     window.viewport().setColorBy(options->colorBy);
     for (const QString& dock : options->docks)
-        if (!window.showDock(dock))
+        if (!window.docks().show(dock))
             return refuse(QString("no panel is called \"%1\"").arg(dock), 1);
     selection.set(*selected);
     window.show();
@@ -132,10 +134,10 @@ int main(int argc, char** argv)
         player.play();
     if (stays)
         QMetaObject::invokeMethod(
-            &window, [&] { window.keepWork(rescueFolder()); }, Qt::QueuedConnection);
+            &window, [&] { window.keptWork().keepIn(rescueFolder()); }, Qt::QueuedConnection);
     if (!options->mesh.isEmpty()) // once the window is there to ask over
         QMetaObject::invokeMethod(
-            &window, [&] { window.importMesh(options->mesh); }, Qt::QueuedConnection);
+            &window, [&] { window.arrivals().importMesh(options->mesh); }, Qt::QueuedConnection);
     if (!options->action.isEmpty()) {
         QAction* action = window.actions().find(options->action);
         if (!action)

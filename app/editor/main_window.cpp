@@ -1,38 +1,27 @@
 #include "editor/main_window.h"
 
-#include "actions/dialogs.h"
-#include "dialogs/builder_dialog.h"
-#include "dialogs/rescue_dialog.h"
-#include "document/autosave.h"
+#include "actions/menus.h"
+#include "actions/workbench.h"
 #include "document/document.h"
-#include "document/event_words.h"
-#include "document/measurement.h"
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/selection.h"
-#include "document/words.h"
 #include "editor/draw_bar.h"
 #include "editor/empty_hint.h"
 #include "editor/hand_bar.h"
-#include "editor/tour.h"
+#include "editor/status_line.h"
+#include "editor/tool_bars.h"
 #include "editor/transform_bar.h"
+#include "editor/window_tour.h"
+#include "files/arrivals.h"
+#include "files/kept_work.h"
 #include "files/run_files.h"
 #include "import/import_dialog.h"
 #include "inspector/inspector.h"
-#include "inspector/totals.h"
-#include "inspector/tuning_panel.h"
-#include "outline/outline.h"
-#include "plots/plot_panel.h"
-#include "problems/problem_list.h"
-#include "start/samples.h"
 #include "start/start_page.h"
-#include "table/sheet_panel.h"
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"
-#include "tools/pointing.h"
-#include "tools/tool_strip.h"
 #include "transport/control_keys.h"
-#include "transport/control_strip.h"
 #include "transport/gamepad.h"
 #include "transport/transport.h"
 #include "viewport/viewport.h"
@@ -41,15 +30,12 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QLabel>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
-#include <QUndoView>
 
 namespace ripstop {
 namespace {
@@ -73,22 +59,15 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     , m_viewport(new Viewport(document, selection, player))
     , m_start(new StartPage(this))
     , m_middle(new QStackedWidget(this))
-    , m_outline(new Outline(document, selection, this))
-    , m_inspector(new Inspector(document, selection, this))
-    , m_plots(new PlotPanel(document, player, this))
-    , m_problems(new ProblemList(document, selection, player, this))
     , m_transport(new Transport(document, player, this))
-    , m_tuning(new TuningPanel(document, selection, m_inspector->sliders(), this))
-    , m_table(new SheetPanel(
-          document, selection, [this] { return measurementOf(m_player.frame()); }, this))
-    , m_timeline(new Timeline(*m_recordings, this))
+    , m_status(new StatusLine(*statusBar(), document, selection, player))
     , m_files(new Files(document, player, *m_viewport, *this))
     , m_runFiles(new RunFiles(document, *m_recordings, *m_files, *this))
+    , m_arrivals(new Arrivals(
+          document, selection, *m_viewport, *m_files, [this] { return isSceneShown(); }, *this))
+    , m_keptWork(new KeptWork(document, player, *m_files, *this))
     , m_dialogs(*this, document, selection, *m_viewport)
-    , m_counts(new QLabel)
-    , m_selected(new QLabel)
 {
-    m_inspector->sliders().remember(memory == Memory::Keep);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setAcceptDrops(true);
     m_middle->addWidget(m_start);
@@ -98,100 +77,39 @@ MainWindow::MainWindow(Document& document, Selection& selection, Player& player,
     buildDocks();
     buildActions();
     buildToolBar();
-    buildStatusBar();
+    buildBarsOfView();
+    buildInputs();
+    connectStart();
     connectParts();
-    new EmptyHint(document, *m_viewport); // the view owns these
-    new TransformBar(*m_viewport);
-    new DrawBar(m_document, *m_viewport, m_drawSettings, *m_actions);
-    auto* keys = new ControlKeys(document, player, this);
-    keys->spare(&m_timeline->strip());
-    qApp->installEventFilter(keys);
-    new Gamepad(document, player, QStringLiteral("/dev/input"), this);
 
     resize(1280, 800);
     restoreLayout();
     showStartPage();
     showTitle();
-    showCounts();
 }
+
+MainWindow::~MainWindow() = default;
 
 void MainWindow::buildDocks()
 {
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    addDock("outline", tr("Outline"), m_outline, Qt::LeftDockWidgetArea);
-    auto* history = new QUndoView(&m_document.history());
-    history->setEmptyLabel(tr("The design as it was opened"));
-    history->setToolTip(tr("Click a step to go back to it, or forward again."));
-    addDock("history", tr("History"), history, Qt::LeftDockWidgetArea);
-    tabifyDockWidget(m_docks["outline"], m_docks["history"]);
-    m_docks["outline"]->raise();
-    addDock("inspector", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
-    addDock("tuning", tr("Tuning"), m_tuning, Qt::RightDockWidgetArea);
-    addDock("plots", tr("Plots"), m_plots, Qt::BottomDockWidgetArea);
-    addDock("controls", tr("Controls"), new ControlStrip(m_document, m_player, this),
-            Qt::BottomDockWidgetArea);
-    addDock("problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
-    tabifyDockWidget(m_docks["plots"], m_docks["controls"]);
-    addDock("table", tr("Table"), m_table, Qt::BottomDockWidgetArea);
-    tabifyDockWidget(m_docks["controls"], m_docks["problems"]);
-    tabifyDockWidget(m_docks["problems"], m_docks["table"]);
-    addDock("timeline", tr("Timeline"), m_timeline, Qt::BottomDockWidgetArea);
-    tabifyDockWidget(m_docks["table"], m_docks["timeline"]);
-    tabifyDockWidget(m_docks["inspector"], m_docks["tuning"]);
-    m_docks["inspector"]->raise();
-    m_docks["plots"]->raise();
-    resizeDocks({m_docks["outline"], m_docks["inspector"]}, {250, 300}, Qt::Horizontal);
-    resizeDocks({m_docks["plots"]}, {210}, Qt::Vertical);
-}
-
-void MainWindow::addDock(const QString& id, const QString& title, QWidget* widget,
-                         Qt::DockWidgetArea area)
-{
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(id); // restoreState() knows docks by this
-    dock->setWidget(widget);
-    addDockWidget(area, dock);
-    m_docks[id] = dock;
-}
-
-bool MainWindow::showDock(const QString& id)
-{
-    const auto dock = m_docks.find(id);
-    if (dock == m_docks.end())
-        return false;
-    dock->second->show();
-    dock->second->raise();
-    return true;
+    m_docks = std::make_unique<Docks>(
+        *this, PanelParts{m_document, m_selection, m_player, *m_recordings,
+                          [this](const QString& message) { m_status->say(message); }});
+    m_docks->panel<Inspector>().sliders().remember(m_memory == Memory::Keep);
 }
 
 void MainWindow::buildActions()
 {
-    const auto keys = m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore;
-    m_actions = new Actions({*this,
-                             m_document,
-                             m_selection,
-                             m_player,
-                             *m_viewport,
-                             *m_outline,
-                             *m_files,
-                             m_dialogs,
-                             *m_tuning,
-                             *m_inspector,
-                             m_drawSettings,
-                             *m_recordings,
-                             *m_timeline,
-                             *m_runFiles,
-                             [this] { showStartPage(); },
-                             [this] { importMesh({}); },
-                             [this] { showTour(); },
-                             [this](const QString& dock) { showDock(dock); },
-                             [this](const QString& builder) { insert(builder); },
-                             [this] { m_handBar->refresh(); }},
-                            keys);
-    m_handBar = new HandBar(m_document, m_player, *m_viewport, *m_actions); // the view owns it
-    for (const auto& [id, dock] : m_docks)
-        m_actions->addDockToggle(dock->toggleViewAction());
+    const auto tour = [this] {
+        showTour({*this, m_document, *m_files, *m_viewport, *m_transport, *m_docks,
+                  [this] { showScene(); }});
+    };
+    m_menus = std::make_unique<Menus>(
+        Workbench{*this, m_document, m_selection, m_player, *m_recordings, *m_viewport,
+                  m_drawSettings, *m_docks, *m_files, *m_runFiles, *m_arrivals, m_dialogs,
+                  m_actions, [this] { showStartPage(); }, tour, [this] { m_handBar->refresh(); }});
+    m_actions.takeKeys(m_memory == Memory::Keep ? KeyMap::Memory::Keep : KeyMap::Memory::Ignore);
+    connect(m_start, &StartPage::tourRequested, this, tour);
 }
 
 void MainWindow::buildToolBar()
@@ -200,145 +118,98 @@ void MainWindow::buildToolBar()
     m_toolBar->setObjectName("main");
     m_toolBar->setMovable(false);
     m_toolBar->setIconSize(QSize(18, 18));
-    for (const char* id : {"open", "save", "", "undo", "redo", "", "move", "rotate", "scale", "",
-                           "fit", "home", "follow", "byStrain", "particles"})
-        if (*id)
-            m_toolBar->addAction((*m_actions)[id]);
-        else
-            m_toolBar->addSeparator();
-    m_toolBar->addSeparator();
+    fillToolBar(*m_toolBar, m_actions);
     m_toolBar->addWidget(m_transport);
-
-    auto* strip = new ToolStrip(m_viewport);
-    for (const QStringList& group :
-         {QStringList{"toolPointer", "toolBox", "toolLasso"},
-          QStringList{"drawParticles", "drawLinks", "drawPanels"},
-          QStringList{"toolGrab", "toolCut", "toolFan"},
-          QStringList{"takeParticles", "takeLinks", "takePanels"}, QStringList{"through"}}) {
-        QList<QAction*> actions;
-        for (const QString& id : group)
-            actions << (*m_actions)[id];
-        strip->addGroup(actions);
-    }
-    strip->move(12, 12);
 }
 
-void MainWindow::buildStatusBar()
+// Over the view, which owns them.
+void MainWindow::buildBarsOfView()
 {
-    for (QLabel* label : {m_selected, m_counts}) {
-        label->setContentsMargins(8, 0, 8, 0);
-        statusBar()->addPermanentWidget(label);
-    }
+    m_handBar = new HandBar(m_document, m_player, *m_viewport, m_actions);
+    addToolStrip(*m_viewport, m_actions);
+    new EmptyHint(m_document, *m_viewport);
+    new TransformBar(*m_viewport);
+    new DrawBar(m_document, *m_viewport, m_drawSettings, m_actions);
+}
+
+// What steers besides the menus.
+void MainWindow::buildInputs()
+{
+    auto* keys = new ControlKeys(m_document, m_player, this);
+    keys->spare(&m_docks->panel<Timeline>().strip());
+    qApp->installEventFilter(keys);
+    new Gamepad(m_document, m_player, QStringLiteral("/dev/input"), this);
+}
+
+void MainWindow::connectStart()
+{
+    connect(m_start, &StartPage::openRequested, m_files, &Files::open);
+    connect(m_start, &StartPage::newRequested, m_files, &Files::startNew);
+    connect(m_start, &StartPage::browseRequested, m_files, &Files::browse);
+    connect(m_start, &StartPage::builderRequested, m_arrivals, &Arrivals::startFrom);
+    connect(m_start, &StartPage::importRequested, m_arrivals, [this] { m_arrivals->importMesh(); });
+    connect(m_files, &Files::recentChanged, this,
+            [this] { m_start->setRecent(m_files->recent()); });
 }
 
 void MainWindow::connectParts()
 {
     connect(m_files, &Files::opened, this, &MainWindow::showScene);
-    const auto say = [this](const QString& message) { statusBar()->showMessage(message, 8000); };
-    connect(&m_viewport->transformTool(), &TransformTool::said, this, say);
-    connect(m_files, &Files::said, this, say);
-    connect(m_runFiles, &RunFiles::said, this, say);
-    connect(m_plots, &PlotPanel::said, this, say);
-    connect(m_recordings, &Recordings::said, this, say);
-    connect(m_recordings, &Recordings::reached, this, [this, say](const RunEvent& one, int more) {
-        say(describe(one, m_document.scene(), more));
-    });
-    connect(m_recordings, &Recordings::failed, this, say);
+    connect(m_arrivals, &Arrivals::opened, this, &MainWindow::showScene);
+    connect(m_keptWork, &KeptWork::opened, this, &MainWindow::showScene);
+    connect(m_keptWork, &KeptWork::failed, m_status,
+            [this](const QString& why) { m_status->say(why, StatusLine::read); });
+    m_status->hear(*m_files);
+    m_status->hear(*m_runFiles);
+    m_status->hear(*m_arrivals);
+    m_status->follow(*m_recordings);
+    m_status->follow(*m_viewport);
     connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
-    m_plots->markEventsOf(*m_recordings);
     connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear);
-    connect(m_files, &Files::recentChanged, this,
-            [this] { m_start->setRecent(m_files->recent()); });
-    connect(m_start, &StartPage::openRequested, m_files, &Files::open);
-    connect(m_start, &StartPage::newRequested, m_files, &Files::startNew);
-    connect(m_start, &StartPage::browseRequested, m_files, &Files::browse);
-    connect(m_start, &StartPage::builderRequested, m_files, &Files::startFrom);
-    connect(m_start, &StartPage::importRequested, this, [this] { importMesh({}); });
-    connect(m_files, &Files::imported, this, [this](const std::vector<Id>& parts) {
-        m_selection.set(parts);
-        m_viewport->fit(parts);
-    });
-
+    connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState is) {
         if (is == Qt::ApplicationActive)
             m_files->lookAtDisk();
-    });
-    connect(m_start, &StartPage::tourRequested, this, &MainWindow::showTour);
-    connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);
-    connect(&m_document, &Document::changed, this, &MainWindow::showCounts);
-    connect(&m_document, &Document::replaced, this, &MainWindow::showCounts);
-    m_selectedSoon.setSingleShot(true);
-    m_selectedSoon.setInterval(50); // ms; a drag may select many times
-    connect(&m_selectedSoon, &QTimer::timeout, this, &MainWindow::showSelected);
-    connect(&m_selection, &Selection::changed, this, [this] { m_selectedSoon.start(); });
-    connect(&m_viewport->pointing(), &Pointing::hoveredChanged, this, [this](Id id) {
-        if (id == noId)
-            return statusBar()->clearMessage();
-        const auto& frame = m_player.frame();
-        const QString reading = frame ? readingOf(*frame, id) : QString();
-        statusBar()->showMessage(reading.isEmpty() ? summary({id})
-                                                   : summary({id}) + " · " + reading);
-    });
-    connect(m_problems, &ProblemList::countChanged, this, [this](int errors, int warnings) {
-        const int count = errors + warnings;
-        m_docks["problems"]->setWindowTitle(count ? tr("Problems (%1)").arg(count)
-                                                  : tr("Problems"));
-        if (errors)
-            m_docks["problems"]->raise();
-    });
-    connect(&m_player, &Player::stopped, this, [this](const QString& why) {
-        m_docks["problems"]->show();
-        m_docks["problems"]->raise();
-        statusBar()->showMessage(why, 15000);
     });
 }
 
 void MainWindow::restoreLayout()
 {
-    m_start->setRecent(m_files->recent());
     if (m_memory == Memory::Ignore)
         return;
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), layoutVersion);
-    for (const auto& [id, dock] : m_docks)
-        if (dock->isHidden())
-            m_hidden.insert(id);
-    m_actions->restoreView();
+    m_docks->noteClosed();
+    m_menus->restoreView();
     m_runFiles->restoreMemory();
 }
 
+bool MainWindow::isSceneShown() const { return m_middle->currentWidget() == m_viewport; }
+
 void MainWindow::showScene()
 {
-    if (m_middle->currentWidget() == m_start)
-        for (const auto& [id, dock] : m_docks)
-            dock->setVisible(!m_hidden.contains(id));
+    if (!isSceneShown())
+        m_docks->showOpen();
     m_middle->setCurrentWidget(m_viewport);
-    m_docks["outline"]->raise();
-    m_docks["plots"]->raise();
+    m_docks->bringForward();
     m_viewport->setFocus();
 }
 
 void MainWindow::showViewOnly()
 {
-    for (const auto& [id, dock] : m_docks)
-        dock->hide();
+    m_docks->hideAll();
     m_toolBar->hide();
     menuBar()->hide();
     statusBar()->hide();
 }
 
+// The start page has the window to itself; docks that were closed stay closed afterwards.
 void MainWindow::showStartPage()
 {
-    // The start page has the window to itself; docks that were closed stay closed afterwards.
-    if (m_middle->currentWidget() == m_viewport) {
-        m_hidden.clear();
-        for (const auto& [id, dock] : m_docks)
-            if (dock->isHidden())
-                m_hidden.insert(id);
-    }
-    for (const auto& [id, dock] : m_docks)
-        dock->hide();
+    if (isSceneShown())
+        m_docks->noteClosed();
+    m_docks->hideAll();
     m_start->setRecent(m_files->recent());
     m_middle->setCurrentWidget(m_start);
 }
@@ -350,120 +221,17 @@ void MainWindow::showTitle()
     setWindowModified(m_document.isModified());
 }
 
-void MainWindow::showCounts()
-{
-    qsizetype particles = 0;
-    qsizetype links = 0;
-    qsizetype panels = 0;
-    forEachPart(m_document.scene(), [&](Id, const Part& part) {
-        particles += qsizetype(part.particles.size());
-        links += qsizetype(part.links.size());
-        panels += qsizetype(part.panels.size());
-    });
-    m_counts->setText(QStringList{counted(Kind::Particle, particles), counted(Kind::Link, links),
-                                  counted(Kind::Panel, panels)}
-                          .join(" · "));
-    m_selectedSoon.start();
-}
-
-void MainWindow::showSelected()
-{
-    const auto& ids = m_selection.ids();
-    if (ids.empty())
-        return m_selected->clear();
-    m_selected->setText(tr("Selected: %1").arg(summary(ids)));
-}
-
-// "3 particles of kite · 0.2 kg"
-QString MainWindow::summary(const std::vector<Id>& ids) const
-{
-    const QString what = describe(m_document.scene(), ids);
-    const QString sums = totals(m_document.scene(), ids);
-    return sums.isEmpty() ? what : what + " · " + sums;
-}
-
-// Over a design, a sample when none is open.
-void MainWindow::showTour()
-{
-    const QStringList samples = sampleFiles().filter("delta_kite");
-    if (!m_document.scene().items.empty())
-        showScene();
-    else if (samples.isEmpty() || !m_files->open(samples.first()))
-        return;
-    const std::vector<TourStop> stops{
-        {m_viewport, tr("The design, and its flight"),
-         tr("Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are at "
-            "the upper left. Keys G, R and S move, turn and scale what is selected.")},
-        {m_docks["outline"], tr("Outline"),
-         tr("Everything that the scene is made of: parts, materials, groups, controls, colliders. "
-            "The tab History goes back to any step.")},
-        {m_docks["inspector"], tr("Inspector"),
-         tr("The values of what is selected, one thing or thousands. Type with units (12 cm, "
-            "25 g), drag a label sideways, or change a value while the simulation runs.")},
-        {m_transport, tr("Fly it"),
-         tr("Space plays and pauses, the full stop does one step, Ctrl+R goes back to the "
-            "design. Keys of the controls steer; they stand under Controls.")},
-        {m_docks["plots"], tr("Measure it"),
-         tr("Strain, energy, forces and probes as they happen. Problems of the design stand "
-            "beside, each with a click to what it is about.")},
-        {menuBar(), tr("Everything else"),
-         tr("New from builder begins with a whole kite, glider or parachute; Import makes fabric "
-            "of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the "
-            "keys.")},
-    };
-    new Tour(stops, this); // deletes itself
-}
-
-void MainWindow::keepWork(const QString& folder)
-{
-    m_autosave = new Autosave(m_document, m_player.follower(), folder, Autosave::usualDelay, this);
-    connect(m_autosave, &Autosave::failed, this,
-            [this](const QString& why) { statusBar()->showMessage(why, 15000); });
-    const QList<Rescue> found = leftBehind(folder);
-    if (found.isEmpty())
-        return;
-    RescueDialog dialog(found, this);
-    if (dialog.exec() != QDialog::Accepted || !m_files->mayDiscard())
-        return;
-    if (const auto failure = m_autosave->recover(*dialog.chosen()))
-        QMessageBox::warning(this, tr("Cannot open what was left behind"),
-                             translated(failure->message));
-    else
-        showScene();
-}
-
-// The start page stands for no scene, even if one is open behind it.
-void MainWindow::importMesh(const QString& file)
-{
-    const bool isStart = m_middle->currentWidget() == m_start;
-    m_files->importMesh(isStart ? Files::Into::NewScene : Files::Into::OpenScene, file);
-}
-
-// The dialog shows what it inserts in the view, so the design is there and not a run.
-void MainWindow::insert(const QString& builder)
-{
-    if (m_middle->currentWidget() == m_start)
-        return m_files->startFrom(builder);
-    m_viewport->transformTool().goToDesign();
-    BuilderDialog dialog(builder, {m_document, m_selection, m_viewport->camera().focus}, this);
-    connect(&dialog, &BuilderDialog::shown, m_viewport,
-            [this](const std::vector<Id>& bodies) { m_viewport->fit(bodies); });
-    const Camera before = m_viewport->camera();
-    if (dialog.exec() == QDialog::Rejected)
-        m_viewport->look(before); // the preview took it elsewhere
-}
-
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (!m_files->mayDiscard())
         return event->ignore();
     if (m_memory == Memory::Keep) {
-        if (m_middle->currentWidget() == m_start)
+        if (!isSceneShown())
             showScene(); // the layout to remember is that with docks
         QSettings settings;
         settings.setValue("window/geometry", saveGeometry());
         settings.setValue("window/state", saveState(layoutVersion));
-        m_actions->keepView();
+        m_menus->keepView();
     }
     event->accept();
 }
@@ -487,14 +255,14 @@ void MainWindow::dropEvent(QDropEvent* event)
     event->acceptProposedAction();
     // later: who drops waits until the event is done, and the dialog stays open
     QMetaObject::invokeMethod(
-        this, [this, file, isRun] { isRun ? openRun(file) : importMesh(file); },
+        this, [this, file, isRun] { isRun ? openRun(file) : m_arrivals->importMesh(file); },
         Qt::QueuedConnection);
 }
 
 void MainWindow::openRun(const QString& file)
 {
     m_runFiles->open(file);
-    showDock("timeline");
+    m_docks->show("timeline");
 }
 
 } // namespace ripstop

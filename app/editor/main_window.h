@@ -1,42 +1,41 @@
+// The main window: it makes the view, the start page, the docks, the menus and the bars, and
+// connects them.
+//
+// There is no logic here, and no list: docks are rows of docks/dock_table.h, menus rows of
+// actions/menu_rows.h, bars tables of editor/tool_bars.h. What is a flow of its own (files,
+// arrivals, kept work, the tour, the status line) has a class of its own; those outside reach it
+// from here. main() makes the window last, so that it goes before the document, the selection and
+// the player.
 #pragma once
 
 #include "actions/actions.h"
 #include "actions/dialogs.h"
+#include "docks/docks.h"
 #include "files/files.h"
 #include "tools/draw_tool.h"
 
 #include <QMainWindow>
-#include <QTimer>
 
-#include <map>
-#include <set>
+#include <memory>
 
-class QLabel;
 class QStackedWidget;
 
 namespace ripstop {
 
-class Autosave;
-class ControlKeys;
+class Arrivals;
 class Document;
 class HandBar;
-class Inspector;
-class Outline;
-class PlotPanel;
+class KeptWork;
+class Menus;
 class Player;
-class ProblemList;
-class Selection;
-class SheetPanel;
 class Recordings;
 class RunFiles;
+class Selection;
 class StartPage;
-class Timeline;
+class StatusLine;
 class Transport;
-class TuningPanel;
 class Viewport;
 
-// Places the docks and menus; no logic. The view or the start page in the middle, the outline on
-// the left, the inspector on the right, plots, problems and controls below.
 class MainWindow final : public QMainWindow
 {
     Q_OBJECT
@@ -45,27 +44,21 @@ public:
     enum class Memory { Keep, Ignore }; // of places and sizes, from run to run
 
     MainWindow(Document& document, Selection& selection, Player& player, Memory memory);
+    ~MainWindow() override;
 
     Viewport& viewport() { return *m_viewport; }
+    Recordings& recordings() { return *m_recordings; }
+    Docks& docks() { return *m_docks; }
+    Actions& actions() { return m_actions; }
     Files& files() { return *m_files; }
     RunFiles& runFiles() { return *m_runFiles; }
-    Recordings& recordings() { return *m_recordings; }
-    Timeline& timeline() { return *m_timeline; }
-    Actions& actions() { return *m_actions; }
-    TuningPanel& tuning() { return *m_tuning; }
-    Inspector& inspector() { return *m_inspector; }
-    bool showDock(const QString& id); // in front of those that share its place; if there is one
+    Arrivals& arrivals() { return *m_arrivals; }
+    KeptWork& keptWork() { return *m_keptWork; }
 
     void showScene();
     void showStartPage();
-    void showViewOnly();                  // for pictures
-    void importMesh(const QString& file); // empty: asks for one
-    void insert(const QString& builder);  // into the open scene
-    void openRun(const QString& file);    // a recording
-
-    // Keeps copies of unsaved work in that folder, and asks about those that were left behind
-    // there.
-    void keepWork(const QString& folder);
+    void showViewOnly();               // for pictures
+    void openRun(const QString& file); // a recording
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -76,46 +69,36 @@ private:
     void buildDocks();
     void buildActions();
     void buildToolBar();
-    void buildStatusBar();
+    void buildBarsOfView();
+    void buildInputs();
+    void connectStart();
     void connectParts();
-    void addDock(const QString& id, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
     void restoreLayout();
     void showTitle();
-    void showCounts();
-    void showTour();
-    void showSelected();
-    QString summary(const std::vector<Id>& ids) const;
+    bool isSceneShown() const; // and not the start page
 
     Document& m_document;
     Selection& m_selection;
     Player& m_player;
     Memory m_memory;
     DrawSettings m_drawSettings;
+    Actions m_actions;
 
     Recordings* m_recordings;
     Viewport* m_viewport;
     StartPage* m_start;
     QStackedWidget* m_middle;
-    Outline* m_outline;
-    Inspector* m_inspector;
-    PlotPanel* m_plots;
-    ProblemList* m_problems;
     Transport* m_transport;
-    TuningPanel* m_tuning;
-    SheetPanel* m_table;
-    Timeline* m_timeline;
+    StatusLine* m_status;
     Files* m_files;
     RunFiles* m_runFiles;
+    Arrivals* m_arrivals;
+    KeptWork* m_keptWork;
     Dialogs m_dialogs;
-    QToolBar* m_toolBar = nullptr;
-    Actions* m_actions = nullptr;
-    Autosave* m_autosave = nullptr;
+    std::unique_ptr<Docks> m_docks;
+    std::unique_ptr<Menus> m_menus; // goes before the view, whose tools speak until the end
     HandBar* m_handBar = nullptr;
-    std::map<QString, QDockWidget*> m_docks;
-    std::set<QString> m_hidden; // docks that the user has closed
-    QLabel* m_counts;
-    QLabel* m_selected;
-    QTimer m_selectedSoon; // counts what is selected
+    QToolBar* m_toolBar = nullptr;
 };
 
 } // namespace ripstop

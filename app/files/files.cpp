@@ -1,14 +1,12 @@
 #include "files/files.h"
 
 #include "dialogs/ask_file.h"
-#include "dialogs/builder_dialog.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/words.h"
 #include "files/export_dialog.h"
 #include "files/templates.h"
-#include "import/import_dialog.h"
 #include "io/scene_file.h"
 #include "start/samples.h"
 #include "viewport/viewport.h"
@@ -49,19 +47,6 @@ void Files::startNew()
     emit opened();
 }
 
-void Files::startFrom(const QString& builder)
-{
-    if (!mayDiscard())
-        return;
-    BuilderDialog dialog(builder, &m_window);
-    if (dialog.exec() != QDialog::Accepted)
-        return;
-    Scene scene = dialog.scene();
-    const QString title = QString::fromStdString(scene.settings.title);
-    m_document.replace(std::move(scene), title.isEmpty() ? tr("untitled") : title);
-    emit opened();
-}
-
 void Files::browse()
 {
     const QString folder =
@@ -83,28 +68,6 @@ bool Files::open(const QString& file)
     remember(file);
     emit opened();
     return true;
-}
-
-void Files::importMesh(Into into, const QString& file)
-{
-    const QString folder =
-        m_document.file().isEmpty() ? QString() : QFileInfo(m_document.file()).path();
-    const QString mesh = file.isEmpty() ? ImportDialog::askFile(&m_window, folder) : file;
-    if (mesh.isEmpty() || (into == Into::NewScene && !mayDiscard()))
-        return;
-    const Scene empty;
-    const bool isNew = into == Into::NewScene;
-    ImportDialog dialog(isNew ? empty : m_document.scene(), mesh, &m_window);
-    if (dialog.exec() != QDialog::Accepted)
-        return;
-    if (isNew) {
-        m_document.replace(Scene{}, QFileInfo(dialog.file()).completeBaseName());
-        emit opened();
-    }
-    m_document.push(dialog.result().edit);
-    emit imported(dialog.result().parts);
-    emit said(tr("Imported %1. Pin what is to be held: nothing holds it yet.")
-                  .arg(QDir::toNativeSeparators(dialog.file())));
 }
 
 // A sample is for everybody: what was made of it gets a file of its own.

@@ -1,13 +1,9 @@
 #pragma once
 
-#include "scene/id.h"
-
 #include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QStringList>
-
-#include <vector>
 
 class QWidget;
 
@@ -28,14 +24,8 @@ public:
     Files(Document& document, Player& player, Viewport& viewport, QWidget& window);
 
     void startNew();
-    void startFrom(const QString& builder); // empty: the dialog offers them all
     void browse();
     bool open(const QString& file); // false when refused; the open scene then stays
-
-    // Asks how a mesh is to be brought in, and for the file when none is named. What comes of it is
-    // one edit of the open scene, or of a new one.
-    enum class Into { OpenScene, NewScene };
-    void importMesh(Into into, const QString& file = {});
     bool save();
     bool saveAs();
     void saveAsTemplate();
@@ -53,7 +43,6 @@ public:
 
 signals:
     void opened(); // a scene is there to be looked at
-    void imported(const std::vector<ripstop::Id>& parts);
     void recentChanged();
     void said(const QString& message); // for the status bar
 

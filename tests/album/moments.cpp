@@ -4,6 +4,8 @@
 #include "builders/builder.h"
 #include "document/rescue.h"
 #include "editor/tour.h"
+#include "files/arrivals.h"
+#include "files/kept_work.h"
 #include "io/scene_file.h"
 #include "scene/property.h"
 #include "views/small_scenes.h"
@@ -92,7 +94,7 @@ void open(WindowShop& shop, Scene scene)
 void inspector(WindowShop& shop, WindowWalk& walk)
 {
     const Scene& scene = shop.document.scene();
-    shop.window.showDock("inspector");
+    shop.window.docks().show("inspector");
     std::set<std::size_t> kinds;
     for (const Entry& entry : scene.items)
         if (kinds.insert(entry.item.index()).second) {
@@ -117,7 +119,7 @@ void inspector(WindowShop& shop, WindowWalk& walk)
 // The usual sliders, and a part with targets beside what it weighs and measures.
 void tuned(WindowShop& shop, WindowWalk& walk)
 {
-    shop.window.showDock("tuning");
+    shop.window.docks().show("tuning");
     for (QPushButton* button : shop.window.findChildren<QPushButton*>())
         if (button->isVisible() && button->text().contains("usual"))
             button->click();
@@ -127,7 +129,7 @@ void tuned(WindowShop& shop, WindowWalk& walk)
     for (const auto& [key, value] : {std::pair{"massTarget", 0.2}, {"areaTarget", 1.7}})
         shop.document.push(setValue(shop.document.scene(), part, key, value));
     shop.selection.set({part});
-    shop.window.showDock("inspector");
+    shop.window.docks().show("inspector");
     walk.window("targets");
 }
 
@@ -145,7 +147,7 @@ void comesByItself(WindowShop& shop, WindowWalk& walk)
     };
     copyTo("delta, second try");
     copyTo("untitled");
-    walk.during("left behind", [&] { shop.window.keepWork(folder.path()); });
+    walk.during("left behind", [&] { shop.window.keptWork().keepIn(folder.path()); });
 
     const QString file = folder.filePath("my kite.ripstop.json");
     open(shop, kite());
@@ -173,7 +175,7 @@ void comesByItself(WindowShop& shop, WindowWalk& walk)
     (void)mesh.open(QIODevice::WriteOnly);
     mesh.write("o sail\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 2\nf 1 2 3 4\nf 1 2 3\n");
     mesh.close();
-    walk.during("import a mesh", [&] { shop.window.importMesh(mesh.fileName()); });
+    walk.during("import a mesh", [&] { shop.window.arrivals().importMesh(mesh.fileName()); });
 }
 
 bool isCutOff(const QWidget& widget, int needed)

@@ -49,7 +49,7 @@ public:
     void panels(const QString& name)
     {
         for (auto* dock : m_shop.window.findChildren<QDockWidget*>()) {
-            m_shop.window.showDock(dock->objectName());
+            m_shop.window.docks().show(dock->objectName());
             window(name + ' ' + dock->objectName());
             for (auto* tabs : dock->findChildren<QTabWidget*>())
                 for (int i = 1; i < tabs->count(); ++i) {
@@ -73,7 +73,7 @@ public:
     {
         std::set<QString> done;
         for (auto* dock : m_shop.window.findChildren<QDockWidget*>()) {
-            m_shop.window.showDock(dock->objectName());
+            m_shop.window.docks().show(dock->objectName());
             QTest::qWait(20);
             for (auto* place : dock->findChildren<QWidget*>()) {
                 const QString kind = dock->objectName() + ' ' + place->metaObject()->className();

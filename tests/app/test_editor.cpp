@@ -263,6 +263,7 @@ private slots:
         QTest::newRow("bad size") << QStringList{"--size", "big"} << 2 << QString("--size");
         QTest::newRow("two scenes") << QStringList{"a", "b"} << 2 << QString("one scene");
         QTest::newRow("bad theme") << QStringList{"--theme", "pink"} << 2 << QString("--theme");
+        QTest::newRow("no such dock") << QStringList{"--dock", "attic"} << 1 << QString("attic");
         QTest::newRow("picture nowhere")
             << QStringList{"--screenshot", "/nowhere/a.png"} << 1 << QString("/nowhere/a.png");
     }

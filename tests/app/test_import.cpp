@@ -3,6 +3,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
+#include "files/arrivals.h"
 #include "import/import_dialog.h"
 #include "import/mesh_preview.h"
 #include "model/meshes.h"
@@ -150,7 +151,7 @@ private slots:
         const Scene before = editor.document.scene();
         {
             Answer yes(QDialogButtonBox::Ok);
-            editor.window.importMesh(m_cube);
+            editor.window.arrivals().importMesh(m_cube);
             QVERIFY(yes.wasAsked);
         }
         QCOMPARE(editor.document.history().count(), 1);
@@ -182,7 +183,7 @@ private slots:
         editor.window.files().startNew();
         const Scene before = editor.document.scene();
         Answer no(QDialogButtonBox::Cancel);
-        editor.window.importMesh(m_cube);
+        editor.window.arrivals().importMesh(m_cube);
         QVERIFY(no.wasAsked);
         QCOMPARE(editor.document.scene(), before);
         QCOMPARE(editor.document.history().count(), 0);

@@ -17,7 +17,7 @@ namespace {
 struct TimelineShop : WindowShop
 {
     Recordings& runs = window.recordings();
-    Timeline& timeline = window.timeline();
+    Timeline& timeline = window.docks().panel<Timeline>();
 
     bool open(const char* scene)
     {
@@ -25,7 +25,7 @@ struct TimelineShop : WindowShop
         window.showScene();
         window.resize(1280, 800);
         window.show();
-        window.showDock("timeline");
+        window.docks().show("timeline");
         return opened;
     }
     void fly(double time)

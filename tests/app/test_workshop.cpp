@@ -9,6 +9,7 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "editor/main_window.h"
+#include "files/arrivals.h"
 #include "import/import_dialog.h"
 #include "inspector/inspector.h"
 #include "io/scene_file.h"
@@ -94,8 +95,9 @@ struct Shop : WindowShop
 
     void typeInInspector(const char* key, const QString& words)
     {
-        QTRY_VERIFY(window.inspector().field(key)); // shows what is selected soon
-        auto* field = qobject_cast<QLineEdit*>(window.inspector().field(key));
+        auto& inspector = window.docks().panel<Inspector>();
+        QTRY_VERIFY(inspector.field(key)); // shows what is selected soon
+        auto* field = qobject_cast<QLineEdit*>(inspector.field(key));
         QVERIFY(field);
         field->setFocus();
         field->selectAll();
@@ -191,7 +193,7 @@ private slots:
             QTest::mouseClick(shop.okOf(*dialog), Qt::LeftButton);
         });
         watch.start(10);
-        shop.window.importMesh(file);
+        shop.window.arrivals().importMesh(file);
         QCOMPARE(shop.part(shop.sail()).particles.size(), 25U);
         expectSteps(2);
     }

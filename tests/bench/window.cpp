@@ -189,14 +189,16 @@ int main(int argc, char** argv)
     std::printf("%-34s %.1f pictures a second, %.3f of real time\n", "", double(frames) / seconds,
                 player.frame()->realTimeRatio);
 
-    window.inspector().sliders().remember(false);
-    window.inspector().sliders().toggle(*findProperty(Kind::Material, "compliance"),
-                                        {materialOf(document.scene(), "structural")});
+    SliderShelf& sliders = window.docks().panel<Inspector>().sliders();
+    auto& tuning = window.docks().panel<TuningPanel>();
+    sliders.remember(false);
+    sliders.toggle(*findProperty(Kind::Material, "compliance"),
+                   {materialOf(document.scene(), "structural")});
     for (auto* dock : window.findChildren<QDockWidget*>())
-        if (dock->isAncestorOf(&window.tuning()))
+        if (dock->isAncestorOf(&tuning))
             dock->raise();
     wait(500);
-    auto* slider = window.tuning().findChild<TuningRow*>()->findChild<QSlider*>();
+    auto* slider = tuning.findChild<TuningRow*>()->findChild<QSlider*>();
     pulse.start();
     frames = 0;
     std::vector<double> calls; // ms

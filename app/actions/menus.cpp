@@ -1,0 +1,188 @@
+#include "actions/menus.h"
+
+#include "actions/actions.h"
+#include "actions/group_menus.h"
+#include "actions/menu_rows.h"
+#include "actions/mnemonics.h"
+#include "actions/workbench.h"
+#include "docks/docks.h"
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "files/files.h"
+#include "files/templates.h"
+#include "icons/icon.h"
+#include "tools/pointing.h"
+#include "tools/transform_tool.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+
+#include <array>
+
+namespace ripstop {
+namespace {
+
+// Menus appear in the order in which rows first name them, and the rows of a menu in theirs. The
+// keys dialog lists all in this order.
+constexpr std::array<MenuRows (*)(const Workbench&), 14> sources{
+    fileRows,     editRows, selectRows, insertRows,   designRows, drawRows,    viewRows,
+    languageRows, runRows,  tuningRows, timelineRows, toolRows,   measureRows, helpRows};
+
+// What the view shows and hides, or one of the ways in which it colours.
+bool isOfView(const MenuRow& row)
+{
+    return row.toggle != Toggle::No && QLatin1String(row.menu) == "&View";
+}
+
+} // namespace
+
+Menus::Menus(const Workbench& bench)
+    : m_bench(std::make_unique<Workbench>(bench))
+{
+    for (const auto& rows : sources)
+        for (const MenuRow& row : rows(*m_bench))
+            add(row);
+    addFilled();
+    giveMnemonics(bench.window.menuBar()->actions());
+    keepMnemonics(bench.window.menuBar()->actions());
+
+    connect(&bench.document.history(), &QUndoStack::indexChanged, this, &Menus::keepCurrent);
+    connect(&bench.selection, &Selection::changed, this, &Menus::keepCurrent);
+    connect(&bench.player, &Player::stateChanged, this, &Menus::keepCurrent);
+    connect(&bench.viewport.transformTool(), &TransformTool::changed, this, &Menus::keepCurrent);
+    connect(&bench.viewport, &Viewport::menuWanted, this,
+            [this](const QPoint& place) { showViewMenu(*m_bench, place); });
+    connect(&bench.files, &Files::recentChanged, this, &Menus::fillRecent);
+    connect(&bench.viewport.pointing(), &Pointing::toolLeft, this,
+            [this] { m_bench->actions["toolPointer"]->setChecked(true); });
+    fillRecent();
+    keepCurrent();
+    bench.viewport.setParticlesShown(bench.actions["particles"]->isChecked());
+}
+
+Menus::~Menus() = default;
+
+// "&Select/By &type": made when it is first named.
+QMenu& Menus::menu(const QString& path)
+{
+    QMenu*& place = m_menus[path];
+    const QString name = tr(qPrintable(path.section('/', -1)));
+    if (!place)
+        place = path.contains('/') ? menu(path.section('/', 0, -2)).addMenu(name)
+                                   : m_bench->window.menuBar()->addMenu(name);
+    return *place;
+}
+
+void Menus::add(const MenuRow& row)
+{
+    QMenu& place = menu(row.menu);
+    if (!row.id) {
+        place.addSeparator();
+        return;
+    }
+    QAction* action = place.addAction(row.icon ? icon(row.icon) : QIcon(), row.text, this, row.run);
+    action->setObjectName(row.id);
+    action->setShortcut(row.keys);
+    action->setStatusTip(row.tip);
+    action->setCheckable(row.toggle != Toggle::No);
+    action->setChecked(row.toggle == Toggle::On);
+    if (row.group) {
+        QActionGroup*& group = m_groups[row.group];
+        if (!group)
+            group = new QActionGroup(this);
+        group->addAction(action);
+    }
+    m_bench->actions.add(*action);
+    if (row.needs == Needs::Selection)
+        m_needSelection.push_back(action);
+    if (isOfView(row))
+        m_viewToggles.push_back(action);
+}
+
+// What no row says, because it is there only when the window runs: files, groups and docks.
+void Menus::addFilled()
+{
+    const Actions& actions = m_bench->actions;
+    QMenu& file = menu("&File");
+    m_recent = new QMenu(tr("Open &recent"), &m_bench->window);
+    m_recent->setIcon(icon("recent"));
+    file.insertMenu(actions["start"], m_recent);
+    m_templates = new QMenu(tr("New from te&mplate"), &m_bench->window);
+    file.insertMenu(actions["open"], m_templates);
+    connect(m_templates, &QMenu::aboutToShow, this, &Menus::fillTemplates);
+    addGroupMenus(menu("&Select"), *m_bench);
+    QMenu* panels = menu("&View").addMenu(tr("Panels and &docks"));
+    panels->addActions(m_bench->docks.toggles());
+}
+
+void Menus::keepCurrent()
+{
+    const Actions& actions = m_bench->actions;
+    const QUndoStack& history = m_bench->document.history();
+    actions["undo"]->setEnabled(history.canUndo());
+    actions["undo"]->setText(history.canUndo() ? tr("&Undo: %1").arg(history.undoText())
+                                               : tr("&Undo"));
+    actions["redo"]->setEnabled(history.canRedo());
+    actions["redo"]->setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText())
+                                               : tr("&Redo"));
+    for (QAction* action : m_needSelection)
+        action->setEnabled(!m_bench->selection.ids().empty());
+    const Shaping shaping = m_bench->viewport.transformTool().shaping();
+    actions["move"]->setChecked(shaping == Shaping::Move);
+    actions["rotate"]->setChecked(shaping == Shaping::Turn);
+    actions["scale"]->setChecked(shaping == Shaping::Scale);
+    const bool playing = m_bench->player.isPlaying();
+    actions["play"]->setText(playing ? tr("&Pause") : tr("&Play"));
+    actions["play"]->setIcon(icon(playing ? "pause" : "play"));
+}
+
+void Menus::keepView() const
+{
+    QSettings settings;
+    for (const QAction* action : m_viewToggles)
+        settings.setValue("view/" + action->objectName(), action->isChecked());
+}
+
+void Menus::restoreView()
+{
+    const QSettings settings;
+    for (QAction* action : m_viewToggles) {
+        const bool isOne = action->actionGroup() != nullptr; // of several: only switched on
+        const bool kept =
+            settings.value("view/" + action->objectName(), action->isChecked()).toBool();
+        if (kept != action->isChecked() && (kept || !isOne))
+            action->trigger();
+    }
+}
+
+void Menus::fillTemplates()
+{
+    m_templates->clear();
+    for (const QString& file : m_bench->files.templates())
+        m_templates->addAction(templateName(file).replace('&', "&&"), this,
+                               [this, file] { m_bench->files.startFromTemplate(file); });
+    if (m_templates->isEmpty())
+        m_templates->addAction(tr("None yet: File, Save as template"))->setEnabled(false);
+    m_templates->addSeparator();
+    m_templates->addAction(tr("Show the &folder"), this, [] { showTemplateFolder(); });
+}
+
+void Menus::fillRecent()
+{
+    m_recent->clear();
+    for (const QString& file : m_bench->files.recent())
+        m_recent
+            ->addAction(QFileInfo(file).fileName().replace('&', "&&"), this,
+                        [this, file] { m_bench->files.open(file); })
+            ->setToolTip(file);
+    m_recent->setEnabled(!m_recent->isEmpty());
+}
+
+} // namespace ripstop

@@ -1,0 +1,71 @@
+#include "actions/menu_rows.h"
+
+#include "actions/actions.h"
+#include "actions/workbench.h"
+#include "document/selection.h"
+#include "viewport/viewport.h"
+
+#include <QAction>
+
+namespace ripstop {
+
+MenuRows viewRows(const Workbench& bench)
+{
+    Selection& selection = bench.selection;
+    Viewport& viewport = bench.viewport;
+    const Actions& actions = bench.actions;
+    const auto showing = [&viewport, &actions](const char* id, void (Viewport::*show)(bool)) {
+        return [&viewport, &actions, id, show] { (viewport.*show)(actions[id]->isChecked()); };
+    };
+    const auto looking = [&viewport](PresetView view) {
+        return [&viewport, view] { viewport.view(view); };
+    };
+    const auto coloring = [&viewport](ColorBy colorBy) {
+        return [&viewport, colorBy] { viewport.setColorBy(colorBy); };
+    };
+    const auto arrows = [&viewport](Vectors vectors) {
+        return [&viewport, vectors] { viewport.setVectors(vectors); };
+    };
+    const MenuRow line = lineIn("&View");
+    // clang-format off
+    return {
+        {"&View", "fit",        tr("&Fit"),                "fit",     QKeySequence("Home"), tr("Show the whole scene."), [&viewport] { viewport.fit(); }},
+        {"&View", "fitSelected", tr("Fit sele&ction"),     nullptr,   QKeySequence("F"),    tr("Show what is selected, or the whole scene when nothing is."), [&viewport, &selection] { viewport.fit(selection.ids()); }},
+        {"&View", "follow",     tr("F&ollow"),             "follow",  QKeySequence("Shift+F"), tr("The camera goes with the fabric."), showing("follow", &Viewport::setFollow), Toggle::On},
+        {"&View", "ortho",      tr("O&rthographic"),       "orthographic", QKeySequence("5"), tr("Without perspective: parallels stay parallel."), showing("ortho", &Viewport::setOrthographic), Toggle::Off},
+        line,
+        {"&View", "front",      tr("Fro&nt"),              "view-front", QKeySequence("1"), tr("Look from the front."), looking(PresetView::Front)},
+        {"&View", "back",       tr("&Back"),               nullptr,   QKeySequence("Ctrl+1"), tr("Look from behind."), looking(PresetView::Back)},
+        {"&View", "right",      tr("R&ight"),              "view-side", QKeySequence("3"),  tr("Look from the right."), looking(PresetView::Right)},
+        {"&View", "left",       tr("&Left"),               nullptr,   QKeySequence("Ctrl+3"), tr("Look from the left."), looking(PresetView::Left)},
+        {"&View", "top",        tr("&Top"),                "view-top", QKeySequence("7"),   tr("Look from above."), looking(PresetView::Top)},
+        {"&View", "bottom",     tr("Botto&m"),             nullptr,   QKeySequence("Ctrl+7"), tr("Look from below."), looking(PresetView::Bottom)},
+        {"&View", "home",       tr("&Corner"),             "view-home", QKeySequence("0"),  tr("Look from a corner above."), looking(PresetView::Iso)},
+        line,
+        {"&View", "byMaterial", tr("Colour by &material"), nullptr,   QKeySequence("Alt+1"), tr("The colours of the materials."), coloring(ColorBy::Material), Toggle::On, "color"},
+        {"&View", "byStrain",   tr("Colour by &strain"),   "color-by", QKeySequence("Alt+2"), tr("How far links are stretched."), coloring(ColorBy::Strain), Toggle::Off, "color"},
+        {"&View", "byTension",  tr("Colour by t&ension"),  nullptr,   QKeySequence("Alt+3"), tr("How hard links pull."), coloring(ColorBy::Tension), Toggle::Off, "color"},
+        {"&View", "bySpeed",    tr("Colour by s&peed"),    nullptr,   QKeySequence("Alt+4"), tr("How fast particles move."), coloring(ColorBy::Speed), Toggle::Off, "color"},
+        {"&View", "byLoad",     tr("Colour by panel loa&d"), nullptr, QKeySequence("Alt+5"), tr("How hard the air pushes panels, per area."), coloring(ColorBy::PanelLoad), Toggle::Off, "color"},
+        {"&View", "byTear",     tr("Colour by tea&r limit"), nullptr, QKeySequence("Alt+6"), tr("How much of what it tears at each link bears."), coloring(ColorBy::TearLoad), Toggle::Off, "color"},
+        {"&View", "byStress",   tr("Colour by fabric stress"), nullptr, QKeySequence("Alt+7"), tr("Tension of threads over the width of fabric that they stand for."), coloring(ColorBy::Stress), Toggle::Off, "color"},
+        {"&View", "colourRange", tr("Range of colours…"), nullptr,   QKeySequence("Alt+8"), tr("Type the values at the ends of the colours, or let them follow. A click on the colours does the same."), [&viewport] { viewport.editRange(); }},
+        line,
+        {"&View", "panels",     tr("Show p&anels"),        "panel",   {},                   tr("Draw the fabric."), showing("panels", &Viewport::setPanelsShown), Toggle::On},
+        {"&View", "links",      tr("Show lin&ks"),         "link",    {},                   tr("Draw springs, rods and lines."), showing("links", &Viewport::setLinksShown), Toggle::On},
+        {"&View", "particles",  tr("Show partic&les"),     "particle", QKeySequence("Shift+P"), tr("Draw a dot at each particle."), showing("particles", &Viewport::setParticlesShown), Toggle::Off},
+        {"&View", "wind",       tr("Show &wind"),          "wind",    {},                   tr("Draw an arrow for the wind."), showing("wind", &Viewport::setWindShown), Toggle::On},
+        {"&View", "windField",  tr("Show wind fiel&d"),    nullptr,   QKeySequence("Shift+W"), tr("Draw arrows for the wind all around the design."), showing("windField", &Viewport::setWindFieldShown), Toggle::Off},
+        {"&View", "centre",     tr("Show centre of &gravity"), nullptr, QKeySequence("Shift+G"), tr("Mark the centre of gravity of what is selected, or of the whole design, with its mass."), showing("centre", &Viewport::setCentreShown), Toggle::Off},
+        {"&View", "probeValues", tr("Show what &probes read"), nullptr, QKeySequence("Shift+V"), tr("Write the values of probes beside what they look at."), showing("probeValues", &Viewport::setProbesShown), Toggle::Off},
+        {"&View", "trails",     tr("Show trails"),         nullptr,   {}, tr("Draw the ways that the selected particles have come in the last five seconds; of those that probes look at when none is selected."), showing("trails", &Viewport::setTrailsShown), Toggle::Off},
+        {"&View", "designGhost", tr("Show the design as a ghost"), nullptr, {}, tr("The shape as it was designed, beside what has become of it; where nothing is pinned it goes along."), showing("designGhost", &Viewport::setDesignShown), Toggle::Off},
+        {"&View/&Arrows", "noArrows", tr("&None"),         nullptr,   {}, tr("No arrows on particles, panels and links."), arrows(Vectors::None), Toggle::On, "arrows"},
+        {"&View/&Arrows", "velocityArrows", tr("&Velocity"), nullptr, {}, tr("How fast each particle moves, and where to."), arrows(Vectors::Velocity), Toggle::Off, "arrows"},
+        {"&View/&Arrows", "loadArrows", tr("Panel &load"), nullptr,   {}, tr("How hard the air pushes each panel."), arrows(Vectors::PanelLoad), Toggle::Off, "arrows"},
+        {"&View/&Arrows", "tensionArrows", tr("&Tension"), nullptr,   {}, tr("How hard each link pulls at its ends."), arrows(Vectors::Tension), Toggle::Off, "arrows"},
+    };
+    // clang-format on
+}
+
+} // namespace ripstop

@@ -1,0 +1,120 @@
+#include "docks/dock_table.h"
+
+#include "docks/panels.h"
+#include "document/document.h"
+#include "document/measurement.h"
+#include "document/player.h"
+#include "document/recordings.h"
+#include "inspector/inspector.h"
+#include "inspector/tuning_panel.h"
+#include "outline/outline.h"
+#include "plots/plot_panel.h"
+#include "problems/problem_list.h"
+#include "table/sheet_panel.h"
+#include "timeline/timeline.h"
+#include "transport/control_strip.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QUndoView>
+
+namespace ripstop {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Docks", text); }
+
+QWidget* makeOutline(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    return new Outline(parts.document, parts.selection, &dock);
+}
+
+QWidget* makeHistory(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    auto* history = new QUndoView(&parts.document.history(), &dock);
+    history->setEmptyLabel(tr("The design as it was opened"));
+    history->setToolTip(tr("Click a step to go back to it, or forward again."));
+    return history;
+}
+
+QWidget* makeInspector(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    return new Inspector(parts.document, parts.selection, &dock);
+}
+
+QWidget* makeTuning(const PanelParts& parts, const Panels& above, QDockWidget& dock)
+{
+    return new TuningPanel(parts.document, parts.selection, above.the<Inspector>().sliders(),
+                           &dock);
+}
+
+QWidget* makePlots(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    auto* plots = new PlotPanel(parts.document, parts.player, &dock);
+    plots->markEventsOf(parts.recordings);
+    QObject::connect(plots, &PlotPanel::said, &dock, parts.say);
+    return plots;
+}
+
+QWidget* makeControls(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    return new ControlStrip(parts.document, parts.player, &dock);
+}
+
+// Its title counts, and it comes forward when the design cannot run or the run has stopped.
+QWidget* makeProblems(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    auto* problems = new ProblemList(parts.document, parts.selection, parts.player, &dock);
+    QObject::connect(
+        problems, &ProblemList::countChanged, &dock, [&dock](int errors, int warnings) {
+            const int count = errors + warnings;
+            dock.setWindowTitle(count ? tr("Problems (%1)").arg(count) : tr("Problems"));
+            if (errors)
+                dock.raise();
+        });
+    QObject::connect(&parts.player, &Player::stopped, &dock, [&dock] {
+        dock.show();
+        dock.raise();
+    });
+    return problems;
+}
+
+QWidget* makeTable(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    return new SheetPanel(
+        parts.document, parts.selection,
+        [&player = parts.player] { return measurementOf(player.frame()); }, &dock);
+}
+
+QWidget* makeTimeline(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    return new Timeline(parts.recordings, &dock);
+}
+
+} // namespace
+
+std::vector<DockRow> dockTable()
+{
+    const auto left = Qt::LeftDockWidgetArea;
+    const auto right = Qt::RightDockWidgetArea;
+    const auto below = Qt::BottomDockWidgetArea;
+    const auto stays = OnOpening::Stays;
+    const auto comes = OnOpening::ComesForward;
+    // clang-format off
+    return {
+        {"outline",   tr("Outline"),   left,  250, comes, makeOutline,
+            tr("Outline"), tr("Everything that the scene is made of: parts, materials, groups, controls, colliders. The tab History goes back to any step.")},
+        {"history",   tr("History"),   left,  0,   stays, makeHistory, {}, {}},
+        {"inspector", tr("Inspector"), right, 300, stays, makeInspector,
+            tr("Inspector"), tr("The values of what is selected, one thing or thousands. Type with units (12 cm, 25 g), drag a label sideways, or change a value while the simulation runs.")},
+        {"tuning",    tr("Tuning"),    right, 0,   stays, makeTuning, {}, {}},
+        {"plots",     tr("Plots"),     below, 210, comes, makePlots,
+            tr("Measure it"), tr("Strain, energy, forces and probes as they happen. Problems of the design stand beside, each with a click to what it is about.")},
+        {"controls",  tr("Controls"),  below, 0,   stays, makeControls, {}, {}},
+        {"problems",  tr("Problems"),  below, 0,   stays, makeProblems, {}, {}},
+        {"table",     tr("Table"),     below, 0,   stays, makeTable, {}, {}},
+        {"timeline",  tr("Timeline"),  below, 0,   stays, makeTimeline, {}, {}},
+    };
+    // clang-format on
+}
+
+} // namespace ripstop

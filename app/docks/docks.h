@@ -1,0 +1,57 @@
+// The docks of the window, as the table has them (dock_table.h).
+//
+// The main window makes them before its actions, and tells them when its middle changes between
+// the start page, which has the window to itself, and the view. Actions and the command line show
+// docks by their ids and reach panels by their types.
+#pragma once
+
+#include "docks/dock_table.h"
+#include "docks/panels.h"
+
+#include <QList>
+#include <QString>
+
+#include <map>
+#include <set>
+
+class QAction;
+class QMainWindow;
+
+namespace ripstop {
+
+class Docks final
+{
+public:
+    struct Dock
+    {
+        DockRow row;
+        QDockWidget* widget; // of the window
+    };
+
+    Docks(QMainWindow& window, const PanelParts& parts);
+
+    const std::vector<Dock>& all() const { return m_all; } // in the order of the table
+
+    template <typename Panel>
+    Panel& panel() const
+    {
+        return m_panels.the<Panel>();
+    }
+
+    bool show(const QString& id) const; // before those that share its place; false: there is none
+    QList<QAction*> toggles() const;    // that show and hide them, by their ids
+
+    void hideAll() const;
+    void noteClosed();         // those that are hidden now are what the user has closed
+    void showOpen() const;     // all but those
+    void bringForward() const; // what comes forward when a scene is opened
+
+private:
+    void add(QMainWindow& window, const DockRow& row, const PanelParts& parts);
+
+    std::vector<Dock> m_all;
+    Panels m_panels;
+    std::set<QDockWidget*> m_closed;
+};
+
+} // namespace ripstop

@@ -1,0 +1,61 @@
+// The status bar: at the left what has just been done, or what is under the mouse; at the right
+// what is selected and how much the scene has.
+//
+// Whoever has a signal said() is heard here; everybody else who has something to say calls say().
+#pragma once
+
+#include "scene/id.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <vector>
+
+class QLabel;
+class QStatusBar;
+
+namespace ripstop {
+
+class Document;
+class Player;
+class Recordings;
+class Selection;
+class Viewport;
+
+class StatusLine final : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr int glance = 8000; // ms, for what was done
+    static constexpr int read = 15000;  // ms, for what went wrong
+
+    StatusLine(QStatusBar& bar, Document& document, Selection& selection, Player& player);
+
+    void say(const QString& message, int time = glance);
+
+    template <typename Speaker>
+    void hear(const Speaker& speaker)
+    {
+        connect(&speaker, &Speaker::said, this, [this](const QString& message) { say(message); });
+    }
+    void follow(const Recordings& recordings);
+    void follow(Viewport& viewport); // what the mouse is on
+
+private:
+    void showCounts();
+    void showSelected();
+    void showHovered(Id id);
+    QString summary(const std::vector<Id>& ids) const;
+
+    QStatusBar& m_bar;
+    Document& m_document;
+    Selection& m_selection;
+    Player& m_player;
+    QLabel* m_selected;
+    QLabel* m_counts;
+    QTimer m_selectedSoon; // counts what is selected
+};
+
+} // namespace ripstop

@@ -1,0 +1,79 @@
+#include "files/arrivals.h"
+
+#include "dialogs/builder_dialog.h"
+#include "document/document.h"
+#include "document/selection.h"
+#include "files/files.h"
+#include "import/import_dialog.h"
+#include "tools/transform_tool.h"
+#include "viewport/viewport.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <utility>
+
+namespace ripstop {
+
+Arrivals::Arrivals(Document& document, Selection& selection, Viewport& viewport, Files& files,
+                   std::function<bool()> isOpen, QWidget& window)
+    : QObject(&window)
+    , m_document(document)
+    , m_selection(selection)
+    , m_viewport(viewport)
+    , m_files(files)
+    , m_isOpen(std::move(isOpen))
+    , m_window(window)
+{}
+
+void Arrivals::startFrom(const QString& builder)
+{
+    if (!m_files.mayDiscard())
+        return;
+    BuilderDialog dialog(builder, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    Scene scene = dialog.scene();
+    const QString title = QString::fromStdString(scene.settings.title);
+    m_document.replace(std::move(scene), title.isEmpty() ? tr("untitled") : title);
+    emit opened();
+}
+
+// The dialog shows what it inserts in the view, so the design is there and not a run.
+void Arrivals::insert(const QString& builder)
+{
+    if (!m_isOpen())
+        return startFrom(builder);
+    m_viewport.transformTool().goToDesign();
+    BuilderDialog dialog(builder, {m_document, m_selection, m_viewport.camera().focus}, &m_window);
+    connect(&dialog, &BuilderDialog::shown, &m_viewport,
+            [this](const std::vector<Id>& bodies) { m_viewport.fit(bodies); });
+    const Camera before = m_viewport.camera();
+    if (dialog.exec() == QDialog::Rejected)
+        m_viewport.look(before); // the preview took it elsewhere
+}
+
+void Arrivals::importMesh(const QString& file)
+{
+    const bool isNew = !m_isOpen();
+    const QString folder =
+        m_document.file().isEmpty() ? QString() : QFileInfo(m_document.file()).path();
+    const QString mesh = file.isEmpty() ? ImportDialog::askFile(&m_window, folder) : file;
+    if (mesh.isEmpty() || (isNew && !m_files.mayDiscard()))
+        return;
+    const Scene empty;
+    ImportDialog dialog(isNew ? empty : m_document.scene(), mesh, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    if (isNew) {
+        m_document.replace(Scene{}, QFileInfo(dialog.file()).completeBaseName());
+        emit opened();
+    }
+    m_document.push(dialog.result().edit);
+    m_selection.set(dialog.result().parts);
+    m_viewport.fit(dialog.result().parts);
+    emit said(tr("Imported %1. Pin what is to be held: nothing holds it yet.")
+                  .arg(QDir::toNativeSeparators(dialog.file())));
+}
+
+} // namespace ripstop

@@ -1,0 +1,39 @@
+#include "files/kept_work.h"
+
+#include "dialogs/rescue_dialog.h"
+#include "document/autosave.h"
+#include "document/player.h"
+#include "document/words.h"
+#include "files/files.h"
+
+#include <QMessageBox>
+
+namespace ripstop {
+
+KeptWork::KeptWork(Document& document, Player& player, Files& files, QWidget& window)
+    : QObject(&window)
+    , m_document(document)
+    , m_player(player)
+    , m_files(files)
+    , m_window(window)
+{}
+
+void KeptWork::keepIn(const QString& folder)
+{
+    auto* autosave =
+        new Autosave(m_document, m_player.follower(), folder, Autosave::usualDelay, this);
+    connect(autosave, &Autosave::failed, this, &KeptWork::failed);
+    const QList<Rescue> found = leftBehind(folder);
+    if (found.isEmpty())
+        return;
+    RescueDialog dialog(found, &m_window);
+    if (dialog.exec() != QDialog::Accepted || !m_files.mayDiscard())
+        return;
+    if (const auto failure = autosave->recover(*dialog.chosen()))
+        QMessageBox::warning(&m_window, tr("Cannot open what was left behind"),
+                             translated(failure->message));
+    else
+        emit opened();
+}
+
+} // namespace ripstop

@@ -1,0 +1,159 @@
+// The docks of the window: each row of their table is all that a dock needs, and what follows from
+// it is there.
+#include "app/window_shop.h"
+#include "docks/dock_table.h"
+#include "editor/tour.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+struct OpenWindow : WindowShop
+{
+    OpenWindow()
+    {
+        window.show();
+        window.files().open(SCENES_DIR "/delta_kite.ripstop.json");
+        QTest::qWait(50); // until docks have their sizes
+    }
+
+    QDockWidget& dock(const QString& id) const
+    {
+        for (const auto& [row, widget] : window.docks().all())
+            if (row.id == id)
+                return *widget;
+        qFatal("there is no dock %s", qPrintable(id));
+    }
+};
+
+// Of those that lie behind each other.
+bool isInFront(const QDockWidget& dock) { return !dock.visibleRegion().isEmpty(); }
+
+bool has(const QMenu& menu, const QAction* wanted)
+{
+    const QList<QAction*> entries = menu.actions();
+    return std::ranges::any_of(entries, [&](const QAction* entry) {
+        return entry == wanted || (entry->menu() && has(*entry->menu(), wanted));
+    });
+}
+
+} // namespace
+
+class TestDocks : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void rowsAreDocks()
+    {
+        OpenWindow shop;
+        const std::vector<DockRow> rows = dockTable();
+        QCOMPARE(shop.window.docks().all().size(), rows.size());
+        QSet<QString> ids;
+        for (const DockRow& row : rows) {
+            QVERIFY2(!ids.contains(row.id), row.id);
+            ids << row.id;
+            QDockWidget& dock = shop.dock(row.id);
+            QCOMPARE(dock.objectName(), QString(row.id));
+            QVERIFY(!row.title.isEmpty());
+            QVERIFY(dock.windowTitle().startsWith(row.title)); // it may count something
+            QCOMPARE(shop.window.dockWidgetArea(&dock), row.area);
+            QVERIFY(dock.widget());
+        }
+    }
+
+    void togglesStandInTheMenus()
+    {
+        OpenWindow shop;
+        const QList<QAction*> toggles = shop.window.docks().toggles();
+        QCOMPARE(toggles.size(), qsizetype(dockTable().size()));
+        for (const DockRow& row : dockTable()) {
+            const QAction* toggle = shop.dock(row.id).toggleViewAction();
+            QVERIFY(toggles.contains(toggle));
+            const QList<QAction*> titles = shop.window.menuBar()->actions();
+            QVERIFY(std::ranges::any_of(
+                titles, [&](const QAction* title) { return has(*title->menu(), toggle); }));
+        }
+    }
+
+    void rowsOfAnAreaAreTabsWithTheFirstInFront()
+    {
+        OpenWindow shop;
+        std::map<Qt::DockWidgetArea, QDockWidget*> front;
+        for (const DockRow& row : dockTable()) {
+            QDockWidget& dock = shop.dock(row.id);
+            const auto [first, isFirst] = front.try_emplace(row.area, &dock);
+            QVERIFY2(isInFront(dock) == isFirst, row.id);
+            if (!isFirst)
+                QVERIFY(shop.window.tabifiedDockWidgets(first->second).contains(&dock));
+            if (row.size > 0)
+                QCOMPARE(row.area == Qt::BottomDockWidgetArea ? dock.height() : dock.width(),
+                         row.size);
+        }
+    }
+
+    void areShownByTheirIds()
+    {
+        OpenWindow shop;
+        for (const DockRow& row : dockTable()) {
+            shop.dock(row.id).close();
+            QVERIFY(shop.window.docks().show(row.id));
+            QTRY_VERIFY2(isInFront(shop.dock(row.id)), row.id);
+        }
+        QVERIFY(!shop.window.docks().show("nothing"));
+    }
+
+    // The start page has the window to itself.
+    void closedOnesStayClosedAfterTheStartPage()
+    {
+        OpenWindow shop;
+        shop.dock("tuning").close();
+        shop.window.showStartPage();
+        for (const auto& [row, dock] : shop.window.docks().all())
+            QVERIFY2(dock->isHidden(), row.id);
+        shop.window.showScene();
+        for (const auto& [row, dock] : shop.window.docks().all())
+            QVERIFY2(dock->isHidden() == (QLatin1String(row.id) == "tuning"), row.id);
+    }
+
+    void someComeForwardWhenASceneIsOpened()
+    {
+        OpenWindow shop;
+        for (const DockRow& row : dockTable()) // the last of each area stays in front
+            shop.window.docks().show(row.id);
+        QTest::qWait(20);
+        QVERIFY(shop.window.files().open(SCENES_DIR "/cloth.ripstop.json"));
+        QTest::qWait(20);
+        for (const DockRow& row : dockTable())
+            if (row.onOpening == OnOpening::ComesForward)
+                QVERIFY2(isInFront(shop.dock(row.id)), row.id);
+        QVERIFY(isInFront(shop.dock("tuning")));
+    }
+
+    // Between the view and the bar that flies it, and from there to the menus.
+    void tourStopsAtThoseThatSayWhatTheyAreFor()
+    {
+        OpenWindow shop;
+        const auto rows = dockTable();
+        const auto told = std::ranges::count_if(
+            rows, [](const DockRow& row) { return !row.tourTitle.isEmpty(); });
+        QVERIFY(told > 0);
+        shop.run("tour");
+        QPointer<Tour> tour = shop.window.findChild<Tour*>();
+        QVERIFY(tour);
+        int stops = 0;
+        for (; tour && stops < 100; ++stops) {
+            tour->goTo(tour->stop() + 1);
+            QTest::qWait(1); // it deletes itself
+        }
+        QCOMPARE(stops, 3 + int(told));
+    }
+};
+
+int main(int argc, char** argv) { return runWithView<TestDocks>(argc, argv); }
+#include "test_docks.moc"
