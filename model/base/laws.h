@@ -35,7 +35,7 @@ enum class TearRule { Never, Length, Strain, Force };
 enum class TearMesh { Vanish, Split }; // what panels do beside a link that tears
 enum class AirLaw { None, Paper, LinearNormal, LiftDrag, Vortex };
 enum class WindKind { Uniform, PowerLaw, LogLaw, Gusts, Jet };
-enum class ColliderShape { Plane, Sphere, Box, HeightField, Mesh };
+enum class ColliderShape { Plane, Sphere, Box, Cylinder, HeightField, Mesh };
 enum class Response { Stop, Slide, Contact };
 enum class ControlKind { Move, WeightShift };
 
@@ -127,8 +127,8 @@ template <>
 inline constexpr std::array<std::string_view, 5> choiceNames<WindKind>{"uniform", "power_law",
                                                                        "log_law", "gusts", "jet"};
 template <>
-inline constexpr std::array<std::string_view, 5> choiceNames<ColliderShape>{
-    "plane", "sphere", "box", "height_field", "mesh"};
+inline constexpr std::array<std::string_view, 6> choiceNames<ColliderShape>{
+    "plane", "sphere", "box", "cylinder", "height_field", "mesh"};
 template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<Response>{"stop", "slide", "contact"};
 template <>

@@ -1,6 +1,8 @@
 #include "scene/usage.h"
 
 #include "base/quantity.h"
+#include "shapes/solid.h"
+
 #include <algorithm>
 #include <array>
 
@@ -53,24 +55,23 @@ Reason idle(const Part& part, std::string_view key, const Around&)
 
 Reason idle(const Collider& collider, std::string_view key, const Around&)
 {
-    const auto isShape = [&](auto... shapes) { return ((collider.shape == shapes) || ...); };
-    using enum ColliderShape;
+    const ShapeUses& uses = rowOf(collider.shape).uses;
     if (key == "position")
         return unless(collider.path.empty(), "the path says where it is");
     if (key == "normal")
-        return unless(isShape(Plane), "only planes have one");
+        return unless(uses.normal, "only planes have one");
     if (key == "radius")
-        return unless(isShape(Sphere), "only spheres have one");
+        return unless(uses.radius, "only round shapes have one");
     if (key == "size")
-        return unless(isShape(Box, HeightField), "only boxes and height fields have one");
+        return unless(uses.size, "this shape has none");
     if (key == "turn")
-        return unless(isShape(Box, HeightField, Mesh), "planes and spheres do not turn");
+        return unless(uses.turn, "planes and spheres do not turn");
     if (key == "file")
-        return unless(isShape(HeightField, Mesh), "only height fields and meshes come from files");
+        return unless(uses.file, "only height fields and meshes come from files");
     if (key == "scale")
-        return unless(isShape(Mesh), "only meshes are scaled");
+        return unless(uses.scale, "only meshes are scaled");
     if (key == "grid" || key == "seed" || key == "hillLength")
-        return unless(isShape(HeightField) && collider.file.empty(),
+        return unless(uses.hills && collider.file.empty(),
                       "only generated hills, a height field without a file, have it");
     if (key == "restitution" || key == "friction")
         return unless(collider.response == Response::Contact,
