@@ -12,11 +12,15 @@ using namespace ripstop;
 
 namespace {
 
-// The compiler writes an enumerator by its name, and a number that has none as "(Choice)7".
+// The compiler writes an enumerator by its name, and a number that has none as "(Choice)7"
+// or "7".
 template <auto choice>
 constexpr bool isEnumerator()
 {
-    return std::string_view(__PRETTY_FUNCTION__).find("choice = (") == std::string_view::npos;
+    constexpr std::string_view before = "choice = ";
+    const std::string_view name = __PRETTY_FUNCTION__;
+    const char first = name[name.find(before) + before.size()];
+    return first != '(' && !(first >= '0' && first <= '9');
 }
 
 template <typename... Choices>
