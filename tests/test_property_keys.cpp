@@ -24,7 +24,7 @@ struct Other
 // clang-format off
 constexpr Other others[]{
     {"model/scene/property.cpp",        "*",                  "the table itself"},
-    {"model/base/laws.h",               "formula",            "names of choices"},
+    {"model/base/quantity.h",           "formula",            "names of choices"},
     {"model/builders/",                 "*",                  "builders have parameters of their own, as in {width: 2}"},
     {"model/verify/",                   "*",                  "parameters of builders"},
     {"model/shapes/",                   "u v",                "words of mesh files"},

@@ -1,6 +1,7 @@
 #include "author/insert.h"
 
 #include "author/copy.h"
+#include "scene/collider_shape.h"
 
 #include <algorithm>
 #include <set>
@@ -175,9 +176,12 @@ Eigen::AlignedBox3d extentOf(const Scene& scene)
         const Collider* collider = std::get_if<Collider>(&entry.item);
         if (!collider || isSurrounding(entry.item))
             continue;
-        const Vec3 half = collider->shape == ColliderShape::Sphere
-                              ? Vec3(Vec3::Constant(collider->radius))
-                              : Vec3(0.5 * collider->size);
+        // about its place, so that hills are put with their foot where others have their middle
+        const ShapeRow& row = rowOf(collider->shape);
+        const Eigen::AlignedBox3d own = row.bounds(solidOf(*collider));
+        Vec3 half = own.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(0.5 * own.sizes());
+        if (row.uses.turn)
+            half = turnOf(*collider).cwiseAbs() * half;
         box.extend(Vec3(collider->position - half));
         box.extend(Vec3(collider->position + half));
     }

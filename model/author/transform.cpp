@@ -33,19 +33,35 @@ std::string pathText(const std::vector<PathKey>& path)
     return text;
 }
 
-// The property that a motion changes beside the place, or null.
-const Property* shapeProperty(const Collider& collider, bool rigid)
+// The properties that a motion changes beside the place.
+std::vector<const Property*> shapeProperties(const Collider& collider, bool rigid)
 {
-    switch (collider.shape) {
-    case ColliderShape::Plane:
-        return &propertyOf<&Collider::normal>();
-    case ColliderShape::Sphere:
-        return rigid ? nullptr : &propertyOf<&Collider::radius>();
-    case ColliderShape::Mesh:
-        return &(rigid ? propertyOf<&Collider::turn>() : propertyOf<&Collider::scale>());
-    default:
-        return &(rigid ? propertyOf<&Collider::turn>() : propertyOf<&Collider::size>());
+    const ShapeUses& uses = rowOf(collider.shape).uses;
+    std::vector<const Property*> properties;
+    if (uses.normal)
+        properties.push_back(&propertyOf<&Collider::normal>());
+    if (rigid && uses.turn)
+        properties.push_back(&propertyOf<&Collider::turn>());
+    if (!rigid && uses.radius)
+        properties.push_back(&propertyOf<&Collider::radius>());
+    if (!rigid && uses.size)
+        properties.push_back(&propertyOf<&Collider::size>());
+    if (!rigid && uses.scale)
+        properties.push_back(&propertyOf<&Collider::scale>());
+    return properties;
+}
+
+// By how much a radius grows when the axes of the shape grow by these factors, whose mean for all
+// three is `growth`.
+double radiusGrowth(Round round, const Vec3& factors, double growth)
+{
+    switch (round) {
+    case Round::Everywhere:
+        break;
+    case Round::AboutY:
+        return std::sqrt(std::abs(factors.x() * factors.z()));
     }
+    return growth;
 }
 
 // Says everything that a motion may change, also what stays as it is: steps of one gesture merge
@@ -59,7 +75,7 @@ void addCollider(Edit& edit, const MovableCollider& one, const Motion& motion)
     set(propertyOf<&Collider::position>());
     if (!now.path.empty())
         set(propertyOf<&Collider::path>());
-    if (const Property* property = shapeProperty(now, motion.rigid))
+    for (const Property* property : shapeProperties(now, motion.rigid))
         set(*property);
 }
 
@@ -132,10 +148,11 @@ Collider placed(const Collider& was, const Motion& motion)
             key.place = motion.map * key.place;
         now.path = pathText(keys);
     }
-    if (was.shape == ColliderShape::Plane)
+    const ShapeRow& row = rowOf(was.shape);
+    if (row.uses.normal)
         now.normal = (linear.inverse().transpose() * was.normal).normalized();
     if (motion.rigid) {
-        // boxes are their own mirror image, so that a mirrored one is a turned one
+        // most shapes are their own mirror image, so that a mirrored one is a turned one
         const double hand = linear.determinant() < 0.0 ? -1.0 : 1.0;
         now.turn = anglesOf(linear * turnOf(was) * Vec3(hand, 1.0, 1.0).asDiagonal());
         return now;
@@ -143,7 +160,7 @@ Collider placed(const Collider& was, const Motion& motion)
     const double growth = std::cbrt(std::abs(linear.determinant()));
     const bool upright = was.turn.isZero() && linear.isDiagonal();
     const Vec3 factors = upright ? Vec3(linear.diagonal()) : Vec3::Constant(growth);
-    now.radius = growth * was.radius;
+    now.radius = radiusGrowth(row.round, factors, growth) * was.radius;
     now.scale = growth * was.scale;
     now.size = factors.cwiseProduct(was.size);
     return now;

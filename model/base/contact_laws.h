@@ -5,10 +5,10 @@
 
 namespace ripstop {
 
-enum class ColliderShape { Plane, Sphere, Box, HeightField, Mesh };
+enum class ColliderShape { Plane, Sphere, Box, Cylinder, HeightField, Mesh };
 template <>
-inline constexpr std::array<std::string_view, 5> choiceNames<ColliderShape>{
-    "plane", "sphere", "box", "height_field", "mesh"};
+inline constexpr std::array<std::string_view, 6> choiceNames<ColliderShape>{
+    "plane", "sphere", "box", "cylinder", "height_field", "mesh"};
 
 enum class Response { Stop, Slide, Contact };
 template <>

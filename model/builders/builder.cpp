@@ -109,17 +109,20 @@ std::vector<std::string> cellsOf(std::string_view row)
 
 std::span<const Builder> allBuilders()
 {
-    static const std::array table{// wings
-                                  deltaKiteBuilder, diamondKiteBuilder, rectangularKiteBuilder,
-                                  hangGliderBuilder,
-                                  // canopies
-                                  parachuteBuilder, crossParachuteBuilder,
-                                  // cloth
-                                  clothBuilder, poleFlagBuilder, bendingTestBuilder,
-                                  // lines
-                                  ropeBuilder, bridleBuilder, frameBuilder, stiffenedRodBuilder,
-                                  // obstacles
-                                  boxBuilder, sphereBuilder, hillsBuilder};
+    static const std::vector<Builder> table = [] {
+        std::vector<Builder> all{// wings
+                                 deltaKiteBuilder, diamondKiteBuilder, rectangularKiteBuilder,
+                                 hangGliderBuilder,
+                                 // canopies
+                                 parachuteBuilder, crossParachuteBuilder,
+                                 // cloth
+                                 clothBuilder, poleFlagBuilder, bendingTestBuilder,
+                                 // lines
+                                 ropeBuilder, bridleBuilder, frameBuilder, stiffenedRodBuilder};
+        const std::span<const Builder> obstacles = obstacleBuilders();
+        all.insert(all.end(), obstacles.begin(), obstacles.end());
+        return all;
+    }();
     return table;
 }
 

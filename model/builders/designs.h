@@ -1,18 +1,15 @@
-// The rows of the table of builders; each stands in a file of its own.
+// The rows of the table of builders; each stands in a file of its own, obstacles in one.
 #pragma once
 
 #include "builders/builder.h"
 
 namespace ripstop {
 
-extern const Builder boxBuilder;
 extern const Builder bridleBuilder;
 extern const Builder clothBuilder;
 extern const Builder crossParachuteBuilder;
 extern const Builder diamondKiteBuilder;
 extern const Builder frameBuilder;
-extern const Builder hillsBuilder;
-extern const Builder sphereBuilder;
 extern const Builder poleFlagBuilder;
 extern const Builder rectangularKiteBuilder;
 extern const Builder ropeBuilder;
@@ -21,5 +18,6 @@ extern const Builder deltaKiteBuilder;
 extern const Builder parachuteBuilder;
 extern const Builder stiffenedRodBuilder;
 extern const Builder bendingTestBuilder;
+std::span<const Builder> obstacleBuilders();
 
 } // namespace ripstop

@@ -1,7 +1,11 @@
-// Obstacles: a box, a sphere or hills that stand on the ground, for designs to land on, to drape
-// over and to fly along.
+// Obstacles: a box, a sphere, a cylinder or hills that stand on the ground, for designs to land on,
+// to drape over and to fly along.
 #include "builders/designs.h"
 #include "builders/network.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace ripstop {
 namespace {
@@ -18,6 +22,14 @@ constexpr Parameter boxParameters[]{
 };
 constexpr Parameter sphereParameters[]{
     {"radius",    "m",   0.5,  0.01, 500,  false, "Of the sphere.", "Size"},
+    {"clearance", "m",   0,    0,    1000, false, "Between the ground and the underside."},
+    {"friction",  "",    0.3,  0,    2,    false, "Coefficient of friction of what slides on it.", "Contact"},
+    {"restitution", "",  0,    0,    1,    false, "Share of the speed that what hits it keeps; 0 does not bounce."},
+};
+constexpr Parameter cylinderParameters[]{
+    {"radius",    "m",   0.25, 0.01, 500,  false, "Of the cylinder.", "Size"},
+    {"length",    "m",   1,    0.01, 1000, false, "From cap to cap."},
+    {"tilt",      "deg", 0,    0,    90,   false, "Of the axis from the vertical; 90 lays it along z."},
     {"clearance", "m",   0,    0,    1000, false, "Between the ground and the underside."},
     {"friction",  "",    0.3,  0,    2,    false, "Coefficient of friction of what slides on it.", "Contact"},
     {"restitution", "",  0,    0,    1,    false, "Share of the speed that what hits it keeps; 0 does not bounce."},
@@ -67,6 +79,22 @@ Result<Scene> buildSphere(const Parameters& p)
     return obstacleScene(sphere, "Sphere");
 }
 
+Result<Scene> buildCylinder(const Parameters& p)
+{
+    Collider cylinder;
+    cylinder.name = "cylinder";
+    cylinder.shape = ColliderShape::Cylinder;
+    cylinder.radius = p.at("radius");
+    cylinder.size = Vec3(2.0 * p.at("radius"), p.at("length"), 2.0 * p.at("radius"));
+    cylinder.turn.x() = p.at("tilt");
+    const double tilt = p.at("tilt") * (std::numbers::pi / 180.0);
+    cylinder.position.y() =
+        p.at("clearance") + p.at("radius") * std::sin(tilt) + 0.5 * p.at("length") * std::cos(tilt);
+    cylinder.friction = p.at("friction");
+    cylinder.restitution = p.at("restitution");
+    return obstacleScene(cylinder, "Cylinder");
+}
+
 Result<Scene> buildHills(const Parameters& p)
 {
     Collider hills;
@@ -82,14 +110,19 @@ Result<Scene> buildHills(const Parameters& p)
 
 } // namespace
 
-const Builder boxBuilder{
-    "box",         "Box",    "A box on the ground that cloth lies on and lines bend round.",
-    boxParameters, buildBox, Family::Obstacles};
-const Builder sphereBuilder{
-    "sphere",         "Sphere",    "A sphere on the ground that cloth drapes over.",
-    sphereParameters, buildSphere, Family::Obstacles};
-const Builder hillsBuilder{
-    "hills",         "Hills",    "Rolling ground to soar along and to land on.",
-    hillsParameters, buildHills, Family::Obstacles};
+std::span<const Builder> obstacleBuilders()
+{
+    static constexpr std::array rows{
+        Builder{"box", "Box", "A box on the ground that cloth lies on and lines bend round.",
+                boxParameters, buildBox, Family::Obstacles},
+        Builder{"sphere", "Sphere", "A sphere on the ground that cloth drapes over.",
+                sphereParameters, buildSphere, Family::Obstacles},
+        Builder{"cylinder", "Cylinder",
+                "A cylinder on the ground, upright or lying, that cloth drapes over.",
+                cylinderParameters, buildCylinder, Family::Obstacles},
+        Builder{"hills", "Hills", "Rolling ground to soar along and to land on.", hillsParameters,
+                buildHills, Family::Obstacles}};
+    return rows;
+}
 
 } // namespace ripstop

@@ -311,12 +311,10 @@ std::vector<Obstacle> obstaclesOf(const Scene& scene)
         // What fails here was found by the check before.
         if (const auto path = pathFromText(collider.path))
             obstacle.path = *path;
-        if (collider.shape == ColliderShape::HeightField)
-            if (const auto grid = gridOf(scene, collider))
-                obstacle.grid = *grid;
-        if (collider.shape == ColliderShape::Mesh)
-            if (const auto mesh = meshOf(scene, collider))
-                obstacle.mesh = *mesh;
+        if (const auto data = shapeDataOf(scene, collider)) {
+            obstacle.grid = data->grid;
+            obstacle.mesh = data->mesh;
+        }
         obstacles.push_back(std::move(obstacle));
     });
     return obstacles;

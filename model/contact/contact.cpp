@@ -26,45 +26,19 @@ std::optional<Touch> touchPlane(const Obstacle& obstacle, const Vec3& position, 
     return Touch{to - height * obstacle.normal, obstacle.normal};
 }
 
-// In the obstacle's own frame.
-std::optional<Touch> touchTurned(const Obstacle& obstacle, const Vec3& from, const Vec3& to,
-                                 bool inside)
+std::optional<Touch> touch(const Obstacle& obstacle, const PlacedObstacle& placed,
+                           const Passage& passage, bool inside)
 {
-    switch (obstacle.shape) {
-    case ColliderShape::Box:
-        return touchBox(0.5 * obstacle.size, obstacle.thickness, from, to);
-    case ColliderShape::HeightField:
-        return obstacle.grid
-                   ? touchGround(*obstacle.grid, obstacle.size, obstacle.thickness, from, to)
-                   : std::nullopt;
-    case ColliderShape::Mesh: {
-        if (!obstacle.mesh)
-            break;
-        const double units = 1.0 / obstacle.scale;
-        auto touch =
-            touchMesh(*obstacle.mesh, units * obstacle.thickness, units * from, units * to, inside);
-        if (touch)
-            touch->surface *= obstacle.scale;
-        return touch;
-    }
-    case ColliderShape::Plane:
-    case ColliderShape::Sphere:
-        break;
-    }
-    return std::nullopt;
-}
-
-std::optional<Touch> touch(const Obstacle& obstacle, const Vec3& position, const Passage& passage,
-                           bool inside)
-{
+    const Vec3& position = placed.position;
     if (obstacle.shape == ColliderShape::Plane)
         return touchPlane(obstacle, position, passage.to);
+    const ShapeRow& row = rowOf(obstacle.shape);
     const Vec3 from = passage.from - position, to = passage.to - position;
-    const bool turns = obstacle.shape != ColliderShape::Sphere;
     const Eigen::Matrix3d& turn = obstacle.turn;
+    const bool turns = row.uses.turn;
     std::optional<Touch> touch =
-        turns ? touchTurned(obstacle, turn.transpose() * from, turn.transpose() * to, inside)
-              : touchSphere(obstacle.radius + obstacle.thickness, from, to);
+        turns ? row.touch(placed.solid, turn.transpose() * from, turn.transpose() * to, inside)
+              : row.touch(placed.solid, from, to, inside);
     if (touch && turns)
         touch = Touch{turn * touch->surface, turn * touch->normal};
     if (touch)
@@ -136,8 +110,7 @@ void resolveContact(const ContactWork& work, std::size_t i)
     for (std::size_t o = 0; o < placed.size(); ++o) {
         const Obstacle& obstacle = system.obstacles[o];
         const Vec3 start = before[i] + placed[o].way; // as if the obstacle had been there already
-        std::optional<Touch> found =
-            touch(obstacle, placed[o].position, {start, state.position[i]}, inside);
+        std::optional<Touch> found = touch(obstacle, placed[o], {start, state.position[i]}, inside);
         if (found && guided)
             found = touchOnGuide(*guided, *found, state.position[i]);
         if (!found)

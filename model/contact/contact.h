@@ -1,4 +1,4 @@
-// Contact of particles with obstacles: planes, spheres, boxes, height fields and meshes.
+// Contact of particles with obstacles, whichever shape they have (shapes/solid.h).
 //
 // A particle that is inside, or that went through on its way, is put back on the surface of the
 // side that it came from; the responses differ in what is left of its velocity, which is that

@@ -19,47 +19,20 @@ Vec3 placeOnPath(const std::vector<PathKey>& path, double time)
     return last.place + share * (next->place - last.place);
 }
 
-struct Box
-{
-    Vec3 low;
-    Vec3 high;
-};
-
-// Around the shape in its own frame, without its margin.
-Box ownBounds(const Obstacle& obstacle)
-{
-    switch (obstacle.shape) {
-    case ColliderShape::Sphere:
-        return {Vec3::Constant(-obstacle.radius), Vec3::Constant(obstacle.radius)};
-    case ColliderShape::Box:
-        return {-0.5 * obstacle.size, 0.5 * obstacle.size};
-    case ColliderShape::HeightField: {
-        const Vec3 half(0.5 * obstacle.size.x(), 0.0, 0.5 * obstacle.size.z());
-        return {-half, half + Vec3(0.0, obstacle.size.y(), 0.0)};
-    }
-    case ColliderShape::Mesh:
-        if (obstacle.mesh)
-            return {obstacle.scale * obstacle.mesh->low(), obstacle.scale * obstacle.mesh->high()};
-        break;
-    case ColliderShape::Plane:
-        break;
-    }
-    constexpr double all = std::numeric_limits<double>::infinity();
-    return {Vec3::Constant(-all), Vec3::Constant(all)};
-}
-
 // What touches is within the margin, and a mesh has some always (see touchMesh); a thousandth of
-// the size more covers both and all rounding.
+// the size more covers both and all rounding. What has no end may be met everywhere.
 void findBounds(const Obstacle& obstacle, PlacedObstacle& placed)
 {
-    const Box own = ownBounds(obstacle);
-    if (obstacle.shape == ColliderShape::Plane) {
-        placed.low = own.low;
-        placed.high = own.high;
+    const ShapeRow& row = rowOf(obstacle.shape);
+    const Eigen::AlignedBox3d own = row.bounds(placed.solid);
+    if (own.isEmpty()) {
+        constexpr double all = std::numeric_limits<double>::infinity();
+        placed.low = Vec3::Constant(-all);
+        placed.high = Vec3::Constant(all);
         return;
     }
-    const bool turns = obstacle.shape != ColliderShape::Sphere;
-    const Vec3 middle = 0.5 * (own.low + own.high), half = 0.5 * (own.high - own.low);
+    const bool turns = row.uses.turn;
+    const Vec3 middle = 0.5 * (own.min() + own.max()), half = 0.5 * (own.max() - own.min());
     const Vec3 centre = placed.position + (turns ? Vec3(obstacle.turn * middle) : middle);
     const Vec3 reach = (turns ? Vec3(obstacle.turn.cwiseAbs() * half) : half)
                        + Vec3::Constant(obstacle.thickness + 1e-3 * half.norm());
@@ -100,6 +73,7 @@ void endMoves(const System& system, const State& state, double time,
         const Vec3 position = obstaclePosition(system, state, i, time);
         placed[i].way = position - placed[i].position;
         placed[i].position = position;
+        placed[i].solid = solidOf(system.obstacles[i]);
         findBounds(system.obstacles[i], placed[i]);
     }
 }

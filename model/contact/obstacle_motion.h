@@ -14,6 +14,7 @@ struct PlacedObstacle
     Vec3 way = Vec3::Zero();      // m, that it went
     Vec3 low = Vec3::Zero();      // m, what it touches lies between these all the time
     Vec3 high = Vec3::Zero();
+    Solid solid; // in its own frame
 };
 
 // Position of an obstacle, m, at `time` with the inputs as they are in `state`.

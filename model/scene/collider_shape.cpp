@@ -5,9 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 
 namespace ripstop {
@@ -41,6 +39,41 @@ Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Col
     return meshFromFile(placeOfFile(scene.folder.path, collider.file), effort);
 }
 
+Result<ShapeData> shapeDataOf(const Scene& scene, const Collider& collider, Effort effort)
+{
+    ShapeData data;
+    switch (rowOf(collider.shape).madeOf) {
+    case MadeOf::Numbers:
+        break;
+    case MadeOf::Heights: {
+        const auto grid = gridOf(scene, collider, effort);
+        if (!grid)
+            return grid.failure();
+        data.grid = *grid;
+        break;
+    }
+    case MadeOf::Triangles: {
+        const auto mesh = meshOf(scene, collider, effort);
+        if (!mesh)
+            return mesh.failure();
+        data.mesh = *mesh;
+        break;
+    }
+    }
+    return data;
+}
+
+Solid solidOf(const Collider& collider, const ShapeData& data)
+{
+    return {.normal = collider.normal,
+            .radius = collider.radius,
+            .size = collider.size,
+            .scale = collider.scale,
+            .margin = collider.thickness,
+            .grid = data.grid.get(),
+            .mesh = data.mesh.get()};
+}
+
 std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& scene,
                          const Collider& collider)
 {
@@ -62,26 +95,10 @@ std::optional<std::string> colliderError(const Scene& scene, const Collider& col
     const std::string name = "Collider " + collider.name;
     if (const auto path = pathFromText(collider.path); !path)
         return name + ": its path " + path.message() + ".";
-    switch (collider.shape) {
-    case ColliderShape::Plane:
-        if (!(collider.normal.norm() > 0.0))
-            return name + " needs a normal that is not zero.";
-        break;
-    case ColliderShape::Sphere:
-        break;
-    case ColliderShape::Box:
-        if (!(collider.size.minCoeff() > 0.0))
-            return name + " needs edges above 0: correct its size.";
-        break;
-    case ColliderShape::HeightField:
-        if (const auto grid = gridOf(scene, collider); !grid)
-            return name + ": " + grid.message();
-        break;
-    case ColliderShape::Mesh:
-        if (const auto mesh = meshOf(scene, collider); !mesh)
-            return name + ": " + mesh.message();
-        break;
-    }
+    if (const std::string_view flaw = rowOf(collider.shape).flaw(solidOf(collider)); !flaw.empty())
+        return name + " " + std::string(flaw);
+    if (const auto data = shapeDataOf(scene, collider); !data)
+        return name + ": " + data.message();
     return std::nullopt;
 }
 
@@ -102,16 +119,7 @@ double meanPanelEdge(const Scene& scene)
     return count > 0 ? sum / double(count) : 0.0;
 }
 
-double widthOf(const Collider& collider)
-{
-    if (collider.shape == ColliderShape::Sphere)
-        return 2.0 * (collider.radius + collider.thickness);
-    if (collider.shape != ColliderShape::Box)
-        return std::numeric_limits<double>::infinity();
-    Vec3 size = collider.size + Vec3::Constant(2.0 * collider.thickness);
-    std::sort(size.begin(), size.end());
-    return size.y(); // a wide sheet stops fabric however thin it is
-}
+double widthOf(const Collider& collider) { return rowOf(collider.shape).width(solidOf(collider)); }
 
 std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge)
 {

@@ -1,8 +1,9 @@
-// What a collider is made of beyond its numbers, and what is wrong with it.
+// What a collider is as a solid: its numbers, what its file makes, and what is wrong with it.
 #pragma once
 
 #include "scene/scene.h"
 #include "shapes/shape_files.h"
+#include "shapes/solid.h"
 
 #include <Eigen/Core>
 
@@ -20,6 +21,18 @@ Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Colli
                                                  Effort effort = Effort::Any);
 Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider,
                                                    Effort effort = Effort::Any);
+
+// What its shape needs beside its numbers. Without effort both may be null where one will come.
+struct ShapeData
+{
+    std::shared_ptr<const HeightGrid> grid;   // of a height field
+    std::shared_ptr<const TriangleTree> mesh; // of a mesh
+};
+Result<ShapeData> shapeDataOf(const Scene& scene, const Collider& collider,
+                              Effort effort = Effort::Any);
+
+// What its row in the table of shapes is asked about; it points into the data.
+Solid solidOf(const Collider& collider, const ShapeData& data = {});
 
 // How the file of the collider is named in a scene that lies in another folder. An absolute path
 // stays as it is, and so does that of a file that is not there: it may be meant to come.

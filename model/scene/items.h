@@ -151,10 +151,10 @@ struct Collider
     std::string name = "collider";
     ColliderShape shape = ColliderShape::Plane;
     Vec3 position = Vec3::Zero();      // m
-    Vec3 normal = Vec3(0.0, 1.0, 0.0); // plane only
-    double radius = 1.0;               // m, sphere only
-    Vec3 size = Vec3::Ones();          // m, box: its edges; height field: width, height, depth
-    Vec3 turn = Vec3::Zero();          // degrees about x, then y, then z; not of planes or spheres
+    Vec3 normal = Vec3(0.0, 1.0, 0.0); // the shape says which of the numbers count (shapes/solid.h)
+    double radius = 1.0;               // m
+    Vec3 size = Vec3::Ones();          // m, width, height and depth
+    Vec3 turn = Vec3::Zero();          // degrees about x, then y, then z
     double thickness = 0.0;            // m, what touches stays this far from the surface
     Response response = Response::Contact;
     double restitution = 0.0; // 1

@@ -14,6 +14,7 @@
 
 #include "base/quantity.h"
 #include "scene/usage.h"
+#include "shapes/solid.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -127,19 +128,19 @@ inline constexpr Need isLogLaw = wind<WindKind::LogLaw>("only the logarithmic la
 inline constexpr Need isGusts = wind<WindKind::Gusts>("only gusts have it");
 inline constexpr Need isJet = wind<WindKind::Jet>("only jets have it");
 
-// colliders
-template <ColliderShape... shapes> // the one place that knows which shape has what
+// colliders: the table of shapes (shapes/solid.h) knows which shape has what
+template <bool ShapeUses::*use>
 constexpr Need shape(const char* otherwise)
 {
-    return need([](const Collider& c, const Around&) { return ((c.shape == shapes) || ...); }, otherwise);
+    return need([](const Collider& c, const Around&) { return rowOf(c.shape).uses.*use; }, otherwise);
 }
-inline constexpr Need isPlane = shape<ColliderShape::Plane>("only planes have one");
-inline constexpr Need isSphere = shape<ColliderShape::Sphere>("only spheres have one");
-inline constexpr Need hasEdges = shape<ColliderShape::Box, ColliderShape::HeightField>("only boxes and height fields have one");
-inline constexpr Need turns = shape<ColliderShape::Box, ColliderShape::HeightField, ColliderShape::Mesh>("planes and spheres do not turn");
-inline constexpr Need hasFile = shape<ColliderShape::HeightField, ColliderShape::Mesh>("only height fields and meshes come from files");
-inline constexpr Need isMesh = shape<ColliderShape::Mesh>("only meshes are scaled");
-inline constexpr Need isGenerated = need([](const Collider& c, const Around&) { return c.shape == ColliderShape::HeightField && c.file.empty(); }, "only generated hills, a height field without a file, have it");
+inline constexpr Need hasNormal = shape<&ShapeUses::normal>("only planes have one");
+inline constexpr Need hasRadius = shape<&ShapeUses::radius>("only round shapes have one");
+inline constexpr Need hasSize = shape<&ShapeUses::size>("this shape has none");
+inline constexpr Need turns = shape<&ShapeUses::turn>("planes and spheres do not turn");
+inline constexpr Need hasFile = shape<&ShapeUses::file>("only height fields and meshes come from files");
+inline constexpr Need isScaled = shape<&ShapeUses::scale>("only meshes are scaled");
+inline constexpr Need isGenerated = need([](const Collider& c, const Around&) { return rowOf(c.shape).uses.hills && c.file.empty(); }, "only generated hills, a height field without a file, have it");
 inline constexpr Need hasNoPath = need([](const Collider& c, const Around&) { return c.path.empty(); }, "the path says where it is");
 inline constexpr Need bounces = need([](const Collider& c, const Around&) { return c.response == Response::Contact; }, "only the response contact bounces and rubs");
 
@@ -264,9 +265,9 @@ inline constexpr std::array table{
     use<&Collider::name>                 (Name,  {Own},               {},                  {}),
     use<&Collider::shape>                (Plain, {Looks},             {},                  {}),
     use<&Collider::position>             (Plain, {Looks, Own},        {},                  {hasNoPath}),
-    use<&Collider::normal>               (Plain, {Looks},             {},                  {isPlane}),
-    use<&Collider::radius>               (Plain, {Looks},             {},                  {isSphere}),
-    use<&Collider::size>                 (Plain, {Looks},             {},                  {hasEdges}),
+    use<&Collider::normal>               (Plain, {Looks},             {},                  {hasNormal}),
+    use<&Collider::radius>               (Plain, {Looks},             {},                  {hasRadius}),
+    use<&Collider::size>                 (Plain, {Looks},             {},                  {hasSize}),
     use<&Collider::turn>                 (Plain, {Looks},             {},                  {turns}),
     use<&Collider::thickness>            (Plain, {Looks},             even(0.0, 0.05),     {}),
     use<&Collider::response>             (Plain, {Looks},             {},                  {}),
@@ -274,7 +275,7 @@ inline constexpr std::array table{
     use<&Collider::friction>             (Plain, {Looks},             even(0.0, 1.5),      {bounces}),
     use<&Collider::path>                 (Path,  {Looks},             {},                  {}),
     use<&Collider::file>                 (File,  {Looks},             {},                  {hasFile}),
-    use<&Collider::scale>                (Plain, {Looks},             {},                  {isMesh}),
+    use<&Collider::scale>                (Plain, {Looks},             {},                  {isScaled}),
     use<&Collider::grid>                 (Plain, {Looks},             {},                  {isGenerated}),
     use<&Collider::seed>                 (Plain, {Looks},             {},                  {isGenerated}),
     use<&Collider::hillLength>           (Plain, {Looks},             decades(0.02, 2.0),  {isGenerated}),

@@ -6,13 +6,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double onSurface = 1e-9; // of the size: what round-off may do to a point that rests
-
-Touch onPlane(const Vec3& point, const Vec3& onIt, const Vec3& normal)
-{
-    return {point - (point - onIt).dot(normal) * normal, normal};
-}
-
 // The normal of the face through which the way enters the box, or nothing. A start on a face
 // counts as outside of it.
 std::optional<Vec3> faceEntered(const Vec3& half, const Vec3& from, const Vec3& to)
@@ -86,7 +79,7 @@ std::optional<Touch> touchBox(const Vec3& half, double margin, const Vec3& from,
     const Nearest end = nearestOnBox(half, to);
     if (const std::optional<Vec3> normal = faceEntered(half, from, to)) {
         const double height = half.dot(normal->cwiseAbs()) + margin;
-        return onPlane(to, height * *normal, *normal);
+        return touchOnPlane(to, height * *normal, *normal);
     }
     if (end.distance >= margin)
         return std::nullopt;
@@ -98,12 +91,10 @@ std::optional<Touch> touchSphere(double radius, const Vec3& from, const Vec3& to
     const Nearest end = nearestOnSphere(radius, to);
     const bool isOutside = end.distance >= 0.0;
     const bool fromOutside = nearestOnSphere(radius, from).distance > -onSurface * radius;
-    // Most touch it lightly, and the nearest place is where they belong.
-    constexpr double lightly = 0.995; // cosine of the angle between there and where they came in
     if (fromOutside)
         if (const std::optional<Vec3> normal = entered(radius, from, to);
             normal && (isOutside || normal->dot(end.normal) < lightly))
-            return onPlane(to, radius * *normal, *normal);
+            return touchOnPlane(to, radius * *normal, *normal);
     return isOutside ? std::nullopt : std::optional(Touch{radius * end.normal, end.normal});
 }
 

@@ -4,8 +4,7 @@
 #include "base/contact_laws.h"
 #include "base/path_key.h"
 #include "base/vec3.h"
-#include "shapes/height_grid.h"
-#include "shapes/triangle_tree.h"
+#include "shapes/solid.h"
 #include "system/key.h"
 
 #include <memory>
@@ -28,20 +27,20 @@ struct Shared : std::shared_ptr<const T>
     }
 };
 
-// In its own frame a shape lies around the origin; a point p of that frame
-// is at position + turn p.
+// In its own frame a shape lies around the origin; a point p of that frame is at position + turn p.
+// The shape says which numbers count (shapes/solid.h).
 struct Obstacle
 {
     ColliderShape shape;
     Vec3 position; // m
     Vec3 normal;   // unit
-    double radius; // m
+    double radius; // m, of spheres and cylinders
     Response response;
     double restitution;
     double friction;
     double thickness = 0.0;                             // m, added to the surface
-    Vec3 size = Vec3::Ones();                           // m, of boxes and height fields
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // of boxes, height fields and meshes
+    Vec3 size = Vec3::Ones();                           // m
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // of shapes that use it
     std::vector<PathKey> path = {};                     // empty: stays at `position`
     Shared<HeightGrid> grid = {};                       // of a height field
     Shared<TriangleTree> mesh = {};                     // of a mesh
@@ -50,5 +49,17 @@ struct Obstacle
 
     friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
+
+// What its row in the table of shapes is asked about. It points into the obstacle.
+inline Solid solidOf(const Obstacle& obstacle)
+{
+    return {.normal = obstacle.normal,
+            .radius = obstacle.radius,
+            .size = obstacle.size,
+            .scale = obstacle.scale,
+            .margin = obstacle.thickness,
+            .grid = obstacle.grid.get(),
+            .mesh = obstacle.mesh.get()};
+}
 
 } // namespace ripstop

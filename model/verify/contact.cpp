@@ -1,4 +1,4 @@
-// Particles on planes and spheres: falling, resting, bouncing, sliding.
+// Particles on planes, spheres and cylinders: falling, resting, bouncing, sliding.
 #include "assembly/finish.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
@@ -35,6 +35,16 @@ Obstacle ball(Response response, double radius, double friction = 0.0)
     Obstacle obstacle = ground(response, 0.0, friction);
     obstacle.shape = ColliderShape::Sphere;
     obstacle.radius = radius;
+    return obstacle;
+}
+
+// It lies along z.
+Obstacle drum(Response response, double radius, double length)
+{
+    Obstacle obstacle = ball(response, radius, 0.4);
+    obstacle.shape = ColliderShape::Cylinder;
+    obstacle.size = {0.0, length, 0.0};
+    obstacle.turn << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
     return obstacle;
 }
 
@@ -214,11 +224,11 @@ void addSlopes(std::vector<Case>& cases)
 // --- spheres, and what each response leaves
 // ----------------------------------------------------------
 
-double heightOnBall(Response response, double radius) // m, over the middle
+double heightOn(const Obstacle& obstacle) // m, over the middle
 {
     System system = heavySystem(1e-3);
-    system.obstacles = {ball(response, radius, 0.4)};
-    addParticle(system, {0.0, 1.2 * radius, 0.0}, 1.0);
+    system.obstacles = {obstacle};
+    addParticle(system, {0.0, 1.2 * obstacle.radius, 0.0}, 1.0);
     finish(system);
     return run(system, 2000).position[0].y();
 }
@@ -240,7 +250,10 @@ void addResponses(std::vector<Case>& cases)
                          0.0, within(1e-6), "m", "rest", [=] { return restlessness(response); }});
         cases.push_back({"F15", "rest on top of a sphere of 1 m, height" + by, 1.0, relative(0.01),
                          "m", "R, and not sqrt(3) R (first paper)",
-                         [=] { return heightOnBall(response, 1.0); }});
+                         [=] { return heightOn(ball(response, 1.0, 0.4)); }});
+        cases.push_back({"F15", "rest on top of a lying cylinder of 1 m, height" + by, 1.0,
+                         within(1e-6), "m", "R",
+                         [=] { return heightOn(drum(response, 1.0, 4.0)); }});
     }
     const struct
     {

@@ -5218,6 +5218,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>A cylinder on the ground, upright or lying, that cloth drapes over.</source>
+        <translation>Un cylindre au sol, debout ou couché, sur lequel un tissu se drape.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A delta wing with a keel, on a line from a hand.</source>
         <translation>Une aile delta avec une quille, sur une ligne tenue à la main.</translation>
     </message>
@@ -5258,6 +5263,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>A loose sheet falls over a lying cylinder and hangs down on both sides. Friction holds it.</source>
+        <translation>Un tissu libre tombe sur un cylindre couché et pend des deux côtés. Le frottement le retient.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A mesh for each frame; tears part it.</source>
         <translation>Un maillage par image ; les déchirures le séparent.</translation>
     </message>
@@ -5288,13 +5298,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>A plane without end, a sphere, a box, hills or a relief from a picture, or a mesh from a file.</source>
-        <translation>Un plan sans fin, une sphère, une boîte, des collines ou un relief tiré d’une image, ou un maillage tiré d’un fichier.</translation>
+        <source>A plane without end, a sphere, a box, a cylinder, hills or a relief from a picture, or a mesh from a file.</source>
+        <translation>Un plan sans fin, une sphère, une boîte, un cylindre, des collines ou un relief tiré d’une image, ou un maillage tiré d’un fichier.</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>A point of the plane, the centre of the sphere or the box, the middle of the foot of a height field, or the origin of the mesh.</source>
-        <translation>Un point du plan, le centre de la sphère ou de la boîte, le milieu du pied d’un champ de hauteurs, ou l’origine du maillage.</translation>
+        <source>A point of the plane, the centre of the sphere, the box or the cylinder, the middle of the foot of a height field, or the origin of the mesh.</source>
+        <translation>Un point du plan, le centre de la sphère, de la boîte ou du cylindre, le milieu du pied d’un champ de hauteurs, ou l’origine du maillage.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -5953,6 +5963,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cloth over a cylinder</source>
+        <translation>Tissu sur un cylindre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Coefficient of friction of what slides on it.</source>
         <translation>Coefficient de frottement de ce qui glisse dessus.</translation>
     </message>
@@ -6095,6 +6110,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Curves over time for a paper, a panel for each unit; sharp at any size.</source>
         <translation>Courbes dans le temps pour un article, un cadre par unité ; nettes à toute taille.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6303,8 +6323,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Edges of a box, or width, height and depth of a height field.</source>
-        <translation>Arêtes d’une boîte, ou largeur, hauteur et profondeur d’un champ de hauteurs.</translation>
+        <source>Edges of a box, or width, height and depth of a height field; the second number is the height of a cylinder, whose axis is its own y.</source>
+        <translation>Arêtes d’une boîte, ou largeur, hauteur et profondeur d’un champ de hauteurs ; le deuxième nombre est la hauteur d’un cylindre, dont l’axe est son propre y.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6530,6 +6550,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>From a particle.</source>
         <translation>Depuis une particule.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>From cap to cap.</source>
+        <translation>D’un bout à l’autre.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7838,6 +7863,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Of the axis from the vertical; 90 lays it along z.</source>
+        <translation>De l’axe par rapport à la verticale ; 90 le couche le long de z.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Of the centre of mass over the ground.</source>
         <translation>Du centre de masse par rapport au sol.</translation>
     </message>
@@ -7865,6 +7895,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Of the centre of mass, upwards.</source>
         <translation>Du centre de masse, vers le haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Of the cylinder.</source>
+        <translation>Du cylindre.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8253,8 +8288,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Radius of the sphere; only spheres use it.</source>
-        <translation>Rayon de la sphère ; seules les sphères l’utilisent.</translation>
+        <source>Radius of the sphere or the cylinder; other shapes do not use it.</source>
+        <translation>Rayon de la sphère ou du cylindre ; les autres formes ne l’utilisent pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9150,6 +9185,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Ties the selected particles to each other. The new links are at rest as they are; particles that are linked already stay so.</source>
         <translation>Attache les particules sélectionnées les unes aux autres. Les nouvelles liaisons sont au repos telles quelles ; les particules déjà liées le restent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -401,6 +401,10 @@
         <translation>L’obstacle %1 demande des arêtes au-dessus de 0 : corriger sa taille.</translation>
     </message>
     <message>
+        <source>Collider %1 needs a height above 0: correct the second number of its size.</source>
+        <translation>L’obstacle %1 demande une hauteur au-dessus de 0 : corriger le deuxième nombre de sa taille.</translation>
+    </message>
+    <message>
         <source>Collider %1: It needs a width and a depth above 0 and a height of at least 0: correct its size.</source>
         <translation>Obstacle %1 : il faut une largeur et une profondeur au-dessus de 0 et une hauteur d’au moins 0 : corriger sa taille.</translation>
     </message>
@@ -720,12 +724,12 @@
         <translation>seuls les plans en ont une</translation>
     </message>
     <message>
-        <source>only spheres have one</source>
-        <translation>seules les sphères en ont un</translation>
+        <source>only round shapes have one</source>
+        <translation>seules les formes rondes en ont un</translation>
     </message>
     <message>
-        <source>only boxes and height fields have one</source>
-        <translation>seuls les boîtes et les champs de hauteurs en ont une</translation>
+        <source>this shape has none</source>
+        <translation>cette forme n’en a pas</translation>
     </message>
     <message>
         <source>planes and spheres do not turn</source>

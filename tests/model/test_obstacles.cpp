@@ -60,6 +60,27 @@ Obstacle meshFloor(double friction = 0.0)
     return result;
 }
 
+// Its axis along y before it is turned.
+Obstacle cylinder(double radius, double height, const Vec3& position = Vec3::Zero(),
+                  double friction = 0.0)
+{
+    Obstacle result = obstacle(ColliderShape::Cylinder, position, friction);
+    result.radius = radius;
+    result.size = Vec3(1.0, height, 1.0);
+    return result;
+}
+
+// Lies along x, and climbs towards +x by this angle, rad.
+Obstacle lyingCylinder(double radius, double length, double angle, double friction = 0.0)
+{
+    Obstacle result = cylinder(radius, length, Vec3::Zero(), friction);
+    const double c = std::cos(angle), s = std::sin(angle);
+    result.turn.col(0) = Vec3(-s, c, 0.0);
+    result.turn.col(1) = Vec3(c, s, 0.0);
+    result.turn.col(2) = -Vec3::UnitZ();
+    return result;
+}
+
 // Floors whose surface passes through the origin, turned about z by an angle.
 Obstacle floorOf(const QString& kind, double angle, double friction)
 {
@@ -70,6 +91,13 @@ Obstacle floorOf(const QString& kind, double angle, double friction)
         floor.turn = turn;
     } else if (kind == "box with a margin") {
         floor = box({40.0, 1.0, 40.0}, turn * Vec3(0.0, -1.0, 0.0), friction);
+        floor.turn = turn;
+        floor.thickness = 0.5;
+    } else if (kind == "cap") {
+        floor = cylinder(20.0, 2.0, turn * Vec3(0.0, -1.0, 0.0), friction);
+        floor.turn = turn;
+    } else if (kind == "cap with a margin") {
+        floor = cylinder(20.0, 1.0, turn * Vec3(0.0, -1.0, 0.0), friction);
         floor.turn = turn;
         floor.thickness = 0.5;
     } else if (kind == "height field") {
@@ -93,8 +121,8 @@ System falling(double timeStep)
     return system;
 }
 
-constexpr std::array floors{"box", "box with a margin", "height field", "turned height field",
-                            "mesh"};
+constexpr std::array floors{"box",          "box with a margin",   "cap", "cap with a margin",
+                            "height field", "turned height field", "mesh"};
 
 } // namespace
 
@@ -181,24 +209,27 @@ private slots:
     {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<double>("speed"); // m/s
-        for (const char* kind : {"plate", "turned plate", "ball", "slope", "mesh", "turned mesh"})
+        for (const char* kind : {"plate", "turned plate", "disc", "turned disc", "ball", "slope",
+                                 "mesh", "turned mesh"})
             for (const double speed : {5.0, 20.0, 40.0, 400.0})
                 QTest::newRow(qPrintable(QString("%1 at %2 m/s").arg(kind).arg(speed)))
                     << QString(kind) << speed;
     }
 
-    // B7, B8: at 1/240 s nothing tunnels: not through a plate of 5 mm, a ball of 20 cm, a slope of
-    // 45 degrees or a mesh, from many places and in many directions.
+    // B7, B8: at 1/240 s nothing tunnels: not through a plate or a disc of 5 mm, a ball of 20 cm, a
+    // slope of 45 degrees or a mesh, from many places and in many directions.
     void fast()
     {
         QFETCH(QString, kind);
         QFETCH(double, speed);
         System system = emptySystem(1.0 / 240.0);
-        Obstacle shape = kind.contains("plate") ? box({20.0, 0.005, 20.0})
-                         : kind == "ball"       ? obstacle(ColliderShape::Sphere)
-                         : kind == "slope"      ? slopingField(1.0)
-                                                : meshFloor();
-        shape.radius = 0.1;
+        Obstacle shape = kind.contains("plate")  ? box({20.0, 0.005, 20.0})
+                         : kind.contains("disc") ? cylinder(10.0, 0.005)
+                         : kind == "ball"        ? obstacle(ColliderShape::Sphere)
+                         : kind == "slope"       ? slopingField(1.0)
+                                                 : meshFloor();
+        if (kind == "ball")
+            shape.radius = 0.1;
         if (kind.startsWith("turned"))
             shape.turn =
                 Eigen::AngleAxisd(1.0, Vec3(0.3, 0.5, -0.2).normalized()).toRotationMatrix();
@@ -324,12 +355,23 @@ private slots:
                  told(up.position[0], Vec3(0.1, 1.0, 0.0)));
     }
 
+    void control_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("box") << "box";
+        QTest::newRow("cylinder") << "cylinder";
+        QTest::newRow("disc") << "disc";
+    }
+
     // A control moves an obstacle at its rate, and what stands in the way goes with it; fast
-    // walls do not pass over particles.
+    // walls, rods and discs do not pass over particles.
     void control()
     {
+        QFETCH(QString, kind);
         System system = emptySystem(1.0 / 240.0);
-        system.obstacles = {box({0.01, 1.0, 1.0})};
+        system.obstacles = {kind == "box"        ? box({0.01, 1.0, 1.0})
+                            : kind == "cylinder" ? cylinder(0.005, 1.0)
+                                                 : lyingCylinder(0.5, 0.01, 0.0)};
         system.inputs = {{1, ControlKind::Move, Vec3::UnitX(), 100.0, 40.0, 0.0, {}, {0}}};
         addParticle(system, {0.3, 0.0, 0.0}, 1.0);
         finish(system);

@@ -6,10 +6,36 @@
 #include <QtTest>
 
 #include <set>
+#include <string_view>
 
 using namespace ripstop;
 
 namespace {
+
+// The compiler writes an enumerator by its name, and a number that has none as "(Choice)7"
+// or "7".
+template <auto choice>
+constexpr bool isEnumerator()
+{
+    constexpr std::string_view before = "choice = ";
+    const std::string_view name = __PRETTY_FUNCTION__;
+    const char first = name[name.find(before) + before.size()];
+    return first != '(' && !(first >= '0' && first <= '9');
+}
+
+template <typename... Choices>
+constexpr bool areNamed()
+{
+    return ((isEnumerator<Choices(choiceNames<Choices>.size() - 1)>()
+             && !isEnumerator<Choices(choiceNames<Choices>.size())>())
+            && ...);
+}
+
+// Tables have a row for each name; so none is forgotten when each enumerator has a name.
+static_assert(
+    areNamed<Integrator, Solver, Guide, LinkKind, LinkRole, Resists, TearRule, TearMesh, AirLaw,
+             WindKind, ColliderShape, Response, ControlKind, Quantity, PlotAxis>(),
+    "as many names as enumerators");
 
 // One default object of each kind.
 struct Examples

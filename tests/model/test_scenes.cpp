@@ -5,6 +5,7 @@
 #include "builders/builder.h"
 #include "measure/diagnostics.h"
 #include "scene/check.h"
+#include "shapes/cylinder.h"
 #include "verify/tear_sheets.h"
 
 #include <QFile>
@@ -226,12 +227,12 @@ private slots:
     void sheetsLieOnTop_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"sheet_on_boxes", "sheet_on_terrain"})
+        for (const char* name : {"cloth_over_cylinder", "sheet_on_boxes", "sheet_on_terrain"})
             QTest::newRow(name) << QString(name);
     }
 
-    // Ten seconds after it was let go, no particle is nearer to a box or to the ground than the
-    // thickness says, and the sheet rests.
+    // Ten seconds after it was let go, no particle is nearer to a cylinder, to a box or to the
+    // ground than the thickness says, and the sheet rests.
     void sheetsLieOnTop()
     {
         QFETCH(QString, name);
@@ -244,6 +245,9 @@ private slots:
                     double room = x.y();
                     if (obstacle.shape == ColliderShape::Box)
                         room = nearestOnBox(0.5 * obstacle.size, own).distance;
+                    if (obstacle.shape == ColliderShape::Cylinder)
+                        room = nearestOnCylinder({obstacle.radius, 0.5 * obstacle.size.y()}, own)
+                                   .distance;
                     if (obstacle.shape == ColliderShape::HeightField) {
                         const Ground ground = groundAt(*obstacle.grid, obstacle.size, own);
                         room = (own.y() - ground.height) * ground.normal.y();

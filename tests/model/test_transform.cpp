@@ -224,6 +224,38 @@ private slots:
         QCOMPARE(findItem<Collider>(larger, Id{17})->position, Vec3(3, 3, 0));
     }
 
+    // A cylinder grows along its axis and across it, each for itself while it stands upright; where
+    // it is turned, all of it grows by the mean.
+    void cylindersGrow()
+    {
+        Scene scene = oneOfEverything();
+        Collider drum;
+        drum.shape = ColliderShape::Cylinder;
+        drum.position = Vec3(1, 1, 0);
+        drum.radius = 0.5;
+        drum.size = Vec3(1, 2, 1);
+        scene.items.push_back({Id{17}, drum});
+        scene.nextId = Id{18};
+        const auto grown = [&](const Vec3& factors) {
+            return *findItem<Collider>(movedBy(scene, {Id{17}}, scaled(Vec3::Zero(), factors)),
+                                       Id{17});
+        };
+        QVERIFY(std::abs(grown(Vec3(3, 3, 3)).radius - 1.5) < 1e-15);
+        QVERIFY(std::abs(grown(Vec3(3, 3, 3)).size.y() - 6.0) < 1e-14);
+        QCOMPARE(grown(Vec3(1, 4, 1)).radius, 0.5);
+        QCOMPARE(grown(Vec3(1, 4, 1)).size.y(), 8.0);
+        QVERIFY(std::abs(grown(Vec3(2, 1, 8)).radius - 2.0) < 1e-15); // the same area of its caps
+        QCOMPARE(grown(Vec3(2, 1, 8)).size.y(), 2.0);
+
+        std::get<Collider>(scene.items.back().item).turn = Vec3(90, 0, 0);
+        QVERIFY(std::abs(grown(Vec3(2, 2, 2)).radius - 1.0) < 1e-15);
+        QVERIFY(std::abs(grown(Vec3(2, 2, 2)).size.y() - 4.0) < 1e-14);
+        const Scene turnedScene =
+            movedBy(scene, {Id{17}}, turned(Vec3::Zero(), Vec3::UnitX(), -0.5 * pi));
+        QVERIFY(findItem<Collider>(turnedScene, Id{17})->turn.norm() < 1e-12);
+        QCOMPARE(findItem<Collider>(turnedScene, Id{17})->radius, 0.5);
+    }
+
     // The steps of one drag must merge, whatever the hand does in between.
     void stepsOfAGestureSetTheSameThings()
     {

@@ -78,7 +78,7 @@ private slots:
         row("drag coefficient of a line without width", 8, "dragCoefficient", "diameter is 0");
         row("roughness of an even wind", 11, "roughness", "logarithmic");
         row("velocity of an even wind", 11, "velocity", "");
-        row("radius of a plane", 12, "radius", "only spheres");
+        row("radius of a plane", 12, "radius", "only round shapes");
         row("sweeps of the automatic solver", int(settingsId), "sweeps", "one sweep");
         row("its wanted strain", int(settingsId), "strainGoal", "");
         row("friction without self-contact", 1, "selfFriction", "no self-contact");

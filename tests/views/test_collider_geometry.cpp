@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <vtkPointData.h>
+
 #include <cmath>
 
 using namespace ripstop;
@@ -135,6 +137,36 @@ private slots:
         const Vec3 slant = Vec3(1.0, -1e-6, 0.0).normalized();
         const double t = distanceTo(bodyOf(scene), Vec3::Zero(), Vec3(-6e5, 1.5, 0.0), slant);
         QVERIFY(t > 1e5 - 1.0 && t < 1.1e6 + 1.0);
+    }
+
+    // What rays meet of a cylinder that lies along z: its side, a cap, and nothing beside it.
+    void raysMeetACylinder()
+    {
+        Scene scene = sceneOf(ColliderShape::Cylinder);
+        colliderOf(scene).radius = 0.5;
+        colliderOf(scene).size = Vec3(4.0, 6.0, 8.0); // only the height counts
+        colliderOf(scene).turn = Vec3(90.0, 0.0, 0.0);
+        const ColliderBody drum = bodyOf(scene);
+        const Vec3 place(0.0, 1.0, 0.0);
+        const auto meets = [&](const Vec3& from, const Vec3& way) {
+            return distanceTo(drum, place, from, way);
+        };
+        QVERIFY(std::abs(meets(Vec3(0.3, 4.0, 2.9), -Vec3::UnitY()) - 2.6) < 1e-12);
+        QVERIFY(std::abs(meets(Vec3(0.3, 1.2, 9.0), -Vec3::UnitZ()) - 6.0) < 1e-12);
+        QVERIFY(std::isinf(meets(Vec3(0.3, 4.0, 3.1), -Vec3::UnitY())));
+        QVERIFY(std::isinf(meets(Vec3(0.6, 4.0, 0.0), -Vec3::UnitY())));
+        QVERIFY(std::isinf(meets(Vec3(0.3, 4.0, 0.0), Vec3::UnitY())));
+
+        // it is drawn with its caps; each rim has two normals, so that it is an edge
+        double bounds[6];
+        drum.surface->GetBounds(bounds);
+        QVERIFY(std::abs(bounds[3] - 3.0) < 1e-6 && std::abs(bounds[1] - 0.5) < 0.02);
+        QVERIFY(drum.surface->GetPointData()->GetNormals());
+        QCOMPARE(drum.surface->GetNumberOfPoints(), vtkIdType(2 * (2 * 72 + 1)));
+        Eigen::AlignedBox3d around;
+        for (const Vec3& corner : cornersOf(drum, place))
+            around.extend(corner);
+        QVERIFY((around.sizes() - Vec3(1.0, 1.0, 6.0)).norm() < 1e-12);
     }
 
     void raysMeetABox()

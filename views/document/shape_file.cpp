@@ -1,6 +1,7 @@
 #include "document/shape_file.h"
 
 #include "document/document.h"
+#include "scene/collider_shape.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -15,7 +16,7 @@ QString words(const char* text) { return QCoreApplication::translate("ShapeFile"
 
 QString askShapeFile(QWidget* parent, const Document& document, ColliderShape shape)
 {
-    const bool isMesh = shape == ColliderShape::Mesh;
+    const bool isMesh = rowOf(shape).madeOf == MadeOf::Triangles;
     const QString folder = QString::fromStdString(document.scene().folder.path);
     const QString file = QFileDialog::getOpenFileName(
         parent, isMesh ? words("Choose a mesh") : words("Choose a picture of heights"), folder,

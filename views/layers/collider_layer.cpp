@@ -42,15 +42,15 @@ void ColliderLayer::rebuild(const Picture& picture)
             continue;
         wanted.push_back(taken(body));
         const bool isSelected = std::ranges::binary_search(picture.selected, body.id);
-        const bool isGround = body.collider.shape == ColliderShape::HeightField;
+        const bool isLandscape = isGround(body);
         vtkProperty& property = *wanted.back().actor->GetProperty();
-        setColor(property, isSelected ? picture.theme.accent
-                           : isGround ? picture.theme.ground
-                                      : picture.theme.neutral);
+        setColor(property, isSelected    ? picture.theme.accent
+                           : isLandscape ? picture.theme.ground
+                                         : picture.theme.neutral);
         property.SetInterpolationToPhong();
         property.SetAmbient(0.25);
         property.SetDiffuse(0.75);
-        property.SetSpecular(isGround ? 0.0 : 0.15);
+        property.SetSpecular(isLandscape ? 0.0 : 0.15);
         property.SetSpecularPower(30.0);
     }
     for (const Drawn& gone : m_drawn)

@@ -3,8 +3,7 @@
 
 #include "run/frame.h"
 #include "scene/scene.h"
-#include "shapes/height_grid.h"
-#include "shapes/triangle_tree.h"
+#include "shapes/solid.h"
 
 #include <Eigen/Geometry>
 
@@ -40,6 +39,12 @@ Vec3 placeOf(const Frame& frame, Id id, const Collider& collider);
 
 // From its own frame to the scene, without its place.
 Eigen::Matrix3d turnAndScale(const Collider& collider);
+
+// A landscape, which the camera does not step back from to have all of it in sight.
+bool isGround(const ColliderBody& body);
+
+// Points in the scene that are in sight when all of it is; none for a plane.
+std::vector<Vec3> extremesOf(const ColliderBody& body, const Vec3& place);
 
 // The eight corners of its bounds, in the scene; none for a plane.
 std::vector<Vec3> cornersOf(const ColliderBody& body, const Vec3& place);

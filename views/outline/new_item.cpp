@@ -2,6 +2,7 @@
 
 #include "author/group.h"
 #include "document/census.h"
+#include "scene/collider_shape.h"
 
 #include <algorithm>
 
@@ -83,9 +84,11 @@ Entry newCollider(const Scene& scene, ColliderShape shape, const std::string& fi
     collider.name = freeName(scene, kindName(Kind::Collider));
     collider.shape = shape;
     collider.file = file;
-    if (shape == ColliderShape::HeightField)
+    const ShapeRow& row = rowOf(shape);
+    if (row.isGround)
         collider.size = Vec3(20.0, 2.0, 20.0); // m
-    if (shape == ColliderShape::Box || shape == ColliderShape::Sphere)
+    const bool isBody = row.madeOf == MadeOf::Numbers && !row.bounds(solidOf(collider)).isEmpty();
+    if (isBody)
         collider.position.y() = 1.0; // m, beside a ground at 0 rather than half in it
     return {scene.nextId, std::move(collider)};
 }

@@ -9,6 +9,7 @@
 #include "outline/new_item.h"
 #include "outline/outline_filter.h"
 #include "outline/outline_model.h"
+#include "scene/collider_shape.h"
 
 #include <QHeaderView>
 #include <QItemSelectionModel>
@@ -171,9 +172,10 @@ void Outline::buildAddMenu()
 void Outline::addCollider(ColliderShape shape)
 {
     QString file;
-    if (shape == ColliderShape::Mesh)
+    const bool needsFile = rowOf(shape).madeOf == MadeOf::Triangles;
+    if (needsFile)
         file = askShapeFile(this, m_document, shape);
-    if (shape != ColliderShape::Mesh || !file.isEmpty())
+    if (!needsFile || !file.isEmpty())
         add(Kind::Collider, newCollider(m_document.scene(), shape, file.toStdString()));
 }
 

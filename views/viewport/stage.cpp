@@ -158,14 +158,9 @@ std::vector<Vec3> Stage::shownPoints() const
         const Collider& collider = body.collider;
         if (!collider.shown || !m_frame)
             continue;
-        const Vec3 place = placeOf(*m_frame, body.id, collider);
-        if (collider.shape == ColliderShape::Sphere)
-            for (const int axis : {0, 1, 2})
-                for (const double side : {-1.0, 1.0})
-                    points.push_back(place + side * collider.radius * Vec3::Unit(axis));
-        else if (collider.shape != ColliderShape::HeightField) // which is ground
-            for (const Vec3& corner : cornersOf(body, place))
-                points.push_back(corner);
+        if (!isGround(body))
+            for (const Vec3& point : extremesOf(body, placeOf(*m_frame, body.id, collider)))
+                points.push_back(point);
     }
     return points;
 }
@@ -208,7 +203,7 @@ void Stage::takeBounds()
         m_bounds.extend(point);
     m_landscape.setEmpty();
     for (const ColliderBody& body : m_bodies)
-        if (body.collider.shown && body.collider.shape == ColliderShape::HeightField)
+        if (body.collider.shown && isGround(body))
             for (const Vec3& corner : cornersOf(body, placeOf(*m_frame, body.id, body.collider)))
                 m_landscape.extend(corner);
 }
