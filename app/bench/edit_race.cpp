@@ -45,7 +45,7 @@ const Particle& middle(const Scene& scene)
 
 Edit set(Kind kind, const char* key, std::vector<Id> targets, Value value)
 {
-    return {"", {SetValues{findProperty(kind, key), std::move(targets), {std::move(value)}}}};
+    return {{}, {SetValues{findProperty(kind, key), std::move(targets), {std::move(value)}}}};
 }
 
 Edit setLink(const Scene& scene, const char* key, double value)
@@ -101,7 +101,7 @@ const Case cases[]{
          link.from = particles[from].id;
          link.to = particles[from + 5].id;
          link.material = sheet(scene).links.front().material;
-         return Edit{"", {AddRows{firstItem<Part>(scene), {}, {link}, {}}}};
+         return Edit{Message(), {AddRows{firstItem<Part>(scene), {}, {link}, {}}}};
      }},
     {"remove one particle and its links",
      [](const Scene& scene, int) { return removal(scene, {middle(scene).id}); }},

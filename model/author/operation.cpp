@@ -211,7 +211,7 @@ const std::array shapingOperations{
     Operation{"guide",  "Guide", "Holds the selected particles: a ring on a rail is free along a line, a foot on a floor in a plane. The guide takes up all force across it and gives no friction.", guideParameters, guide},
     Operation{"smooth", "Smooth", "Takes bumps and creases out of the selected fabric and lines.", smoothParameters, smooth},
     Operation{"mass",   "Set mass", "Gives mass to the selected particles.", massParameters, mass},
-    Operation{"split",  "LinksSplit links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
+    Operation{"split",  "Split links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
 };
 // clang-format on
 

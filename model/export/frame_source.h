@@ -25,7 +25,7 @@ public:
     struct Taken
     {
         std::shared_ptr<const Frame> frame; // null when cancelled, or when there is none
-        std::string end;                    // why none comes after it, a sentence; or empty
+        Message end;                        // why none comes after it, a sentence; or empty
     };
 
     // The frame of the time step nearest to `time`, s, or the last one that there is. Times ascend
@@ -90,6 +90,6 @@ private:
     std::optional<Walk> m_walk;
 };
 
-std::string inSeconds(double time); // "4.25 s"
+Message inSeconds(double time); // "4.25 s"
 
 } // namespace ripstop

@@ -105,7 +105,7 @@ Result<Moment> Recording::moment(std::int64_t step, const Progress& progress) co
         if (auto failure = inputs.giveTo(simulation))
             return *failure;
         if (!simulation.step())
-            return Failure{"The run stopped before that: " + simulation.trouble()->message};
+            return Failure("The run stopped before that: %1", simulation.trouble()->message);
         if (!goesOn(progress, double(simulation.state().step - first) / double(step - first)))
             return Failure{"Cancelled."};
     }
@@ -228,7 +228,7 @@ void Recording::setMemory(std::size_t bytes)
     d->wake.notify_all();
 }
 
-std::string Recording::trouble() const
+Message Recording::trouble() const
 {
     const std::lock_guard lock(d->mutex);
     return d->trouble;

@@ -57,29 +57,28 @@ std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& sc
     return error ? collider.file : seen.generic_string();
 }
 
-std::optional<std::string> colliderError(const Scene& scene, const Collider& collider)
+std::optional<Message> colliderError(const Scene& scene, const Collider& collider)
 {
-    const std::string name = "Collider " + collider.name;
     if (const auto path = pathFromText(collider.path); !path)
-        return name + ": its path " + path.message() + ".";
+        return Message("Collider %1: its path %2.", collider.name, path.message());
     switch (collider.shape) {
     case ColliderShape::Plane:
         if (!(collider.normal.norm() > 0.0))
-            return name + " needs a normal that is not zero.";
+            return Message("Collider %1 needs a normal that is not zero.", collider.name);
         break;
     case ColliderShape::Sphere:
         break;
     case ColliderShape::Box:
         if (!(collider.size.minCoeff() > 0.0))
-            return name + " needs edges above 0: correct its size.";
+            return Message("Collider %1 needs edges above 0: correct its size.", collider.name);
         break;
     case ColliderShape::HeightField:
         if (const auto grid = gridOf(scene, collider); !grid)
-            return name + ": " + grid.message();
+            return Message("Collider %1: %2", collider.name, grid.message());
         break;
     case ColliderShape::Mesh:
         if (const auto mesh = meshOf(scene, collider); !mesh)
-            return name + ": " + mesh.message();
+            return Message("Collider %1: %2", collider.name, mesh.message());
         break;
     }
     return std::nullopt;
@@ -113,17 +112,15 @@ double widthOf(const Collider& collider)
     return size.y(); // a wide sheet stops fabric however thin it is
 }
 
-std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge)
+std::optional<Message> colliderWarning(const Collider& collider, double panelEdge)
 {
     const double width = widthOf(collider);
     if (width >= panelEdge)
         return std::nullopt;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  " is %.3g m wide and the panels have edges of %.3g m: it fits between particles, "
-                  "which are what touches; make the mesh finer or the collider larger.",
-                  width, panelEdge);
-    return "Collider " + collider.name + text;
+    return Message("Collider %1 is %2 m wide and the panels have edges of %3 m: it fits between "
+                   "particles, which are what touches; make the mesh finer or the collider larger.",
+                   collider.name, Message::number("%.3g", width),
+                   Message::number("%.3g", panelEdge));
 }
 
 } // namespace ripstop

@@ -46,7 +46,7 @@ std::optional<SliderRange> usualRange(const Property& property);
 SliderRange rangeAround(const Property& property, double value);
 
 // A refusal as half a sentence where the range cannot be had.
-std::optional<std::string> refusal(const Property& property, const SliderRange& range);
+std::optional<Message> refusal(const Property& property, const SliderRange& range);
 
 double valueAt(const SliderRange& range, double place); // place 0..1; three digits
 double placeOf(const SliderRange& range, double value);

@@ -105,13 +105,6 @@ Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
     return worst;
 }
 
-std::string text(const char* pattern, auto... values)
-{
-    char buffer[300];
-    std::snprintf(buffer, sizeof buffer, pattern, values...);
-    return buffer;
-}
-
 int substepsWithin(double timeStep, double limit, double spare)
 {
     return std::clamp(int(std::ceil(std::min(spare * timeStep / limit, double(mostSubsteps)))), 1,
@@ -131,43 +124,63 @@ SolverPlan planFor(const System& system)
     SolverPlan plan;
     plan.least = substepsForBends(system);
     plan.substeps = std::max(system.substeps, plan.least);
-    const std::string bends =
-        plan.least > 1 ? text("; bending needs at least %d", plan.least) : std::string();
+    const bool bends = plan.least > 1;
     if (system.rods.empty()) {
-        plan.reason = "there are no rods" + bends;
+        plan.reason = bends ? Message("there are no rods; bending needs at least %1", plan.least)
+                            : Message("there are no rods");
         return plan;
     }
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
-    std::string block;
-    const auto solveDirectly = [&](const std::vector<int>& rods, const std::string& why) {
+    const auto solveDirectly = [&](const std::vector<int>& rods) {
         plan.direct.resize(system.rods.size(), 0);
         for (const int rod : rods)
             plan.direct[std::size_t(rod)] = 1;
-        block += text("%d rods are solved directly, since ", int(rods.size())) + why + "; ";
+        return rods.size();
     };
+    std::size_t ofFabric = 0, ofLoad = 0; // rods that are solved directly
     if (mayHaveBlocks)
         if (const std::vector<int> rods = rodsOfSmallFabric(system); !rods.empty())
-            solveDirectly(rods, "they hold fabric that is small enough for it");
+            ofFabric = solveDirectly(rods);
     Worst worst = worstRod(system, plan.direct);
     const double many = manySubsteps * system.timeStep / 0.01;
+    double ofSweeps = 0.0; // substeps that the load would need
     // A heavy load on light lines stretches them little in a step, but the sweeps give back more
     // than they took: it bounces higher and higher.
     if ((worst.substeps > many || worst.hangsHeavy) && mayHaveBlocks)
         if (const std::vector<int> rods = rodsForDirect(system); !rods.empty()) {
-            solveDirectly(rods, worst.substeps > many
-                                    ? text("their load would need %.0f substeps", worst.substeps)
-                                    : "their load is far heavier than what holds it");
+            ofLoad = solveDirectly(rods);
+            ofSweeps = worst.substeps;
             worst = worstRod(system, plan.direct);
         }
     plan.substeps =
         std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), plan.substeps);
     const bool all = !plan.direct.empty() && worst.rod < 0;
-    plan.reason = block
-                  + (all ? text("%d substeps", plan.substeps)
-                         : text("small steps: %d substeps of one sweep to begin with, for a strain "
-                                "of %.3g %%",
-                                plan.substeps, 100.0 * system.strainGoal))
-                  + bends;
+    const Message strain = Message::number("%.3g", 100.0 * system.strainGoal);
+    if (all)
+        plan.reason =
+            bends ? Message("%1 substeps; bending needs at least %2", plan.substeps, plan.least)
+                  : Message("%1 substeps", plan.substeps);
+    else
+        plan.reason =
+            bends ? Message("small steps: %1 substeps of one sweep to begin with, for a strain of "
+                            "%2 %; bending needs at least %3",
+                            plan.substeps, strain, plan.least)
+                  : Message("small steps: %1 substeps of one sweep to begin with, for a strain of "
+                            "%2 %",
+                            plan.substeps, strain);
+    if (ofLoad > 0)
+        plan.reason =
+            ofSweeps > many
+                ? Message("%1 rods are solved directly, since their load would need %2 substeps; "
+                          "%3",
+                          ofLoad, Message::number("%.0f", ofSweeps), plan.reason)
+                : Message("%1 rods are solved directly, since their load is far heavier than what "
+                          "holds it; %2",
+                          ofLoad, plan.reason);
+    if (ofFabric > 0)
+        plan.reason = Message("%1 rods are solved directly, since they hold fabric that is small "
+                              "enough for it; %2",
+                              ofFabric, plan.reason);
     return plan;
 }
 

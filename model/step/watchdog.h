@@ -1,18 +1,18 @@
 #pragma once
 
+#include "base/message.h"
 #include "system/system.h"
 
 #include <optional>
-#include <string>
 
 namespace ripstop {
 
 // Why a simulation cannot go on.
 struct Trouble
 {
-    double time = 0.0;   // s
-    Key particle = 0;    // the first that went wrong
-    std::string message; // element, time and likely cause, for people
+    double time = 0.0; // s
+    Key particle = 0;  // the first that went wrong
+    Message message;   // element, time and likely cause, for people
 };
 
 // Looks for a position that is not finite or a speed above the system's limit. `before` is the

@@ -102,7 +102,7 @@ private:
     {
         std::shared_ptr<const Frame> frame;
         std::shared_ptr<const Frame> ghost;
-        std::string failure;
+        Message failure;
     };
     struct Start
     {
@@ -112,7 +112,7 @@ private:
     struct Begin
     {
         std::shared_ptr<const Moment> moment;
-        std::string failure;
+        Message failure;
     };
 
     static Shown fetch(const Wish& wish);
