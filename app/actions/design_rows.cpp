@@ -80,7 +80,7 @@ public:
     void duplicate() const
     {
         m_tool.goToDesign();
-        take(duplicated(m_document.scene(), m_selection.ids(), {Motion{}}, "Duplicate"));
+        take(duplicated(m_document.scene(), m_selection.ids(), {Motion{}}, Message("Duplicate")));
     }
 
     void copy() const

@@ -46,7 +46,7 @@ const Particle& middle(const Scene& scene)
 
 Edit set(const Property& property, std::vector<Id> targets, Value value)
 {
-    return {"", {SetValues{&property, std::move(targets), {std::move(value)}}}};
+    return {{}, {SetValues{&property, std::move(targets), {std::move(value)}}}};
 }
 
 Edit setLink(const Scene& scene, const Property& property, double value)
@@ -111,7 +111,7 @@ const Case cases[]{
          link.from = particles[from].id;
          link.to = particles[from + 5].id;
          link.material = sheet(scene).links.front().material;
-         return Edit{"", {AddRows{firstItem<Part>(scene), {}, {link}, {}}}};
+         return Edit{Message(), {AddRows{firstItem<Part>(scene), {}, {link}, {}}}};
      }},
     {"remove one particle and its links",
      [](const Scene& scene, int) { return removal(scene, {middle(scene).id}); }},

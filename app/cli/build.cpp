@@ -39,7 +39,7 @@ Result<NumberRows> tableFrom(const TableParameter& table, const std::string& tex
     std::ostringstream content;
     content << file.rdbuf();
     if (!file)
-        return Failure{std::string(table.key) + ": cannot read the file " + text.substr(1) + "."};
+        return Failure("%1: cannot read the file %2.", table.key, text.substr(1));
     return tableFromText(table, content.str());
 }
 
@@ -49,7 +49,7 @@ Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std:
     for (const std::string& text : texts) {
         const auto equals = text.find('=');
         if (equals == std::string::npos)
-            return Failure{"\"" + text + "\" sets nothing; write KEY=VALUE, like span=2.4."};
+            return Failure("\"%1\" sets nothing; write KEY=VALUE, like span=2.4.", text);
         const std::string key = text.substr(0, equals);
         if (builder.table && key == builder.table->key) {
             const Result<NumberRows> rows = tableFrom(*builder.table, text.substr(equals + 1));
@@ -63,9 +63,9 @@ Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std:
         double value = 0.0;
         const auto [end, error] = std::from_chars(first, last, value);
         if (error != std::errc() || end != last)
-            return Failure{key + " must be a number, not \"" + std::string(first, last) + "\"."};
+            return Failure("%1 must be a number, not \"%2\".", key, std::string(first, last));
         if (!parameters.emplace(key, value).second)
-            return Failure{key + " is given twice."};
+            return Failure("%1 is given twice.", key);
     }
     return parameters;
 }

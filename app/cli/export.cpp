@@ -93,7 +93,7 @@ int exportScene(const Options& options)
         return loaded.exitCode;
     const auto system = compile(*loaded.scene);
     if (!system)
-        return fail(BadInput, options.scene.file + ": " + system.message());
+        return fail(BadInput, Message("%1: %2", options.scene.file, system.message()));
 
     Simulation simulation(*system, options.threads);
     ControlTrack controls;

@@ -78,7 +78,7 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
     if (!options.material.empty()) {
         const Result<Id> id = findNamed(scene, Kind::Material, options.material);
         if (!id)
-            return Failure{"--material " + options.material + ": " + id.message() + "."};
+            return Failure("--material %1: %2.", options.material, id.message());
         fabric.existing = *id;
         fabric.material = *findItem<Material>(scene, *id);
         fabric.density = options.density;
@@ -87,9 +87,8 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
         if (!preset)
             return preset.failure();
         if ((*preset)->kind != PresetKind::Fabric)
-            return Failure{"The preset " + options.preset
-                           + " is not a fabric; ripstop-cli "
-                             "presets lists those."};
+            return Failure("The preset %1 is not a fabric; ripstop-cli presets lists those.",
+                           options.preset);
         Material& material = fabric.material = materialFrom(**preset);
         if (options.density)
             material.arealDensity = options.density;
@@ -133,7 +132,7 @@ Json jsonOf(const std::string& file, const PreparedMesh& mesh, const MeshImport&
         report.push_back({{"fault", meshFaultName(finding.fault)},
                           {"count", finding.count},
                           {"gravity", gravityName(gravityOf(finding.fault))},
-                          {"text", finding.text()},
+                          {"text", finding.text().english()},
                           {"places", std::move(places)}});
     }
     return {{"file", file},
@@ -158,7 +157,8 @@ void describe(const std::string& file, const PreparedMesh& mesh, const MeshImpor
               << " rods, " << made.panels << " panels, " << shortNumber(made.area) << " m^2, "
               << shortNumber(made.mass) << " kg\n";
     for (const MeshFinding& finding : mesh.report.findings()) {
-        std::cout << "  " << gravityName(gravityOf(finding.fault)) << ": " << finding.text();
+        std::cout << "  " << gravityName(gravityOf(finding.fault)) << ": "
+                  << finding.text().english();
         if (!finding.places.empty() && finding.fault != MeshFault::SplitPolygons) {
             std::cout << (finding.places.size() < finding.count ? " First at" : " At");
             for (std::size_t i = 0; i < finding.places.size(); ++i) {
@@ -202,7 +202,7 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
     if (interrupted())
         return Interrupted;
     if (!mesh)
-        return fail(BadInput, file + ": " + mesh.message());
+        return fail(BadInput, Message("%1: %2", file, mesh.message()));
     const std::string name =
         options.name.empty() ? std::filesystem::path(file).stem().string() : options.name;
     Result<MeshImport> made =
@@ -210,7 +210,7 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
     if (interrupted())
         return Interrupted;
     if (!made)
-        return fail(BadInput, file + ": " + made.message());
+        return fail(BadInput, Message("%1: %2", file, made.message()));
     (void)apply(scene, made->edit);
     const Part& part = *findItem<Part>(scene, made->parts.front());
     if (!fabric.isPerFileMaterial) { // the next file is of the same
@@ -269,16 +269,15 @@ std::optional<Failure> sortArguments(CLI::App& command, ImportOptions& options)
         std::ranges::replace(key, '_', '-');
         CLI::Option* option = command.get_option_no_throw("--" + key);
         if (!option || key == "help")
-            return Failure{"\"" + key
-                           + "\" is no option of import; ripstop-cli import --help "
-                             "lists them."};
+            return Failure("\"%1\" is no option of import; ripstop-cli import --help lists them.",
+                           key);
         if (option->count() > 0)
-            return Failure{key + " is given twice."};
+            return Failure("%1 is given twice.", key);
         try {
             option->add_result(argument.substr(equals + 1));
             option->run_callback();
         } catch (const CLI::Error& error) {
-            return Failure{std::string(error.what()) + "."};
+            return Failure("%1.", error.what());
         }
     }
     if (options.files.empty())

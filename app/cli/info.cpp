@@ -94,17 +94,17 @@ Json describe(const Scene& scene)
     info["solver_choice"] = Json();
     if (scene.settings.solver == Solver::Auto)
         if (const auto system = compile(scene))
-            info["solver_choice"] = planFor(**system).reason;
+            info["solver_choice"] = planFor(**system).reason.english();
     const std::optional<StepLimit> limit = stepLimit(scene);
     info["stable_substep"] = limit ? Json(limit->timeStep) : Json();
     info["stable_time_step"] = limit ? Json(limit->timeStep * scene.settings.substeps) : Json();
     info["parts"] = std::move(parts);
     info["problems"] = Json::array();
-    for (const Problem& problem : problemsOf(scene))
+    for (const Finding& problem : problemsOf(scene))
         info["problems"].push_back(
             {{"severity", problem.severity == Severity::Error ? "error" : "warning"},
-             {"message", problem.message},
-             {"id", problem.culprit == noId ? Json() : Json(std::uint32_t(problem.culprit))}});
+             {"message", problem.message.english()},
+             {"id", problem.culprits.empty() ? Json() : Json(std::uint32_t(problem.culprit()))}});
     return info;
 }
 

@@ -65,7 +65,7 @@ Result<MaterialAir> airIn(const Scene& scene, const std::string& name)
     if (count == 0)
         return Failure{"the scene has no material; give a law instead"};
     if (name.empty() && count > 1)
-        return Failure{"name a material with --material; there is " + list};
+        return Failure("name a material with --material; there is %1", list);
     const Result<Id> id = findNamed(scene, Kind::Material, name.empty() ? list : name);
     if (!id)
         return id.failure();

@@ -95,18 +95,18 @@ int applyPreset(const PresetOptions& options)
         return loaded.exitCode;
     Scene& scene = *loaded.scene;
     if (const auto problem = firstError(scene, ElementIndex(scene)))
-        return fail(BadInput, options.scene.file + ": " + problem->message);
+        return fail(BadInput, Message("%1: %2", options.scene.file, problem->message));
     std::vector<Id> materials;
     for (const std::string& name : options.materials) {
         const Result<Id> id = findNamed(scene, Kind::Material, name);
         if (!id)
-            return fail(WrongUsage, "--material " + name + ": " + id.message() + ".");
+            return fail(WrongUsage, Message("--material %1: %2.", name, id.message()));
         if (std::find(materials.begin(), materials.end(), *id) == materials.end())
             materials.push_back(*id);
     }
     const Result<PresetEdit> made = presetEdit(scene, **preset, materials);
     if (!made)
-        return fail(BadInput, options.scene.file + ": " + made.message());
+        return fail(BadInput, Message("%1: %2", options.scene.file, made.message()));
     (void)apply(scene, made->edit);
     if (const auto failure = saveScene(scene, options.output))
         return fail(BadInput, failure->message);

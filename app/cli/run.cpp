@@ -154,7 +154,7 @@ Json report(const Simulation& simulation, double wallSeconds)
     result["tear_report"] = tearSummary(frame->tears);
     result["stopped"] = simulation.trouble().has_value();
     if (simulation.trouble())
-        result["message"] = simulation.trouble()->message;
+        result["message"] = simulation.trouble()->message.english();
     if (interrupted())
         result["interrupted"] = true;
     return result;
@@ -238,7 +238,7 @@ std::optional<Failure> save(Recorder& recorder, const std::string& file)
     const std::shared_ptr<Recording> recording = recorder.recording();
     recorder.finish();
     if (!recording)
-        return Failure{file + " was not written: no step was made."};
+        return Failure("%1 was not written: no step was made.", file);
     recording->setName(std::filesystem::path(file).stem().string());
     ProgressLine progress("saving " + file);
     const auto failure = saveRecording(*recording, file, [&](double share) {
@@ -246,7 +246,7 @@ std::optional<Failure> save(Recorder& recorder, const std::string& file)
         return true;
     });
     if (!failure && !recording->trouble().empty())
-        return Failure{file + ": " + recording->trouble()};
+        return Failure("%1: %2", file, recording->trouble());
     return failure;
 }
 
@@ -329,8 +329,8 @@ Result<std::optional<SettleGoal>> settleGoal(const Options& options)
         const char* const end = options.settleSpeed.data() + options.settleSpeed.size();
         const auto [rest, error] = std::from_chars(options.settleSpeed.data(), end, goal.speed);
         if (error != std::errc() || rest != end || !(goal.speed > 0.0 && goal.speed < 1e9))
-            return Failure{"--settle: \"" + options.settleSpeed
-                           + "\" is no speed; give m/s above 0, like 0.01."};
+            return Failure("--settle: \"%1\" is no speed; give m/s above 0, like 0.01.",
+                           options.settleSpeed);
     }
     return std::optional<SettleGoal>(goal);
 }
@@ -367,7 +367,7 @@ int run(const Options& options)
     }
     const auto system = compile(*loaded.scene);
     if (!system)
-        return fail(BadInput, options.scene.file + ": " + system.message());
+        return fail(BadInput, Message("%1: %2", options.scene.file, system.message()));
     if (options.finalScene.empty() && options.tears.empty() && options.record.empty()
         && options.events.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each

@@ -43,7 +43,7 @@ std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assi
     for (const std::string& text : assignments) {
         const Result<Edit> edit = assignment(scene, text);
         if (!edit)
-            return Failure{"--set " + text + ": " + edit.message()};
+            return Failure("--set %1: %2", text, edit.message());
         (void)apply(scene, *edit);
     }
     return std::nullopt;

@@ -96,12 +96,12 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
     Scene scene = sweep.scenes[order.scene];
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
         if (auto failure = assign(scene, {sweep.axes[i].path + "=" + order.values[i]})) {
-            row.stopped = failure->message;
+            row.stopped = failure->message.english();
             return row;
         }
     const auto system = compile(scene);
     if (!system) {
-        row.stopped = system.message();
+        row.stopped = system.message().english();
         return row;
     }
     scene = Scene(); // nobody reads it again
@@ -124,7 +124,7 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
             return std::nullopt;
         controls.giveTo(simulation);
         if (!simulation.step()) {
-            row.stopped = simulation.trouble()->message;
+            row.stopped = simulation.trouble()->message.english();
             break;
         }
         read();
@@ -312,8 +312,8 @@ int prepare(const Options& options, Sweep& sweep)
         for (const SweepAxis& axis : sweep.axes)
             for (const std::string& value : axis.values)
                 if (auto edit = assignment(*loaded.scene, axis.path + "=" + value); !edit)
-                    return fail(WrongUsage, options.scenes[i] + ": --sweep " + axis.path + "="
-                                                + value + ": " + edit.message());
+                    return fail(WrongUsage, Message("%1: --sweep %2=%3: %4", options.scenes[i],
+                                                    axis.path, value, edit.message()));
         sweep.controls.emplace_back();
         if (!options.controls.empty()) {
             auto track = readControlTrack(options.controls, *loaded.scene);

@@ -46,9 +46,9 @@ std::string textOf(double number)
     return text;
 }
 
-Failure wrong(std::string_view text, const std::string& why)
+Failure wrong(std::string_view text, const Message& why)
 {
-    return Failure{"--sweep " + std::string(text) + ": " + why};
+    return Failure("--sweep %1: %2", text, why);
 }
 
 } // namespace
@@ -57,7 +57,7 @@ Result<SweepAxis> sweepAxis(std::string_view text)
 {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos || trimmed(text.substr(0, equals)).empty())
-        return wrong(text, "write PATH=VALUES, like settings.timeStep=0.001,0.002.");
+        return wrong(text, Message("write PATH=VALUES, like settings.timeStep=0.001,0.002."));
     SweepAxis axis{std::string(trimmed(text.substr(0, equals))), {}};
     const std::string_view values = trimmed(text.substr(equals + 1));
 
@@ -65,11 +65,12 @@ Result<SweepAxis> sweepAxis(std::string_view text)
     if (ends.size() == 3 && values.find_first_of(",;") == std::string_view::npos) {
         const auto from = numberOf(ends[0]), step = numberOf(ends[1]), to = numberOf(ends[2]);
         if (!from || !step || !to)
-            return wrong(text, "a range is FROM:STEP:TO, three numbers.");
+            return wrong(text, Message("a range is FROM:STEP:TO, three numbers."));
         const double steps = std::floor((*to - *from) / *step + 1e-9);
         if (!(steps >= 0.0 && steps < mostValues))
-            return wrong(text, "the range has no value, or too many; the step must lead from its "
-                               "start to its end.");
+            return wrong(text,
+                         Message("the range has no value, or too many; the step must lead from its "
+                                 "start to its end."));
         for (int i = 0; i <= int(steps); ++i)
             axis.values.push_back(textOf(*from + i * *step));
         return axis;
@@ -77,7 +78,8 @@ Result<SweepAxis> sweepAxis(std::string_view text)
     axis.values = split(values, values.find(';') == std::string_view::npos ? ',' : ';');
     for (const std::string& value : axis.values)
         if (value.empty())
-            return wrong(text, "a value is missing; write PATH=100,200,400 or PATH=FROM:STEP:TO.");
+            return wrong(
+                text, Message("a value is missing; write PATH=100,200,400 or PATH=FROM:STEP:TO."));
     return axis;
 }
 

@@ -27,7 +27,7 @@ struct BuildJob
 struct BuildOutcome
 {
     int number = 0;
-    std::string refusal; // why there is nothing, or empty
+    Message refusal; // why there is nothing, or empty
     DesignFigures figures;
     Scene scene;            // a new one
     Edit edit;              // of the open one

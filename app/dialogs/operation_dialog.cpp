@@ -119,7 +119,7 @@ void OperationDialog::soon() { m_pause.start(); }
 Result<Shaped> OperationDialog::shaped() const
 {
     if (const QString refusal = m_form->refusal(); !refusal.isEmpty())
-        return Failure{refusal.toStdString()};
+        return Failure(Message::verbatim(refusal.toStdString()));
     return m_operation.apply(m_document.scene(), m_ids, m_form->values());
 }
 

@@ -52,8 +52,8 @@ Result<std::vector<Id>> meant(const QString& text, const Scene& scene)
         return item;
     const auto ids = matching(scene, measurementOf(sceneFrame(scene)), text.toStdString());
     if (!ids)
-        return Failure{"no item of the scene is called \"" + text.toStdString()
-                       + "\", and it is no condition: " + ids.message()};
+        return Failure("no item of the scene is called \"%1\", and it is no condition: %2",
+                       text.toStdString(), ids.message());
     return ids;
 }
 
@@ -108,7 +108,7 @@ int main(int argc, char** argv)
         return refuse(QString("no item of the scene is called \"%1\"").arg(options->fit), 1);
     const Result<std::vector<Id>> selected = meant(options->select, document.scene());
     if (!selected)
-        return refuse(QString::fromStdString(selected.message()), 1);
+        return refuse(QString::fromStdString(selected.message().english()), 1);
     Selection selection(document);
     Player player(document);
     const bool stays = options->screenshot.isEmpty();

@@ -54,6 +54,8 @@ private:
 
 void addDesigns(Collector& texts)
 {
+    for (int kind = 0; kind < kindCount; ++kind)
+        texts.add(kindName(Kind(kind)));
     for (const Property& property : allProperties()) {
         texts.add(property.label);
         texts.add(property.help);

@@ -394,7 +394,7 @@ QString ExportDialog::writeBundle(const Job& job)
             const std::filesystem::path file = folder / "view.png";
             if (picture.save(QString::fromStdString(file.string())))
                 return std::nullopt;
-            return notWritten(file, "the picture could not be saved");
+            return notWritten(file, Message("the picture could not be saved"));
         };
     const std::filesystem::path target = job.target.toStdString();
     const Progress progress = [this](double done) {

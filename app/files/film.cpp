@@ -38,7 +38,7 @@ constexpr FilmFormat formats[]{
                        "One picture for each frame, exact; for other programs and for papers."),
      Alpha::Kept, nullptr, nullptr}};
 
-Failure about(const QString& text) { return Failure{text.toStdString()}; }
+Failure about(const QString& text) { return Failure(Message::verbatim(text.toStdString())); }
 
 // A name without a place for the number gets one before its ending.
 QString numbered(QString target)

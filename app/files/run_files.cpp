@@ -66,7 +66,7 @@ void RunFiles::open(const QString& file)
         &m_window, tr("Opening %1\u2026").arg(QFileInfo(file).fileName()),
         [&](const Progress& progress) { opened.emplace(openRecording(pathOf(file), progress)); });
     if (!*opened) {
-        if (opened->message() != "Cancelled.")
+        if (opened->message() != Message("Cancelled."))
             QMessageBox::warning(&m_window, tr("Cannot open the recording"),
                                  translated(opened->message()));
         return;
@@ -135,7 +135,7 @@ void RunFiles::save()
                      });
     if (!failure)
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
-    else if (failure->message != "Cancelled.")
+    else if (failure->message != Message("Cancelled."))
         QMessageBox::warning(&m_window, tr("Cannot save the recording"),
                              translated(failure->message));
 }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr const char* settingKey = "language";
 constexpr const char* ownContext = "ripstop"; // of all texts in the file
-constexpr const char* modelContext = "Model"; // in which translated() asks
 
 // In the order of Language.
 constexpr std::array<const char*, 3> codes{"system", "en", "fr"};
@@ -44,9 +43,7 @@ QString Translation::Catalogue::translate(const char* context, const char* sourc
 {
     if (context && *context == 'Q') // Qt's own, such as the names of keys
         return {};
-    const QString text = QTranslator::translate(ownContext, source, comment, n);
-    const bool isOfModel = context && QLatin1String(context) == QLatin1String(modelContext);
-    return text.isEmpty() && isOfModel ? sentences.translated(QString::fromUtf8(source)) : text;
+    return QTranslator::translate(ownContext, source, comment, n);
 }
 
 Translation::Translation(Language language)
@@ -77,7 +74,6 @@ void Translation::install(Language language)
         return;
     if (m_qt.load("qtbase_fr", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&m_qt);
-    m_own.sentences.load(":/translations/sentences_fr.ts");
     if (m_own.load(":/translations/ripstop_fr.qm"))
         QCoreApplication::installTranslator(&m_own); // asked first, as the last one installed
 }

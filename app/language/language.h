@@ -7,8 +7,6 @@
 // files and the command line know the point only.
 #pragma once
 
-#include "language/sentences.h"
-
 #include <QObject>
 #include <QTranslator>
 
@@ -36,13 +34,12 @@ protected:
     bool eventFilter(QObject* target, QEvent* event) override;
 
 private:
-    // Looks up a text without its context, and texts of the model among the sentences too.
+    // Looks up a text without its context.
     class Catalogue : public QTranslator
     {
     public:
         QString translate(const char* context, const char* source, const char* comment,
                           int n) const override;
-        Sentences sentences;
     };
 
     Catalogue m_own;

@@ -26,6 +26,8 @@ int fail(ExitCode code, std::string_view message)
     return code;
 }
 
+int fail(ExitCode code, const Message& message) { return fail(code, message.english()); }
+
 void print(const Json& object)
 {
     std::cout << object.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';

@@ -1,6 +1,8 @@
 // What every command shares: how it ends, what it prints, how it is interrupted.
 #pragma once
 
+#include "base/message.h"
+
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -23,6 +25,7 @@ using Json = nlohmann::ordered_json;
 
 // Prints the message on standard error and returns the code.
 int fail(ExitCode code, std::string_view message);
+int fail(ExitCode code, const Message& message);
 
 // One object on standard output. Numbers that are not finite become null.
 void print(const Json& object);

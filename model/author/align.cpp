@@ -58,7 +58,7 @@ std::vector<Body> bodiesOf(const Scene& scene, const Movable& movable, const std
 //   shift  [bodies]  m along the axis
 Edit shiftedBodies(const Movable& movable, const std::vector<Body>& bodies,
                    const std::vector<double>& shift, int axis, RestLengths restLengths,
-                   std::string label)
+                   Message label)
 {
     std::vector<Vec3> places = movable.position;
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -87,7 +87,7 @@ Edit aligned(const Scene& scene, const std::vector<Id>& ids, int axis, Side side
     const Movable movable = movableOf(scene, ids);
     const std::vector<Body> bodies = bodiesOf(scene, movable, ids, axis);
     if (bodies.size() < 2)
-        return {"Align", {}};
+        return {Message("Align"), {}};
     const double low = std::ranges::min_element(bodies, {}, &Body::low)->low;
     const double high = std::ranges::max_element(bodies, {}, &Body::high)->high;
     std::vector<double> shift;
@@ -95,7 +95,7 @@ Edit aligned(const Scene& scene, const std::vector<Id>& ids, int axis, Side side
         shift.push_back(side == Side::Least  ? low - body.low
                         : side == Side::Most ? high - body.high
                                              : 0.5 * (low + high) - body.middle());
-    return shiftedBodies(movable, bodies, shift, axis, restLengths, "Align");
+    return shiftedBodies(movable, bodies, shift, axis, restLengths, Message("Align"));
 }
 
 Edit distributed(const Scene& scene, const std::vector<Id>& ids, int axis, RestLengths restLengths)
@@ -103,7 +103,7 @@ Edit distributed(const Scene& scene, const std::vector<Id>& ids, int axis, RestL
     const Movable movable = movableOf(scene, ids);
     const std::vector<Body> bodies = bodiesOf(scene, movable, ids, axis);
     if (bodies.size() < 3)
-        return {"Distribute", {}};
+        return {Message("Distribute"), {}};
     std::vector<std::size_t> order(bodies.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return bodies[i].middle(); });
@@ -112,14 +112,14 @@ Edit distributed(const Scene& scene, const std::vector<Id>& ids, int axis, RestL
     std::vector<double> shift(bodies.size(), 0.0);
     for (std::size_t k = 1; k + 1 < order.size(); ++k)
         shift[order[k]] = first + double(k) * step - bodies[order[k]].middle();
-    return shiftedBodies(movable, bodies, shift, axis, restLengths, "Distribute");
+    return shiftedBodies(movable, bodies, shift, axis, restLengths, Message("Distribute"));
 }
 
 Edit flattened(const Scene& scene, const std::vector<Id>& ids, RestLengths restLengths)
 {
     Movable movable = movableOf(scene, ids);
     if (movable.particles.size() < 3)
-        return {"Flatten", {}};
+        return {Message("Flatten"), {}};
     Vec3 mean = Vec3::Zero();
     for (const Vec3& place : movable.position)
         mean += place / double(movable.position.size());
@@ -131,7 +131,7 @@ Edit flattened(const Scene& scene, const std::vector<Id>& ids, RestLengths restL
     std::vector<Vec3> places;
     for (const Vec3& place : movable.position)
         places.push_back(place - normal.dot(place - mean) * normal);
-    return relocated(movable, places, restLengths, "Flatten");
+    return relocated(movable, places, restLengths, Message("Flatten"));
 }
 
 } // namespace ripstop

@@ -46,7 +46,7 @@ public:
 
 private:
     Result<Subject> subjectOf(const Clause& clause) const;
-    std::string unknownKey(const Clause& clause) const;
+    Message unknownKey(const Clause& clause) const;
     Result<std::vector<Id>> members(const Clause& clause) const;
     Result<std::vector<Id>> byNumber(const Clause& clause, const Subject& subject) const;
     Result<std::vector<Id>> byWord(const Clause& clause, const Subject& subject) const;
@@ -124,14 +124,15 @@ void forEachOf(const Scene& scene, Kind kind, Visit visit)
     }
 }
 
-std::string Matcher::unknownKey(const Clause& clause) const
+Message Matcher::unknownKey(const Clause& clause) const
 {
     const std::vector<std::string_view> keys = knownKeys(m_measurement);
     const std::string_view near = nearest(clause.key, keys);
-    std::string text = "nothing has a " + quoted(clause.key) + "; ";
-    text += near.empty() ? "say for example mass, restLength, material or strain"
-                         : "did you mean " + quoted(near) + "?";
-    return text;
+    return near.empty()
+               ? Message("nothing has a %1; say for example mass, restLength, material or "
+                         "strain",
+                         quoted(clause.key))
+               : Message("nothing has a %1; did you mean %2?", quoted(clause.key), quoted(near));
 }
 
 Result<Subject> Matcher::subjectOf(const Clause& clause) const
@@ -171,15 +172,16 @@ Result<Subject> Matcher::subjectOf(const Clause& clause) const
     const bool isVector = std::holds_alternative<Vec3>(property.initial);
     const std::string label(name);
     if (isVector && (subject.axis < 0 || subject.axis > 2))
-        return failureAt(clause.keyAt, quoted(label) + " has three numbers; say " + label + ".x, "
-                                           + label + ".y or " + label + ".z");
+        return failureAt(clause.keyAt, Message("%1 has three numbers; say %2.x, %3.y or %4.z",
+                                               quoted(label), label, label, label));
     if (!isVector && name != key)
-        return failureAt(clause.keyAt, quoted(label) + " has no x, y or z; say " + label);
+        return failureAt(clause.keyAt,
+                         Message("%1 has no x, y or z; say %2", quoted(label), label));
     if (std::holds_alternative<NumberRows>(property.initial)
         || std::holds_alternative<std::vector<Id>>(property.initial))
-        return failureAt(clause.keyAt,
-                         quoted(label)
-                             + " is a list and cannot be compared; choose another property");
+        return failureAt(
+            clause.keyAt,
+            Message("%1 is a list and cannot be compared; choose another property", quoted(label)));
     return subject;
 }
 
@@ -211,23 +213,25 @@ std::vector<Id> Matcher::where(const Property& property, Test test) const
 Result<double> Matcher::number(const Clause& clause, std::string_view unit) const
 {
     if (clause.comparison == Comparison::None)
-        return failureAt(clause.keyAt + clause.key.size(),
-                         quoted(clause.key) + " is a number; go on with <, > or = and a value");
+        return failureAt(
+            clause.keyAt + clause.key.size(),
+            Message("%1 is a number; go on with <, > or = and a value", quoted(clause.key)));
     const Typed typed = typedValue(clause.value, unit);
     if (typed.number)
         return typed.number->number;
     if (typed.unit.empty() || typed.at == 0) // no number in front of it
         return failureAt(clause.valueAt,
                          clause.value.empty()
-                             ? "a number is missing; write one, as in " + clause.key + " > 1"
-                             : quoted(clause.value) + " is not a number; write one, as in "
-                                   + clause.key + " > 1");
+                             ? Message("a number is missing; write one, as in %1 > 1", clause.key)
+                             : Message("%1 is not a number; write one, as in %2 > 1",
+                                       quoted(clause.value), clause.key));
     std::string units;
     for (const std::string& other : unitsLike(unit))
         units += (units.empty() ? "" : ", ") + other;
-    return failureAt(clause.valueAt + typed.at,
-                     quoted(typed.unit) + " is not a unit of " + clause.key + "; "
-                         + (units.empty() ? "leave it out" : "use one of " + units));
+    return failureAt(
+        clause.valueAt + typed.at,
+        Message("%1 is not a unit of %2; %3", quoted(typed.unit), clause.key,
+                units.empty() ? Message("leave it out") : Message("use one of %1", units)));
 }
 
 Result<std::vector<Id>> Matcher::byNumber(const Clause& clause, const Subject& subject) const
@@ -271,14 +275,15 @@ Result<std::vector<Id>> Matcher::byWord(const Clause& clause, const Subject& sub
     const Property& first = *subject.properties.front();
     const bool isSwitch = std::holds_alternative<bool>(first.initial);
     if (clause.comparison == Comparison::None && !isSwitch)
-        return failureAt(
-            clause.keyAt + clause.key.size(),
-            "go on with = and a value, as in " + clause.key + " = "
-                + (first.choices.empty() ? "name" : std::string(first.choices.front())));
+        return failureAt(clause.keyAt + clause.key.size(),
+                         Message("go on with = and a value, as in %1 = %2", clause.key,
+                                 first.choices.empty()
+                                     ? Message("name")
+                                     : Message::verbatim(std::string(first.choices.front()))));
     if (clause.comparison != Comparison::None && clause.comparison != Comparison::Equal
         && clause.comparison != Comparison::NotEqual)
-        return failureAt(clause.comparisonAt,
-                         quoted(clause.key) + " is not a number; compare it with = or !=");
+        return failureAt(clause.comparisonAt, Message("%1 is not a number; compare it with = or !=",
+                                                      quoted(clause.key)));
 
     Value wanted;
     if (std::holds_alternative<Id>(first.initial) && !clause.value.starts_with('#')
@@ -316,7 +321,7 @@ Result<std::vector<Id>> Matcher::members(const Clause& clause) const
     const Kind kind = clause.key == "part" ? Kind::Part : Kind::Group;
     if (clause.comparison != Comparison::Equal && clause.comparison != Comparison::NotEqual)
         return failureAt(clause.keyAt + clause.key.size(),
-                         "go on with = and the name of a " + clause.key);
+                         Message("go on with = and the name of a %1", Message::word(clause.key)));
     const auto holder = findNamed(m_scene, kind, clause.value);
     if (!holder)
         return failureAt(clause.valueAt, holder.message());
@@ -340,8 +345,9 @@ Result<std::vector<Id>> Matcher::matches(const Clause& clause)
     if (clause.negated
         && (counts || !std::holds_alternative<bool>(subject->properties.front()->initial)
             || clause.comparison != Comparison::None))
-        return failureAt(clause.keyAt, "\"not\" goes with a switch, as in not pinned; "
-                                       "elsewhere compare with !=");
+        return failureAt(clause.keyAt,
+                         Message("\"not\" goes with a switch, as in not pinned; elsewhere "
+                                 "compare with !="));
     return counts ? byNumber(clause, *subject) : byWord(clause, *subject);
 }
 

@@ -75,7 +75,8 @@ Result<Clause> readClause(Reader& reader)
     clause.keyAt = reader.at;
     clause.key = reader.key();
     if (clause.key.empty())
-        return failureAt(reader.at, "a property is missing; begin with one, as in mass < 1 g");
+        return failureAt(reader.at,
+                         Message("a property is missing; begin with one, as in mass < 1 g"));
     reader.skipSpace();
     clause.comparisonAt = reader.at;
     const std::string_view left = reader.text.substr(reader.at);
@@ -92,7 +93,7 @@ Result<Clause> readClause(Reader& reader)
     while (!value.empty() && isSpace(value.back()))
         value.remove_suffix(1);
     if (value.empty())
-        return failureAt(reader.at, "a value is missing after " + std::string(sign->text));
+        return failureAt(reader.at, Message("a value is missing after %1", sign->text));
     clause.value = value;
     reader.at = end;
     return clause;
@@ -100,9 +101,9 @@ Result<Clause> readClause(Reader& reader)
 
 } // namespace
 
-Failure failureAt(std::size_t place, const std::string& what)
+Failure failureAt(std::size_t place, const Message& what)
 {
-    return {"At character " + std::to_string(place + 1) + ": " + what};
+    return Failure("At character %1: %2", place + 1, what);
 }
 
 Result<std::vector<Clause>> clausesOf(std::string_view text)
@@ -118,8 +119,8 @@ Result<std::vector<Clause>> clausesOf(std::string_view text)
         if (reader.isAtEnd())
             return clauses;
         if (!reader.take("and"))
-            return failureAt(reader.at, "expected <, >, =, != or \"and\", not \""
-                                            + std::string(text.substr(reader.at)) + "\"");
+            return failureAt(reader.at, Message("expected <, >, =, != or \"and\", not \"%1\"",
+                                                text.substr(reader.at)));
     }
 }
 

@@ -24,7 +24,7 @@ struct Clause
 };
 
 // "At character 8: ...", of a place counted from 0.
-Failure failureAt(std::size_t place, const std::string& what);
+Failure failureAt(std::size_t place, const Message& what);
 
 // One or more clauses with "and" between them. A failure names the place.
 Result<std::vector<Clause>> clausesOf(std::string_view text);

@@ -225,7 +225,7 @@ void addCopy(Copies& copies, Copier& copier, const Scene& scene, const std::vect
 } // namespace
 
 Copies duplicated(const Scene& scene, const std::vector<Id>& selected,
-                  const std::vector<Motion>& motions, std::string label)
+                  const std::vector<Motion>& motions, Message label)
 {
     Copies copies{{std::move(label), {}}, {}};
     const std::vector<Id> ids = sortedOf(selected);
@@ -251,7 +251,7 @@ Copies linearArray(const Scene& scene, const std::vector<Id>& ids, int count, co
     std::vector<Motion> motions;
     for (int i = 1; i < count; ++i)
         motions.push_back(shifted(i * step));
-    return duplicated(scene, ids, motions, "Array in a row");
+    return duplicated(scene, ids, motions, Message("Array in a row"));
 }
 
 Copies radialArray(const Scene& scene, const std::vector<Id>& ids, int count, const Vec3& pivot,
@@ -262,13 +262,13 @@ Copies radialArray(const Scene& scene, const std::vector<Id>& ids, int count, co
     std::vector<Motion> motions;
     for (int i = 1; i < count; ++i)
         motions.push_back(turned(pivot, axis, i * step));
-    return duplicated(scene, ids, motions, "Array in a ring");
+    return duplicated(scene, ids, motions, Message("Array in a ring"));
 }
 
 Copies mirrored(const Scene& scene, const std::vector<Id>& selected, const Vec3& point, int axis,
                 double tolerance)
 {
-    Copies copies{{"Mirror", {}}, {}};
+    Copies copies{{Message("Mirror"), {}}, {}};
     const std::vector<Id> ids = sortedOf(selected);
     const std::vector<Id> particles = particlesOf(scene, ids);
     Motion motion;
@@ -375,7 +375,7 @@ Scene excerpt(const Scene& scene, const std::vector<Id>& selected)
 
 Copies pasted(const Scene& scene, const Scene& fragment)
 {
-    Copies copies{{"Paste", {}}, {}};
+    Copies copies{{Message("Paste"), {}}, {}};
     Copier copier(scene.nextId);
     std::size_t end = scene.items.size();
     const auto add = [&](Entry entry) {

@@ -19,7 +19,7 @@ struct Copies
 
 // One copy for each motion, at the place where that takes the original.
 Copies duplicated(const Scene& scene, const std::vector<Id>& ids,
-                  const std::vector<Motion>& motions, std::string label);
+                  const std::vector<Motion>& motions, Message label);
 
 // `count` things in all, with the original: each a step further than the one before.
 Copies linearArray(const Scene& scene, const std::vector<Id>& ids, int count, const Vec3& step);

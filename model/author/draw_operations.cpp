@@ -49,8 +49,6 @@ constexpr std::array rigidityParameters{
 
 int whole(const Parameters& values, const char* key) { return int(values.at(key)); }
 
-Failure tooFew(const char* what) { return Failure{std::string("Select ") + what + " first."}; }
-
 LinkStroke strokeOf(int kind)
 {
     switch (kind) {
@@ -77,7 +75,7 @@ Id materialOr(Id neighbours, const Parameters& values, Drawing& drawing, Materia
     return isNew || neighbours == noId ? drawing.material(std::move(otherwise)) : neighbours;
 }
 
-Result<Shaped> finished(Drawing& drawing, const char* label, const char* nothing)
+Result<Shaped> finished(Drawing& drawing, const Message& label, const Message& nothing)
 {
     if (drawing.made().empty())
         return Failure{nothing};
@@ -90,10 +88,12 @@ Result<Shaped> link(const Scene& scene, const std::vector<Id>& ids, const Parame
     const std::vector<Id> particles = particlesOf(scene, ids);
     const int way = whole(values, "way");
     if (particles.size() < 2)
-        return tooFew("two or more particles");
+        return Failure("Select two or more particles first.");
     if (way == 2 && particles.size() > mostEachWithEach)
-        return Failure{"Each with each of more than " + std::to_string(mostEachWithEach)
-                       + " particles are too many links. Select fewer, or choose another way."};
+        return Failure(
+            "Each with each of more than %1 particles are too many links. Select fewer, or "
+            "choose another way.",
+            mostEachWithEach);
     Drawing drawing(scene);
     LinkStroke stroke = strokeOf(whole(values, "kind"));
     stroke.material = materialOr(linkMaterialAt(scene, particles), values, drawing, named("cord"));
@@ -108,9 +108,9 @@ Result<Shaped> link(const Scene& scene, const std::vector<Id>& ids, const Parame
         if (way == 1)
             drawing.link(path.back(), path.front(), stroke);
     }
-    return finished(drawing, "Link",
-                    "These particles are linked already, or lie in one place. "
-                    "Nothing is added.");
+    return finished(drawing, Message("Link"),
+                    Message("These particles are linked already, or lie in one place. "
+                            "Nothing is added."));
 }
 
 Result<Shaped> rope(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
@@ -129,9 +129,9 @@ Result<Shaped> rope(const Scene& scene, const std::vector<Id>& ids, const Parame
         (1.0 + slack) * (drawing.position(particles[1]) - drawing.position(particles[0])).norm();
     drawing.rope(particles[0], particles[1], whole(values, "count"), density * length, slack,
                  stroke);
-    return finished(drawing, "Rope",
-                    "These particles are linked already, or lie in one place. "
-                    "Take more links.");
+    return finished(drawing, Message("Rope"),
+                    Message("These particles are linked already, or lie in one place. "
+                            "Take more links."));
 }
 
 // Links that are there become those of the spar; others are added.
@@ -139,7 +139,7 @@ Result<Shaped> spar(const Scene& scene, const std::vector<Id>& ids, const Parame
 {
     const std::vector<Id> path = inLine(scene, particlesOf(scene, ids));
     if (path.size() < 2)
-        return tooFew("the particles along the spar");
+        return Failure("Select the particles along the spar first.");
     Drawing drawing(scene);
     Material material = named("spar");
     material.color = "#20262e";
@@ -168,7 +168,7 @@ Result<Shaped> spar(const Scene& scene, const std::vector<Id>& ids, const Parame
     std::vector<Id> links = drawing.made();
     links.insert(links.end(), taken.begin(), taken.end());
     std::ranges::sort(links);
-    Edit edit = drawing.finish("Spar");
+    Edit edit = drawing.finish(Message("Spar"));
     std::ranges::sort(taken);
     if (!taken.empty()) {
         edit.changes.emplace_back(SetValues{&propertyOf<&Link::material>(), taken, {of}});
@@ -184,7 +184,7 @@ Result<Shaped> fill(const Scene& scene, const std::vector<Id>& ids, const Parame
 {
     const std::vector<Id> particles = particlesOf(scene, ids);
     if (particles.size() < 3)
-        return tooFew("three or more particles around the hole");
+        return Failure("Select three or more particles around the hole first.");
     const std::vector<Id> ring = inRing(scene, particles);
     Drawing drawing(scene);
     const Id fabric =
@@ -205,14 +205,15 @@ Result<Shaped> fill(const Scene& scene, const std::vector<Id>& ids, const Parame
             for (std::size_t side = 0; side < 3; ++side)
                 drawing.link(corner[side], corner[(side + 1) % 3], stroke);
     }
-    return finished(drawing, "Fill", "There are panels on all of these particles already.");
+    return finished(drawing, Message("Fill"),
+                    Message("There are panels on all of these particles already."));
 }
 
 Result<Shaped> rigidity(const Scene& scene, const std::vector<Id>& ids, const Parameters& values)
 {
     const std::vector<Id> particles = particlesOf(scene, ids);
     if (particles.size() < 2)
-        return tooFew("the particles that are to become stiff");
+        return Failure("Select the particles that are to become stiff first.");
     const Movable movable = movableOf(scene, ids, Ties::Left);
     const Vec3 normal = ownAxes(movable).col(2);
     const Vec3 middle = pivotOf(scene, movable, Pivot::Median);
@@ -230,7 +231,7 @@ Result<Shaped> rigidity(const Scene& scene, const std::vector<Id>& ids, const Pa
     for (const Id hub : hubs)
         for (const Id particle : particles)
             drawing.link(hub, particle, stroke);
-    return Shaped{drawing.finish("Rigidity particles"), hubs};
+    return Shaped{drawing.finish(Message("Rigidity particles")), hubs};
 }
 
 } // namespace

@@ -292,7 +292,7 @@ Id Drawing::partOf(Id element) const
     return found;
 }
 
-Edit Drawing::finish(std::string label)
+Edit Drawing::finish(Message label)
 {
     Edit edit{std::move(label), {}};
     for (AddItem& item : m_items)

@@ -51,7 +51,7 @@ public:
     Id partOf(Id element) const;                           // noId when there is none
     const std::vector<Id>& made() const { return m_made; } // elements, ascending
 
-    Edit finish(std::string label); // empty when nothing was drawn
+    Edit finish(Message label); // empty when nothing was drawn
 
 private:
     Id fresh();

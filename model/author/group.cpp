@@ -14,12 +14,12 @@ std::vector<Id> membersOf(const Scene& scene, const std::vector<Id>& selected)
     return sortedElements(scene, selected).ids();
 }
 
-Edit regrouped(const Scene& scene, Id group, std::vector<Id> members, const std::string& label)
+Edit regrouped(const Scene& scene, Id group, std::vector<Id> members, Message label)
 {
     if (members == findItem<Group>(scene, group)->members)
         return {};
     const Property* property = &propertyOf<&Group::members>();
-    return {label, {SetValues{property, {group}, {std::move(members)}}}};
+    return {std::move(label), {SetValues{property, {group}, {std::move(members)}}}};
 }
 
 } // namespace
@@ -39,7 +39,7 @@ std::string freeName(const Scene& scene, std::string_view base)
 Edit grouped(const Scene& scene, const std::string& name, const std::vector<Id>& selected)
 {
     const Entry entry{scene.nextId, Group{name, membersOf(scene, selected)}};
-    return {"Group " + name, {AddItem{scene.items.size(), entry}}};
+    return {Message("Group %1", name), {AddItem{scene.items.size(), entry}}};
 }
 
 Edit addedToGroup(const Scene& scene, Id group, const std::vector<Id>& selected)
@@ -50,7 +50,7 @@ Edit addedToGroup(const Scene& scene, Id group, const std::vector<Id>& selected)
     std::vector<Id> members = before; // which keep their order
     std::ranges::set_difference(membersOf(scene, selected), known, std::back_inserter(members));
     return regrouped(scene, group, std::move(members),
-                     "Add to " + findItem<Group>(scene, group)->name);
+                     Message("Add to %1", findItem<Group>(scene, group)->name));
 }
 
 Edit removedFromGroup(const Scene& scene, Id group, const std::vector<Id>& selected)
@@ -59,7 +59,7 @@ Edit removedFromGroup(const Scene& scene, Id group, const std::vector<Id>& selec
     std::vector<Id> members = findItem<Group>(scene, group)->members;
     std::erase_if(members, [&](Id id) { return std::ranges::binary_search(out, id); });
     return regrouped(scene, group, std::move(members),
-                     "Remove from " + findItem<Group>(scene, group)->name);
+                     Message("Remove from %1", findItem<Group>(scene, group)->name));
 }
 
 } // namespace ripstop

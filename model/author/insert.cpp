@@ -149,7 +149,7 @@ Insertion inserted(const InsertGround& ground, Scene built, const InsertWish& wi
     giveFreeNames(built, ground.scene);
     Copies copies = pasted(ground.scene, built);
     Insertion insertion{std::move(copies.edit), {}, 0};
-    insertion.edit.label = "Insert " + wish.label;
+    insertion.edit.label = Message("Insert %1", Message::word(wish.label));
     for (const Change& change : insertion.edit.changes)
         if (const auto* added = std::get_if<AddItem>(&change); added && isBody(added->entry.item))
             insertion.bodies.push_back(added->entry.id);

@@ -82,7 +82,7 @@ std::optional<ProbeEdit> withProbe(const Scene& scene, Quantity quantity,
     probe.quantity = quantity;
     probe.name = nameFor(scene, quantity);
     ProbeEdit result;
-    result.edit.label = "Measure " + probe.name;
+    result.edit.label = Message("Measure %1", probe.name);
     std::uint32_t next = std::uint32_t(scene.nextId);
 
     if (row.points > 1) {

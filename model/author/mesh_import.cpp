@@ -267,8 +267,9 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
     const std::optional<double> density =
         fabric.material.arealDensity ? fabric.material.arealDensity : fabric.density;
     if (!density || !(*density > 0.0) || !std::isfinite(*density))
-        return Failure{"The material " + fabric.material.name
-                       + " has no mass per area; give one above 0 kg/m^2, or choose a preset."};
+        return Failure("The material %1 has no mass per area; give one above 0 kg/m^2, or choose a "
+                       "preset.",
+                       fabric.material.name);
     std::size_t triangles = 0;
     for (const RepairedMesh& surface : mesh.surfaces)
         triangles += surface.triangles.size();
@@ -306,7 +307,7 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
         result.parts.push_back(network.finish({}, {}));
         addGroups(scratch, surface, firstPanel, names);
     }
-    result.edit.label = "Import " + name;
+    result.edit.label = Message("Import %1", name);
     for (std::size_t i = 0; i < scratch.items.size(); ++i)
         result.edit.changes.push_back(
             AddItem{surroundings.itemCount + i, std::move(scratch.items[i])});

@@ -10,26 +10,26 @@ struct Words
 {
     std::string_view name;
     MeshGravity gravity;
-    std::string_view one; // "%" stands for the number
-    std::string_view many;
+    Message one;
+    Message many; // the gap is for their number
 };
 
 // clang-format off
-constexpr std::array<Words, meshFaultCount> table{{
-    {"loose_vertices",     MeshGravity::Repaired, "1 vertex belongs to no face: left out.", "% vertices belong to no face: left out."},
-    {"duplicate_vertices", MeshGravity::Repaired, "1 vertex lies on another one: joined.", "% vertices lie on another one: joined."},
-    {"degenerate_faces",   MeshGravity::Repaired, "1 face has no area: left out.", "% faces have no area: left out."},
-    {"duplicate_faces",    MeshGravity::Repaired, "1 face has the corners of another one: left out.", "% faces have the corners of another one: left out."},
-    {"non_manifold_edges", MeshGravity::Warning,  "1 edge belongs to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.", "% edges belong to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there."},
-    {"flipped_faces",      MeshGravity::Repaired, "1 face was wound against its neighbours: turned over.", "% faces were wound against their neighbours: turned over."},
-    {"inside_out_shells",  MeshGravity::Repaired, "1 closed piece was inside out: turned over.", "% closed pieces were inside out: turned over."},
-    {"one_sided_edges",    MeshGravity::Warning,  "1 edge has no outside: the surface turns over itself like a Moebius strip.", "% edges have no outside: the surface turns over itself like a Moebius strip."},
-    {"several_shells",     MeshGravity::Note,     "The mesh is one piece.", "The mesh is % pieces that nothing joins. A larger weld tolerance may join them."},
-    {"open_edges",         MeshGravity::Note,     "1 edge belongs to one face only: the rim of the fabric.", "% edges belong to one face only: the rim of the fabric"},
-    {"split_polygons",     MeshGravity::Repaired, "1 polygon of more than three corners became triangles.", "% polygons of more than three corners became triangles."},
-    {"texture_seams",      MeshGravity::Note,     "1 vertex lies on a seam of the texture: the first of its texture points was kept.", "% vertices lie on a seam of the texture: the first of their texture points was kept."},
-    {"stray_elements",     MeshGravity::Note,     "1 line or single point of the file was left out.", "% lines and single points of the file were left out."},
-    {"odd_size",           MeshGravity::Warning,  "The mesh is larger than 200 m or smaller than 2 cm: check its unit.", "The mesh is larger than 200 m or smaller than 2 cm: check its unit."},
+const std::array<Words, meshFaultCount> table{{
+    {"loose_vertices",     MeshGravity::Repaired, Message("1 vertex belongs to no face: left out."), Message("%1 vertices belong to no face: left out.")},
+    {"duplicate_vertices", MeshGravity::Repaired, Message("1 vertex lies on another one: joined."), Message("%1 vertices lie on another one: joined.")},
+    {"degenerate_faces",   MeshGravity::Repaired, Message("1 face has no area: left out."), Message("%1 faces have no area: left out.")},
+    {"duplicate_faces",    MeshGravity::Repaired, Message("1 face has the corners of another one: left out."), Message("%1 faces have the corners of another one: left out.")},
+    {"non_manifold_edges", MeshGravity::Warning,  Message("1 edge belongs to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there."), Message("%1 edges belong to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.")},
+    {"flipped_faces",      MeshGravity::Repaired, Message("1 face was wound against its neighbours: turned over."), Message("%1 faces were wound against their neighbours: turned over.")},
+    {"inside_out_shells",  MeshGravity::Repaired, Message("1 closed piece was inside out: turned over."), Message("%1 closed pieces were inside out: turned over.")},
+    {"one_sided_edges",    MeshGravity::Warning,  Message("1 edge has no outside: the surface turns over itself like a Moebius strip."), Message("%1 edges have no outside: the surface turns over itself like a Moebius strip.")},
+    {"several_shells",     MeshGravity::Note,     Message("The mesh is one piece."), Message("The mesh is %1 pieces that nothing joins. A larger weld tolerance may join them.")},
+    {"open_edges",         MeshGravity::Note,     Message("1 edge belongs to one face only: the rim of the fabric."), Message("%1 edges belong to one face only: the rim of the fabric.")},
+    {"split_polygons",     MeshGravity::Repaired, Message("1 polygon of more than three corners became triangles."), Message("%1 polygons of more than three corners became triangles.")},
+    {"texture_seams",      MeshGravity::Note,     Message("1 vertex lies on a seam of the texture: the first of its texture points was kept."), Message("%1 vertices lie on a seam of the texture: the first of their texture points was kept.")},
+    {"stray_elements",     MeshGravity::Note,     Message("1 line or single point of the file was left out."), Message("%1 lines and single points of the file were left out.")},
+    {"odd_size",           MeshGravity::Warning,  Message("The mesh is larger than 200 m or smaller than 2 cm: check its unit."), Message("The mesh is larger than 200 m or smaller than 2 cm: check its unit.")},
 }};
 // clang-format on
 
@@ -44,14 +44,14 @@ std::string_view meshFaultName(MeshFault fault) { return wordsOf(fault).name; }
 
 MeshGravity gravityOf(MeshFault fault) { return wordsOf(fault).gravity; }
 
-std::string MeshFinding::text() const
+Message MeshFinding::text() const
 {
-    std::string text(count == 1 ? wordsOf(fault).one : wordsOf(fault).many);
-    if (const std::size_t mark = text.find('%'); mark != std::string::npos)
-        text.replace(mark, 1, std::to_string(count));
-    if (fault == MeshFault::OpenEdges && count > 1)
-        text += of == 1 ? "." : ", in " + std::to_string(of) + " rims.";
-    return text;
+    if (count == 1)
+        return wordsOf(fault).one;
+    if (fault == MeshFault::OpenEdges && of != 1)
+        return Message("%1 edges belong to one face only: the rim of the fabric, in %2 rims.",
+                       count, of);
+    return wordsOf(fault).many.with(count);
 }
 
 std::vector<MeshFinding> MeshReport::none()

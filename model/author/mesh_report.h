@@ -1,10 +1,10 @@
 // What is wrong with a mesh, and what was done about it.
 #pragma once
 
+#include "base/message.h"
 #include "base/vec3.h"
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,7 +44,7 @@ struct MeshFinding
     std::vector<Vec3> places; // m, of the first few, after scale and axes
 
     // "28 vertices lie on another one: joined."
-    std::string text() const;
+    Message text() const;
 };
 
 class MeshReport

@@ -16,7 +16,7 @@ bool allPinned(const Scene& scene, const std::vector<Id>& ids)
 
 Edit pinning(const Scene& scene, const std::vector<Id>& ids, bool pinned)
 {
-    Edit edit{pinned ? "Pin" : "Unpin", {}};
+    Edit edit{pinned ? Message("Pin") : Message("Unpin"), {}};
     std::vector<Id> particles = particlesOf(scene, ids);
     if (!particles.empty())
         edit.changes.emplace_back(
@@ -27,7 +27,7 @@ Edit pinning(const Scene& scene, const std::vector<Id>& ids, bool pinned)
 Edit guiding(const Scene& scene, const std::vector<Id>& ids, Guide guide, const Vec3& axis)
 {
     const std::vector<Id> particles = particlesOf(scene, ids);
-    Edit edit{guide == Guide::None ? "Let go" : "Guide", {}};
+    Edit edit{guide == Guide::None ? Message("Let go") : Message("Guide"), {}};
     const auto set = [&](const Property& property, const Value& value) {
         edit.changes.emplace_back(SetValues{&property, particles, {value}});
     };

@@ -88,7 +88,7 @@ public:
     {
         const Entry& held = *entryOf(m_scene, m_part);
         m_rebuilt.lost = difference(partOf(partEntry(m_before)), partOf(held), m_counterparts);
-        m_rebuilt.edit.label = "Change parameters of " + partOf(held).name;
+        m_rebuilt.edit.label = Message("Change parameters of %1", partOf(held).name);
         nameRows(partOf(held), partOf(partEntry(m_after)));
         m_ids[partEntry(m_after).id] = m_part;
         nameItems();
@@ -449,7 +449,7 @@ Edit detached(const Scene& scene, const std::vector<Id>& parts)
     for (const Id id : parts)
         if (const Part* part = findItem<Part>(scene, id); part && builderOf(*part))
             change.targets.push_back(id);
-    Edit edit{"Detach from builder", {}};
+    Edit edit{Message("Detach from builder"), {}};
     if (!change.targets.empty())
         edit.changes.emplace_back(std::move(change));
     return edit;

@@ -171,9 +171,10 @@ Result<Rigidity> rigidityOf(const Scene& scene, const std::vector<Id>& ids)
         return Failure{"Nothing is selected that links could hold. Select particles, links or a "
                        "part."};
     if (movable.particles.size() > mostForRigidity)
-        return Failure{std::to_string(movable.particles.size())
-                       + " particles are too many to look at together. Select at most "
-                       + std::to_string(mostForRigidity) + ", such as the frame without the sail."};
+        return Failure(
+            "%1 particles are too many to look at together. Select at most %2, such as the "
+            "frame without the sail.",
+            movable.particles.size(), mostForRigidity);
     Rigidity rigidity{movable.particles, movable.position, {}, {}, {}, 0, 0, {}};
     for (const Id id : rigidity.particles) {
         const Particle& row = *std::get<const Particle*>(*find(scene, id));
@@ -256,7 +257,7 @@ Braced withBraces(const Scene& scene, const Rigidity& rigidity, const std::vecto
         drawing.link(rigidity.particles[std::size_t(brace.from)],
                      rigidity.particles[std::size_t(brace.to)], stroke);
     std::vector<Id> rods = drawing.made();
-    return {drawing.finish("Add braces"), std::move(rods)};
+    return {drawing.finish(Message("Add braces")), std::move(rods)};
 }
 
 } // namespace ripstop

@@ -66,7 +66,7 @@ Result<Value> idNamed(const Scene& scene, const Property& property, std::string_
         return Value(noId);
     if (text.front() == '#') // an element, or an item
         return valueFromText(property, text);
-    std::string complaint;
+    Message complaint;
     for (int kind = 0; kind < int(kindCount); ++kind)
         if (property.pointsAt.contains(Kind(kind))) {
             const auto found = findNamed(scene, Kind(kind), text);
@@ -74,7 +74,7 @@ Result<Value> idNamed(const Scene& scene, const Property& property, std::string_
                 return Value(*found);
             complaint = found.message();
         }
-    return Failure{complaint};
+    return Failure(complaint);
 }
 
 // Calls visit(thing, place) for all that are there of `ids`, which ascend. Tables are walked along
@@ -118,26 +118,27 @@ std::vector<std::vector<std::string_view>> cellsOf(std::string_view block)
     return cells;
 }
 
-std::string titleOf(const SheetColumn& column)
+Message titleOf(const SheetColumn& column)
 {
     if (!column.property)
-        return "id";
-    std::string title(column.property->label);
-    if (std::holds_alternative<Vec3>(column.property->initial))
-        title.append(1, ' ').append(1, "xyz"[column.axis]);
-    return title;
+        return Message::verbatim("id");
+    const Message title = Message::word(column.property->label);
+    return std::holds_alternative<Vec3>(column.property->initial)
+               ? Message("%1 %2", title, std::string(1, "xyz"[column.axis]))
+               : title;
 }
 
-std::string placeText(std::size_t line, const SheetColumn& column)
+Failure refusedAt(std::size_t line, const SheetColumn& column, const Message& why)
 {
-    return "Line " + std::to_string(line + 1) + ", " + titleOf(column) + ": ";
+    return Failure("Line %1, %2: %3", line + 1, titleOf(column), why);
 }
 
-// "3 lines", "1 cell"
-std::string counted(std::size_t count, const char* what)
+Message counted(std::size_t count, const Message& one, const Message& many)
 {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    return count == 1 ? one : many.with(count);
 }
+
+Message rows(std::size_t count) { return counted(count, Message("1 row"), Message("%1 rows")); }
 
 } // namespace
 
@@ -281,17 +282,11 @@ Result<Value> cellValue(const Scene& scene, Id thing, const SheetColumn& column,
         return idNamed(scene, property, text);
     if (!isNumber(column) || isSwitch) {
         const auto value = valueFromText(property, text, unit);
-        return value ? value : Result<Value>(Failure{value.message() + "."});
+        return value ? value : Result<Value>(Failure("%1.", value.message()));
     }
     const Typed typed = typedNumber(text, unit);
-    const auto refused = [&](const std::string& reason) {
-        return Failure{std::string(1, '"')
-                           .append(text)
-                           .append("\" is no ")
-                           .append(property.label)
-                           .append(", it ")
-                           .append(reason)
-                           .append(".")};
+    const auto refused = [&](const Message& reason) {
+        return Failure("\"%1\" is no %2, it %3.", text, Message::word(property.label), reason);
     };
     if (!typed.number)
         return refused(typed.complaint);
@@ -308,25 +303,26 @@ Result<Edit> pasted(const Scene& scene, const std::vector<Id>& ids,
     const bool isOne = cells.size() == 1 && cells[0].size() == 1;
     const std::size_t lines = isOne ? ids.size() : cells.size();
     if (lines > ids.size())
-        return Failure{"There are " + counted(cells.size(), "line") + " to paste and "
-                       + counted(ids.size(), "row") + " to take them; begin further up."};
+        return Failure("There are %1 to paste and %2 to take them; begin further up.",
+                       counted(cells.size(), Message("1 line"), Message("%1 lines")),
+                       rows(ids.size()));
 
-    Edit edit{"Paste " + counted(lines, "row"), {}};
+    Edit edit{Message("Paste %1", rows(lines)), {}};
     std::vector<SetValues> changes; // one for each property
     for (std::size_t line = 0; line < lines; ++line) {
         const auto& row = isOne ? cells[0] : cells[line];
         const std::size_t width = isOne ? columns.size() : row.size();
         if (width > columns.size())
-            return Failure{"Line " + std::to_string(line + 1) + " has " + counted(width, "cell")
-                           + " and there are " + counted(columns.size(), "column")
-                           + " to take them; begin further left."};
+            return Failure("Line %1 has %2 and there are %3 to take them; begin further left.",
+                           line + 1, counted(width, Message("1 cell"), Message("%1 cells")),
+                           counted(columns.size(), Message("1 column"), Message("%1 columns")));
         for (std::size_t k = 0; k < width; ++k) {
             const SheetColumn& column = columns[k];
             if (!column.property)
-                return Failure{placeText(line, column) + "An id stays as it is."};
+                return refusedAt(line, column, Message("An id stays as it is."));
             const auto thing = find(scene, ids[line]);
             if (!thing)
-                return Failure{placeText(line, column) + "What is there was removed."};
+                return refusedAt(line, column, Message("What is there was removed."));
             auto at = std::ranges::find(changes, column.property, &SetValues::property);
             if (at == changes.end())
                 at = changes.insert(at, SetValues{column.property, {}, {}});
@@ -336,7 +332,7 @@ Result<Edit> pasted(const Scene& scene, const std::vector<Id>& ids,
                 isNext ? column.property->get(*thing) : change.values.back(); // another axis
             auto value = cellValue(scene, ids[line], column, before, row[isOne ? 0 : k]);
             if (!value)
-                return Failure{placeText(line, column) + value.message()};
+                return refusedAt(line, column, value.message());
             if (isNext) {
                 change.targets.push_back(ids[line]);
                 change.values.push_back(std::move(*value));

@@ -84,7 +84,7 @@ Edit smoothed(const Scene& scene, const std::vector<Id>& ids, const SmoothHow& h
             moving.push_back(int(i));
     }
     if (moving.empty() || how.factor == 0.0)
-        return {"Smooth", {}};
+        return {Message("Smooth"), {}};
     std::vector<Vec3> next(place.size());
     for (int i = 0; i < how.iterations; ++i) {
         pass(neighbours, moving, how.factor, place, next);
@@ -99,7 +99,7 @@ Edit smoothed(const Scene& scene, const std::vector<Id>& ids, const SmoothHow& h
     for (const Id id : movable.particles)
         places.push_back(
             std::ranges::lower_bound(found, id, {}, &std::pair<Id, Vec3>::first)->second);
-    return relocated(movable, places, restLengths, "Smooth");
+    return relocated(movable, places, restLengths, Message("Smooth"));
 }
 
 } // namespace ripstop

@@ -45,7 +45,7 @@ public:
 
     LinksSplit finish()
     {
-        m_split.edit.label = "Split links";
+        m_split.edit.label = Message("Split links");
         SetValues masses{&propertyOf<&Particle::mass>(), {}, {}};
         for (const auto& [id, mass] : m_endMass) {
             masses.targets.push_back(id);

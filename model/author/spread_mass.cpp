@@ -82,16 +82,16 @@ Result<Edit> massSpread(const Scene& scene, const std::vector<Id>& ids, MassBy b
     } else {
         const std::vector<double> share = sharesOf(scene, bodies, by);
         if (std::accumulate(share.begin(), share.end(), 0.0) <= 0.0)
-            return Failure{by == MassBy::Length
-                               ? "No link lies among what is selected, so it has no length. "
-                                 "Select both ends of a line."
-                               : "No panel lies among what is selected, so it has no area. Select "
-                                 "all corners of some fabric."};
+            return by == MassBy::Length
+                       ? Failure("No link lies among what is selected, so it has no length. Select "
+                                 "both ends of a line.")
+                       : Failure("No panel lies among what is selected, so it has no area. Select "
+                                 "all corners of some fabric.");
         for (std::size_t i = 0; i < mass.size(); ++i)
             if (share[i] > 0.0)
                 mass[i] = amount * share[i];
     }
-    Edit edit{"Set mass", {}};
+    Edit edit{Message("Set mass"), {}};
     edit.changes.emplace_back(SetValues{&propertyOf<&Particle::mass>(), bodies.ids,
                                         std::vector<Value>(mass.begin(), mass.end())});
     return edit;

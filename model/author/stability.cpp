@@ -5,27 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace ripstop {
 namespace {
 
-using enum Finding::Verdict;
-
 // "0.0125", "1 200 000" is never needed
-std::string shortNumber(double value)
+Message shortNumber(double value) { return Message::number("%.3g", value); }
+
+Finding about(Message subject, std::string_view sort = {})
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
+    return {Severity::Fine, {}, {}, sort, std::move(subject)};
 }
 
-std::string counted(std::size_t count, const char* one, const char* many)
-{
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-Edit setting(std::string label, const Property& property, std::vector<Id> ids,
+Edit setting(Message label, const Property& property, std::vector<Id> ids,
              std::vector<Value> values)
 {
     return {std::move(label), {SetValues{&property, std::move(ids), std::move(values)}}};
@@ -56,7 +48,7 @@ std::optional<Finding> timeStep(const Look& look)
     const Settings& settings = look.scene.settings;
     const StepLimits limits = stepLimitsOf(look.scene, look.index);
     const double substep = settings.timeStep / settings.substeps;
-    Finding finding{Good, "Time step", {}, {}, {}, "step"};
+    Finding finding = about(Message("Time step"), "step");
     double least = INFINITY;
     std::size_t i = 0;
     Id worst = noId;
@@ -75,22 +67,28 @@ std::optional<Finding> timeStep(const Look& look)
         return std::nullopt;
     const bool adapts = limits.bends && settings.solver == Solver::Auto;
     if (finding.culprits.empty() || adapts) {
-        finding.message = "The substep is " + shortNumber(substep) + " s and may be up to "
-                          + shortNumber(least) + " s for the springs and the bending"
-                          + (adapts ? "; the automatic solver keeps to it." : ".");
+        finding.message =
+            adapts ? Message("The substep is %1 s and may be up to %2 s for the springs and the "
+                             "bending; the automatic solver keeps to it.",
+                             shortNumber(substep), shortNumber(least))
+                   : Message("The substep is %1 s and may be up to %2 s for the springs and the "
+                             "bending.",
+                             shortNumber(substep), shortNumber(least));
         finding.culprits = {worst};
         return finding;
     }
     std::ranges::sort(finding.culprits);
-    finding.verdict = Poor;
-    finding.message = counted(finding.culprits.size(), "particle needs", "particles need")
-                      + " a shorter substep than " + shortNumber(substep) + " s, down to "
-                      + shortNumber(least) + " s.";
+    finding.severity = Severity::Warning;
+    const std::size_t count = finding.culprits.size();
+    finding.message = count == 1
+                          ? Message("1 particle needs a shorter substep than %1 s, down to %2 s.",
+                                    shortNumber(substep), shortNumber(least))
+                          : Message("%1 particles need a shorter substep than %2 s, down to %3 s.",
+                                    count, shortNumber(substep), shortNumber(least));
     const double wanted = std::ceil(settings.timeStep / (0.9 * least));
     const Property& substeps = propertyOf<&Settings::substeps>();
     if (least > 0.0 && wanted <= substeps.range.high)
-        finding.repair = setting("Take " + shortNumber(wanted) + " substeps", substeps,
-                                 {settingsId}, {int(wanted)});
+        finding.repair = setting(Message("Take %1 substeps", shortNumber(wanted)), propertyOf<&Settings::substeps>(), {settingsId}, {int(wanted)});
     return finding;
 }
 
@@ -99,7 +97,7 @@ bool sweeps(Solver solver) { return solver != Solver::Auto && solver != Solver::
 std::optional<Finding> massRatio(const Look& look)
 {
     double worst = 0.0;
-    Finding finding{Good, "Masses", {}, {}, {}};
+    Finding finding = about(Message("Masses"));
     for (std::size_t k = 0; k < look.net.ends.size(); ++k) {
         const Link& link = *look.net.all.links[k];
         if (link.kind != LinkKind::Rod || !look.isTied(k))
@@ -115,16 +113,24 @@ std::optional<Finding> massRatio(const Look& look)
     if (worst == 0.0)
         return std::nullopt;
     const Solver solver = look.scene.settings.solver;
-    finding.message = "The ends of a rod differ in mass by a factor of up to " + shortNumber(worst);
     if (finding.culprits.empty() || !sweeps(solver)) {
-        finding.message += finding.culprits.empty() ? "." : ", which this solver can follow.";
+        finding.message =
+            finding.culprits.empty()
+                ? Message("The ends of a rod differ in mass by a factor of up to %1.",
+                          shortNumber(worst))
+                : Message("The ends of a rod differ in mass by a factor of up to %1, which this "
+                          "solver can follow.",
+                          shortNumber(worst));
         return finding;
     }
     std::ranges::sort(finding.culprits);
-    finding.verdict = Poor;
-    finding.message += ", and sweeps lift a heavy end by a light one only slowly: even the masses "
-                       "out, or choose the automatic solver.";
-    finding.repair = setting("Choose the automatic solver", propertyOf<&Settings::solver>(),
+    finding.severity = Severity::Warning;
+    finding.message =
+        Message("The ends of a rod differ in mass by a factor of up to %1, and sweeps lift a heavy "
+                "end by a light one only slowly: even the masses out, or choose the automatic "
+                "solver.",
+                shortNumber(worst));
+    finding.repair = setting(Message("Choose the automatic solver"), propertyOf<&Settings::solver>(),
                              {settingsId}, {std::string("auto")});
     return finding;
 }
@@ -173,39 +179,45 @@ std::optional<Finding> iterations(const Look& look)
     if (!hasRods)
         return std::nullopt;
     const int length = lengthOf(look.net);
-    const std::string crossing = "A pull has to pass "
-                                 + counted(std::size_t(length), "link", "links")
-                                 + " to cross the network";
+    const Message links = length == 1 ? Message("1 link") : Message("%1 links", length);
     const bool isJacobi =
         settings.solver == Solver::AveragedJacobi || settings.solver == Solver::PaperJacobi;
-    if (!isJacobi)
-        return Finding{Good,
-                       "Iterations",
-                       crossing
-                           + (settings.solver == Solver::Direct
-                                  ? "; the direct solver takes it there at once."
-                                  : "; this solver takes it far in each sweep."),
-                       {},
-                       {}};
+    Finding finding = about(Message("Iterations"));
+    if (!isJacobi) {
+        finding.message =
+            settings.solver == Solver::Direct
+                ? Message("A pull has to pass %1 to cross the network; the direct solver takes it "
+                          "there at once.",
+                          links)
+                : Message("A pull has to pass %1 to cross the network; this solver takes it far in "
+                          "each sweep.",
+                          links);
+        return finding;
+    }
     const long long reach = 1LL * settings.sweeps * settings.substeps;
-    const std::string passes = ", and " + std::to_string(settings.sweeps) + " sweeps in "
-                               + counted(std::size_t(settings.substeps), "substep", "substeps")
-                               + " take it past " + std::to_string(reach) + " in each time step";
-    if (reach >= length)
-        return Finding{Good, "Iterations", crossing + passes + ".", {}, {}};
+    const Message substeps =
+        settings.substeps == 1 ? Message("1 substep") : Message("%1 substeps", settings.substeps);
+    if (reach >= length) {
+        finding.message = Message("A pull has to pass %1 to cross the network, and %2 sweeps in %3 "
+                                  "take it past %4 in each time step.",
+                                  links, settings.sweeps, substeps, reach);
+        return finding;
+    }
     const int wanted = (length + settings.substeps - 1) / settings.substeps;
-    return Finding{Poor,
-                   "Iterations",
-                   crossing + passes + ": it will look elastic.",
-                   {},
-                   setting("Make " + std::to_string(wanted) + " sweeps",
-                           propertyOf<&Settings::sweeps>(), {settingsId}, {wanted})};
+    finding.severity = Severity::Warning;
+    finding.message =
+        Message("A pull has to pass %1 to cross the network, and %2 sweeps in %3 take "
+                "it past %4 in each time step: it will look elastic.",
+                links, settings.sweeps, substeps, reach);
+    finding.repair = setting(Message("Make %1 sweeps", wanted), propertyOf<&Settings::sweeps>(),
+                             {settingsId}, {wanted});
+    return finding;
 }
 
 std::vector<Finding> lengths(const Look& look)
 {
     double worst = 0.0;
-    Finding stretched{Good, "Lengths", {}, {}, {}}, torn{Poor, "Tearing", {}, {}, {}};
+    Finding stretched = about(Message("Lengths")), torn = about(Message("Tearing"));
     std::vector<Value> starts; // m, [stretched.culprits]
     std::vector<std::pair<Id, double>> found;
     for (std::size_t k = 0; k < look.net.ends.size(); ++k) {
@@ -233,24 +245,37 @@ std::vector<Finding> lengths(const Look& look)
     }
     std::vector<Finding> findings;
     if (!found.empty()) {
-        stretched.verdict = Poor;
-        stretched.message = counted(found.size(), "link is longer", "links are longer")
-                            + " at the start than at rest by more than "
-                            + shortNumber(100.0 * mostStartStrain) + " %, up to "
-                            + shortNumber(100.0 * worst) + " %.";
-        stretched.repair = setting("Rest as they start", propertyOf<&Link::restLength>(),
+        const Message most = shortNumber(100.0 * mostStartStrain);
+        const Message longest = shortNumber(100.0 * worst);
+        stretched.severity = Severity::Warning;
+        stretched.message =
+            found.size() == 1
+                ? Message("1 link is longer at the start than at rest by more than %1 %, up to "
+                          "%2 %.",
+                          most, longest)
+                : Message("%1 links are longer at the start than at rest by more than %2 %, up to "
+                          "%3 %.",
+                          found.size(), most, longest);
+        stretched.repair = setting(Message("Rest as they start"), propertyOf<&Link::restLength>(),
                                    stretched.culprits, std::move(starts));
     } else if (!look.net.ends.empty()) {
-        stretched.message = worst < 1e-4 ? "No link is longer at the start than at rest."
-                                         : "Links are at most " + shortNumber(100.0 * worst)
-                                               + " % longer at the start than at rest.";
+        stretched.message =
+            worst < 1e-4 ? Message("No link is longer at the start than at rest.")
+                         : Message("Links are at most %1 % longer at the start than at rest.",
+                                   shortNumber(100.0 * worst));
     }
     if (!stretched.message.empty())
         findings.push_back(std::move(stretched));
     if (!torn.culprits.empty()) {
         std::ranges::sort(torn.culprits);
-        torn.message = counted(torn.culprits.size(), "link is", "links are")
-                       + " beyond the tear limit at the start and will tear in the first step.";
+        torn.severity = Severity::Warning;
+        torn.message =
+            torn.culprits.size() == 1
+                ? Message("1 link is beyond the tear limit at the start and will tear in "
+                          "the first step.")
+                : Message("%1 links are beyond the tear limit at the start and will tear "
+                          "in the first step.",
+                          torn.culprits.size());
         findings.push_back(std::move(torn));
     }
     return findings;
@@ -258,7 +283,7 @@ std::vector<Finding> lengths(const Look& look)
 
 std::optional<Finding> massless(const Look& look)
 {
-    Finding finding{Poor, "Masses", {}, {}, {}};
+    Finding finding = about(Message("Masses"));
     double sum = 0.0;
     std::size_t weighed = 0;
     for (const Particle* particle : look.net.all.particles)
@@ -272,16 +297,17 @@ std::optional<Finding> massless(const Look& look)
         return std::nullopt;
     std::ranges::sort(finding.culprits);
     const double mean = weighed > 0 ? sum / double(weighed) : 1e-3; // kg
-    finding.message =
-        counted(finding.culprits.size(), "free particle has", "free particles have") + " no mass.";
-    finding.repair = setting("Give " + shortNumber(1e3 * mean) + " g each",
-                             propertyOf<&Particle::mass>(), finding.culprits, {mean});
+    finding.severity = Severity::Warning;
+    finding.message = finding.culprits.size() == 1
+                          ? Message("1 free particle has no mass.")
+                          : Message("%1 free particles have no mass.", finding.culprits.size());
+    finding.repair = setting(Message("Give %1 g each", shortNumber(1e3 * mean)), propertyOf<&Particle::mass>(), finding.culprits, {mean});
     return finding;
 }
 
 std::optional<Finding> doubles(const Look& look)
 {
-    Finding finding{Poor, "Double links", {}, {}, {}, "double"};
+    Finding finding = about(Message("Double links"), "double");
     std::vector<std::array<int, 3>> ties; // lower end, upper end, link
     for (std::size_t k = 0; k < look.net.ends.size(); ++k)
         if (look.isTied(k)) {
@@ -295,16 +321,23 @@ std::optional<Finding> doubles(const Look& look)
     if (finding.culprits.empty())
         return std::nullopt;
     std::ranges::sort(finding.culprits);
-    finding.message = counted(finding.culprits.size(), "link joins", "links join")
-                      + " particles that are joined already, so that they are as stiff as two.";
+    finding.severity = Severity::Warning;
+    finding.message =
+        finding.culprits.size() == 1
+            ? Message(
+                "1 link joins particles that are joined already, so that they are as stiff as "
+                "two.")
+            : Message("%1 links join particles that are joined already, so that they are as stiff "
+                      "as two.",
+                      finding.culprits.size());
     finding.repair = removal(look.scene, finding.culprits);
-    finding.repair->label = "Remove the double links";
+    finding.repair->label = Message("Remove the double links");
     return finding;
 }
 
 std::optional<Finding> loose(const Look& look)
 {
-    Finding finding{Poor, "Loose particles", {}, {}, {}, "loose"};
+    Finding finding = about(Message("Loose particles"), "loose");
     if (look.net.ends.empty())
         return std::nullopt; // a cloud of particles is meant
     std::vector<char> tied(look.net.all.particles.size(), 0);
@@ -322,10 +355,13 @@ std::optional<Finding> loose(const Look& look)
     if (finding.culprits.empty())
         return std::nullopt;
     std::ranges::sort(finding.culprits);
-    finding.message = counted(finding.culprits.size(), "particle hangs", "particles hang")
-                      + " on no link and no panel.";
+    finding.severity = Severity::Warning;
+    finding.message =
+        finding.culprits.size() == 1
+            ? Message("1 particle hangs on no link and no panel.")
+            : Message("%1 particles hang on no link and no panel.", finding.culprits.size());
     finding.repair = removal(look.scene, finding.culprits);
-    finding.repair->label = "Remove the loose particles";
+    finding.repair->label = Message("Remove the loose particles");
     return finding;
 }
 
@@ -340,9 +376,7 @@ std::vector<Finding> stabilityOf(const Scene& scene)
             findings.push_back(std::move(*finding));
     for (Finding& finding : lengths(look))
         findings.push_back(std::move(finding));
-    std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
-        return a.verdict == Poor && b.verdict == Good;
-    });
+    std::ranges::stable_sort(findings, {}, &Finding::severity);
     return findings;
 }
 

@@ -7,20 +7,9 @@
 // where it is found.
 #pragma once
 
-#include "scene/edit.h"
+#include "scene/finding.h"
 
 namespace ripstop {
-
-struct Finding
-{
-    enum class Verdict { Good, Poor };
-    Verdict verdict = Verdict::Good;
-    std::string subject;        // "Time step"
-    std::string message;        // one sentence
-    std::vector<Id> culprits;   // ascending
-    std::optional<Edit> repair; // its label says what it does; for the scene as it was examined
-    std::string_view sort = {}; // of the problems (scene/check.h) that a poor one tells as well
-};
 
 // The longest a link may be at the start, as a part of its rest length, without being told.
 inline constexpr double mostStartStrain = 0.05;
@@ -28,6 +17,7 @@ inline constexpr double mostStartStrain = 0.05;
 // The largest ratio of the masses at the ends of a rod that sweeps are told to follow well.
 inline constexpr double mostMassRatio = 100.0;
 
+// Warnings, and figures that are fine, each with its subject. Warnings come first.
 std::vector<Finding> stabilityOf(const Scene& scene);
 
 // How many links a pull has to pass to cross the largest piece of the network: exact for chains and

@@ -89,7 +89,7 @@ Result<Edit> massBroughtToTarget(const Scene& scene, Id id)
             particles.push_back(row->id);
         Result<Edit> edit = massSpread(scene, particles, MassBy::TotalInProportion, target.wanted);
         if (edit)
-            edit->label = "Bring mass to target";
+            edit->label = Message("Bring mass to target");
         return edit;
     }
     return Failure{"No target mass is set."};

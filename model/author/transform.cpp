@@ -92,7 +92,7 @@ void bind(SetValues& lengths, const std::vector<Tie>& ties, const std::vector<Ve
 enum class Among { Left, Bound }; // rest lengths of links among what moves
 
 Edit edited(const Movable& movable, const std::vector<Vec3>& places, RestLengths restLengths,
-            Among among, std::string label)
+            Among among, Message label)
 {
     Edit edit{std::move(label), {}};
     if (!places.empty())
@@ -167,7 +167,7 @@ Collider placed(const Collider& was, const Motion& motion)
 }
 
 Edit relocated(const Movable& movable, const std::vector<Vec3>& places, RestLengths restLengths,
-               std::string label)
+               Message label)
 {
     return edited(movable, places, restLengths, Among::Bound, std::move(label));
 }
@@ -181,7 +181,7 @@ Vec3 turnedAxis(Guide guide, const Vec3& axis, const Eigen::Matrix3d& linear)
     return (linear.inverse().transpose() * axis).normalized() * axis.norm();
 }
 
-Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths, std::string label)
+Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths, Message label)
 {
     std::vector<Vec3> places;
     places.reserve(movable.position.size());
@@ -201,20 +201,17 @@ Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths
     return edit;
 }
 
-std::string movingLabel(const char* verb, const Movable& movable)
+Message movingLabel(const Message& verb, const Movable& movable)
 {
-    std::string text = verb;
-    const char* joint = " ";
-    const auto add = [&](std::size_t count, const char* what) {
-        if (count == 0)
-            return;
-        text.append(joint).append(std::to_string(count)).append(" ").append(what);
-        text.append(count == 1 ? "" : "s");
-        joint = " and ";
-    };
-    add(movable.particles.size(), "particle");
-    add(movable.colliders.size(), "collider");
-    return text;
+    const std::size_t ofParticles = movable.particles.size();
+    const std::size_t ofColliders = movable.colliders.size();
+    const Message particles =
+        ofParticles == 1 ? Message("1 particle") : Message("%1 particles", ofParticles);
+    const Message colliders =
+        ofColliders == 1 ? Message("1 collider") : Message("%1 colliders", ofColliders);
+    return verb.with(ofColliders == 0   ? particles
+                     : ofParticles == 0 ? colliders
+                                        : Message("%1 and %2", particles, colliders));
 }
 
 } // namespace ripstop

@@ -37,17 +37,16 @@ Vec3 turnedAxis(Guide guide, const Vec3& axis, const Eigen::Matrix3d& linear);
 
 // The same for places that are given one by one, m [particles]. Colliders stay.
 Edit relocated(const Movable& movable, const std::vector<Vec3>& places, RestLengths restLengths,
-               std::string label);
+               Message label);
 
 // Sets positions, guides along, and, when asked, rest lengths: those of links between what moves
 // and what stays, and of the links among what is scaled. The same properties of the same things for
 // every motion of a kind, so that the steps of a gesture merge. Colliders go along: planes turn
 // their normal, boxes, height fields and meshes their angles; spheres, turned boxes and meshes
 // scale evenly, by the cube root of the change of volume. Empty when nothing moves.
-Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths,
-           std::string label);
+Edit moved(const Movable& movable, const Motion& motion, RestLengths restLengths, Message label);
 
-// "Move 12 particles and 1 collider".
-std::string movingLabel(const char* verb, const Movable& movable);
+// "Move 12 particles and 1 collider", of Message("Move %1").
+Message movingLabel(const Message& verb, const Movable& movable);
 
 } // namespace ripstop

@@ -204,7 +204,7 @@ private:
 Weld weldClusters(const Scene& scene, const std::vector<const Particle*>& rows,
                   JoinedSets& clusters, WeldAt at)
 {
-    Weld weld{{"Weld", {}}, {}};
+    Weld weld{{Message("Weld"), {}}, {}};
     struct Sum
     {
         Vec3 place = Vec3::Zero();

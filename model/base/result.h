@@ -1,8 +1,9 @@
 #pragma once
 
+#include "base/message.h"
+
 #include <cassert>
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace ripstop {
@@ -10,7 +11,18 @@ namespace ripstop {
 // Why something could not be done: one sentence that names the place and says what to do.
 struct Failure
 {
-    std::string message;
+    Failure() = default;
+    Failure(Message why)
+        : message(std::move(why))
+    {}
+    template <std::size_t size, typename... Parts>
+    explicit Failure(const char (&english)[size], Parts&&... parts)
+        : message(english, std::forward<Parts>(parts)...)
+    {}
+    template <std::size_t size, typename... Parts>
+    explicit Failure(char (&composed)[size], Parts&&... parts) = delete; // is no literal
+
+    Message message;
 };
 
 // A value, or the reason why there is none. (g++ 12 has no std::expected.)
@@ -38,7 +50,7 @@ public:
         assert(!m_value);
         return m_failure;
     }
-    const std::string& message() const { return failure().message; }
+    const Message& message() const { return failure().message; }
 
 private:
     std::optional<T> m_value;

@@ -53,11 +53,8 @@ using Forks = std::vector<std::vector<Vec3>>;
 Failure tooShort(int row, int level, double length, double needed)
 {
     const double enough = (std::floor(1e3 * needed) + 1.0) * 1e-3; // m, in whole millimetres
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "lengths, row %d, column %d: %g m do not reach; it takes %.3f m.", row + 1,
-                  level + 1, length, enough);
-    return Failure{text};
+    return Failure("lengths, row %1, column %2: %3 m do not reach; it takes %4 m.", row + 1,
+                   level + 1, Message::number("%g", length), Message::number("%.3f", enough));
 }
 
 double across(const Parameters& p, int index, int count)

@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace ripstop {
 namespace {
@@ -26,14 +25,20 @@ Failure unknown(const Builder& builder, const std::string& key)
     for (const Parameter& parameter : builder.parameters)
         keys.push_back(parameter.key);
     const std::string_view near = nearest(key, keys);
-    std::string message =
-        "The builder " + std::string(builder.name) + " has no parameter \"" + key + "\"";
     if (!near.empty())
-        return Failure{message + "; did you mean \"" + std::string(near) + "\"?"};
-    message += "; it has";
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        message += (i ? ", " : " ") + std::string(keys[i]);
-    return Failure{message + "."};
+        return Failure("The builder %1 has no parameter \"%2\"; did you mean \"%3\"?", builder.name,
+                       key, near);
+    std::string list;
+    for (const std::string_view one : keys)
+        list += (list.empty() ? "" : ", ") + std::string(one);
+    return Failure("The builder %1 has no parameter \"%2\"; it has %3.", builder.name, key, list);
+}
+
+Message inShort(double value) { return Message::number("%g", value); }
+
+Message withUnit(const Message& number, std::string_view unit)
+{
+    return unit.empty() ? number : Message("%1 %2", number, unit);
 }
 
 std::optional<Failure> refused(const Parameter& parameter, double value)
@@ -41,13 +46,12 @@ std::optional<Failure> refused(const Parameter& parameter, double value)
     const bool inRange = value >= parameter.low && value <= parameter.high; // false for NaN
     if (inRange && (!parameter.whole || value == std::floor(value)))
         return std::nullopt;
-    const std::string unit(parameter.unit);
-    char text[200];
-    std::snprintf(text, sizeof text, "%s must be %s from %g to %g%s%s, and is %g.",
-                  std::string(parameter.key).c_str(),
-                  parameter.whole ? "a whole number" : "a number", parameter.low, parameter.high,
-                  unit.empty() ? "" : " ", unit.c_str(), value);
-    return Failure{text};
+    const Message low = inShort(parameter.low), high = inShort(parameter.high);
+    if (parameter.whole)
+        return Failure("%1 must be a whole number from %2 to %3, and is %4.", parameter.key, low,
+                       withUnit(high, parameter.unit), inShort(value));
+    return Failure("%1 must be a number from %2 to %3, and is %4.", parameter.key, low,
+                   withUnit(high, parameter.unit), inShort(value));
 }
 
 std::string cellKey(const TableParameter& table, std::size_t row, std::size_t column)
@@ -63,24 +67,19 @@ bool isCell(const Builder& builder, std::string_view key)
 
 std::optional<Failure> refused(const TableParameter& parameter, const NumberRows& table)
 {
-    const auto place = [&](std::size_t row, std::size_t column) {
-        return std::string(parameter.key) + ", row " + std::to_string(row + 1) + ", column "
-               + std::to_string(column + 1) + ": ";
-    };
     for (std::size_t row = 0; row < table.size(); ++row) {
         const std::size_t count = std::min(table[row].size(), table[0].size());
         if (table[row].size() != table[0].size())
-            return Failure{place(row, count) + "each row needs as many numbers as the first, "
-                           + std::to_string(table[0].size()) + ", and this one has "
-                           + std::to_string(table[row].size()) + "."};
+            return Failure("%1, row %2, column %3: each row needs as many numbers as the first, "
+                           "%4, and this one has %5.",
+                           parameter.key, row + 1, count + 1, table[0].size(), table[row].size());
         for (std::size_t column = 0; column < count; ++column) {
             const double value = table[row][column];
             if (value >= parameter.low && value <= parameter.high)
                 continue; // false for NaN
-            char text[120];
-            std::snprintf(text, sizeof text, "must be from %g to %g %s, and is %g.", parameter.low,
-                          parameter.high, std::string(parameter.unit).c_str(), value);
-            return Failure{place(row, column) + text};
+            return Failure("%1, row %2, column %3: must be from %4 to %5 %6, and is %7.",
+                           parameter.key, row + 1, column + 1, inShort(parameter.low),
+                           inShort(parameter.high), parameter.unit, inShort(value));
         }
     }
     return std::nullopt;
@@ -192,9 +191,8 @@ Result<NumberRows> tableFromText(const TableParameter& table, std::string_view t
             const auto [last, error] =
                 std::from_chars(cell.data(), cell.data() + cell.size(), value);
             if (error != std::errc() || last != cell.data() + cell.size())
-                return Failure{std::string(table.key) + ", row " + std::to_string(line)
-                               + ", column " + std::to_string(numbers.size() + 1) + ": \"" + cell
-                               + "\" is not a number."};
+                return Failure("%1, row %2, column %3: \"%4\" is not a number.", table.key, line,
+                               numbers.size() + 1, cell);
             numbers.push_back(value);
         }
         rows.push_back(std::move(numbers));

@@ -17,7 +17,7 @@ constexpr int formatVersion = 1;
 
 Result<std::string> contentOf(const fs::path& file)
 {
-    return readWholeFile(file, [](std::string_view) { return std::optional<std::string>(); });
+    return readWholeFile(file, [](std::string_view) { return std::optional<Message>(); });
 }
 
 // A failure is half a sentence.
@@ -81,7 +81,7 @@ Result<Manifest> readManifest(const fs::path& folder)
         return text.failure();
     auto manifest = parsed(*text);
     if (!manifest)
-        return Failure{file.string() + " " + manifest.message() + "."};
+        return Failure("%1 %2.", file.string(), manifest.message());
     return manifest;
 }
 
@@ -106,7 +106,7 @@ Result<std::map<std::string, Manifest::File>> filesIn(const fs::path& folder)
         file.sum = hashText(checksum(*content));
     }
     if (error)
-        return Failure{folder.string() + " cannot be read: " + error.message() + "."};
+        return Failure("%1 cannot be read: %2.", folder.string(), error.message());
     return files;
 }
 

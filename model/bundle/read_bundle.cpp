@@ -44,8 +44,8 @@ Result<std::vector<std::string>> changedFiles(const Manifest& manifest, const fs
     for (const auto& [name, file] : manifest.files) {
         const auto there = now->find(name);
         if (there == now->end())
-            return Failure{bundle + " has no " + name
-                           + " in it, which its manifest names; get it again."};
+            return Failure("%1 has no %2 in it, which its manifest names; get it again.", bundle,
+                           name);
         if (there->second.bytes != file.bytes || there->second.sum != file.sum)
             changed.push_back(name);
     }
@@ -67,7 +67,7 @@ Result<Bundle> openBundle(const fs::path& file, const Progress& progress)
     Bundle bundle;
     std::error_code error;
     if (!fs::exists(file, error))
-        return Failure{file.string() + " does not exist; check the path."};
+        return Failure("%1 does not exist; check the path.", file.string());
     if (fs::is_directory(file, error)) {
         bundle.folder = file;
     } else {
@@ -80,8 +80,8 @@ Result<Bundle> openBundle(const fs::path& file, const Progress& progress)
         bundle.unpacked = std::make_shared<TemporaryFolder>(std::move(*made));
     }
     if (bundle.folder.empty() || !fs::exists(bundle.folder / bundled::manifest, error))
-        return Failure{file.string() + " is no bundle of Ripstop: it has no " + bundled::manifest
-                       + "."};
+        return Failure("%1 is no bundle of Ripstop: it has no %2.", file.string(),
+                       bundled::manifest);
     auto manifest = readManifest(bundle.folder);
     if (!manifest)
         return manifest.failure();
@@ -99,7 +99,7 @@ Result<ReplayOutcome> flyAgain(const Bundle& bundle, int threads, const Progress
     if (!opened)
         return opened.failure();
     if (!opened->damage.empty())
-        return Failure{opened->damage};
+        return Failure(opened->damage);
     const Recording& recording = *opened->recording;
     if (bundle.manifest.from == Manifest::From::Recording)
         return replay(recording, threads, progress);

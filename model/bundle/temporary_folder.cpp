@@ -13,9 +13,8 @@ Result<TemporaryFolder> TemporaryFolder::make(const fs::path& begin)
 {
     std::string name = begin.string() + ".XXXXXX";
     if (!::mkdtemp(name.data()))
-        return Failure{"No folder can be made beside " + begin.string() + ": "
-                       + std::generic_category().message(errno)
-                       + "; make room or choose another folder."};
+        return Failure("No folder can be made beside %1: %2; make room or choose another folder.",
+                       begin.string(), std::generic_category().message(errno));
     std::error_code ignored; // mkdtemp() makes it for its owner alone
     fs::permissions(name,
                     fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read

@@ -45,16 +45,16 @@ std::optional<Failure> whyNotThere(const fs::path& target)
         return Failure{"Name the bundle: a new folder, or a file that ends with .zip."};
     if (isZipName(target))
         return fs::is_directory(target, error)
-                   ? std::optional(Failure{target.string() + " is a folder; name a file."})
+                   ? std::optional(Failure("%1 is a folder; name a file.", target.string()))
                    : std::nullopt;
     if (!fs::exists(target, error))
         return std::nullopt;
     if (!fs::is_directory(target, error))
-        return Failure{target.string()
-                       + " is a file; name a new folder, or a file that ends with .zip."};
+        return Failure("%1 is a file; name a new folder, or a file that ends with .zip.",
+                       target.string());
     if (fs::is_empty(target, error) || fs::exists(target / bundled::manifest, error))
         return std::nullopt;
-    return Failure{target.string() + " is a folder with other things in it; name a new one."};
+    return Failure("%1 is a folder with other things in it; name a new one.", target.string());
 }
 
 // Puts the folder into its place. An older bundle goes when the new one is there.
@@ -76,7 +76,7 @@ std::optional<Failure> place(const fs::path& folder, const fs::path& target)
     const std::string why = error.message();
     if (old && !fs::exists(target, error))
         fs::rename(old->path(), target, error);
-    return Failure{target.string() + " was not written: " + why + "; choose another folder."};
+    return Failure("%1 was not written: %2; choose another folder.", target.string(), why);
 }
 
 // Copies of the files that colliders name, so that the bundle needs nothing else.
@@ -101,7 +101,7 @@ public:
                 name->second = fs::path(bundled::colliders)
                                / (std::to_string(m_names.size()) + "_" + file.filename().string());
             if (auto failure = isNew ? copy(file, name->second) : std::nullopt)
-                return Failure{"Collider " + collider->name + ": " + failure->message};
+                return Failure("Collider %1: %2", collider->name, failure->message);
             collider->file = name->second.generic_string();
         }
         own.folder.path = m_folder.string();
@@ -116,8 +116,7 @@ private:
         fs::copy_file(file, m_folder / name, error);
         if (!error)
             return std::nullopt;
-        return Failure{file.string() + " cannot be copied into the bundle: " + error.message()
-                       + "."};
+        return Failure("%1 cannot be copied into the bundle: %2.", file.string(), error.message());
     }
 
     fs::path m_folder;
@@ -331,7 +330,7 @@ private:
                                          stageOf(m_progress, 0.8, 0.9)))
             return failure;
         if (!recording.trouble().empty())
-            return Failure{"The run cannot be kept whole: " + recording.trouble()};
+            return Failure("The run cannot be kept whole: %1", recording.trouble());
         if (m_order.decorate)
             if (auto failure = m_order.decorate(folder()))
                 return failure;
@@ -341,7 +340,7 @@ private:
         manifest.title = scene.settings.title;
         manifest.from = from;
         manifest.timeStep = scene.settings.timeStep;
-        manifest.stopped = m_stopped ? m_stopped->message : "";
+        manifest.stopped = m_stopped ? m_stopped->message.english() : "";
         manifest.commands = commandsOf(manifest, m_findings->hasProbes(), isSteered);
         if (auto failure = replaceFile(folder() / bundled::readme, readmeText(manifest, folder())))
             return failure;

@@ -33,16 +33,16 @@ std::string textOf(int code)
     return text;
 }
 
-Failure unread(const fs::path& zip, const std::string& why)
+Failure unread(const fs::path& zip, const Message& why)
 {
-    return Failure{zip.string() + " cannot be unpacked: " + why
-                   + "; it is damaged or cut off, get it again."};
+    return Failure("%1 cannot be unpacked: %2; it is damaged or cut off, get it again.",
+                   zip.string(), why);
 }
 
-Failure unwritten(const fs::path& target, const std::string& why)
+Failure unwritten(const fs::path& target, const Message& why)
 {
-    return Failure{target.string() + " was not written: " + why
-                   + "; make room or choose another folder."};
+    return Failure("%1 was not written: %2; make room or choose another folder.", target.string(),
+                   why);
 }
 
 std::vector<fs::path> filesUnder(const fs::path& folder)
@@ -84,7 +84,7 @@ std::optional<Failure> unpackEntry(zip_t* zip, zip_uint64_t number, const fs::pa
     const char* said = zip_get_name(zip, number, 0);
     const fs::path name = said ? said : "";
     if (leadsOut(name))
-        return unread(archive, name.string() + " leads out of it");
+        return unread(archive, Message("%1 leads out of it", name.string()));
     std::error_code error;
     if (name.filename().empty()) { // a folder
         fs::create_directories(folder / name, error);
@@ -93,17 +93,17 @@ std::optional<Failure> unpackEntry(zip_t* zip, zip_uint64_t number, const fs::pa
     fs::create_directories((folder / name).parent_path(), error);
     const ZipEntry entry(zip_fopen_index(zip, number, 0));
     if (!entry)
-        return unread(archive, name.string() + ": " + zip_strerror(zip));
+        return unread(archive, Message("%1: %2", name.string(), zip_strerror(zip)));
     std::ofstream out(folder / name, std::ios::binary | std::ios::trunc);
     std::vector<char> buffer(std::size_t(1) << 16);
     zip_int64_t count = 0;
     while ((count = zip_fread(entry.get(), buffer.data(), buffer.size())) > 0)
         out.write(buffer.data(), count);
     if (count < 0)
-        return unread(archive, name.string() + ": " + zip_file_strerror(entry.get()));
+        return unread(archive, Message("%1: %2", name.string(), zip_file_strerror(entry.get())));
     out.close();
     if (!out)
-        return unwritten(folder / name, "there is no room for what is unpacked");
+        return unwritten(folder / name, Message("there is no room for what is unpacked"));
     return std::nullopt;
 }
 
@@ -115,10 +115,10 @@ std::optional<Failure> zipFolder(const fs::path& folder, const std::string& top,
     int code = 0;
     Zip zip(zip_open(target.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
     if (!zip)
-        return unwritten(target, textOf(code));
+        return unwritten(target, Message::verbatim(textOf(code)));
     for (const fs::path& file : filesUnder(folder))
         if (!add(zip.get(), folder / file, (fs::path(top) / file).generic_string()))
-            return unwritten(target, zip_strerror(zip.get()));
+            return unwritten(target, Message::verbatim(zip_strerror(zip.get())));
 
     struct Watch
     {
@@ -136,7 +136,8 @@ std::optional<Failure> zipFolder(const fs::path& folder, const std::string& top,
         zip.get(), [](zip_t*, void* state) { return int(static_cast<Watch*>(state)->cancelled); },
         nullptr, &watch);
     if (zip_close(zip.get()) != 0) // writes a file beside the target, and renames it
-        return watch.cancelled ? Failure{"Cancelled."} : unwritten(target, zip_strerror(zip.get()));
+        return watch.cancelled ? Failure{"Cancelled."}
+                               : unwritten(target, Message::verbatim(zip_strerror(zip.get())));
     (void)zip.release();
     return std::nullopt;
 }
@@ -146,7 +147,7 @@ std::optional<Failure> unzip(const fs::path& zip, const fs::path& folder, const 
     int code = 0;
     const Zip archive(zip_open(zip.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));
     if (!archive)
-        return unread(zip, textOf(code));
+        return unread(zip, Message::verbatim(textOf(code)));
     const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
     for (zip_int64_t i = 0; i < count; ++i) {
         if (auto failure = unpackEntry(archive.get(), zip_uint64_t(i), zip, folder))

@@ -131,8 +131,8 @@ Result<std::shared_ptr<const System>> compile(const Scene& scene, std::uint64_t 
                                               std::uint64_t run)
 {
     const ElementIndex index(scene);
-    if (const std::optional<Problem> error = firstError(scene, index))
-        return Failure{error->message};
+    if (const std::optional<Finding> error = firstError(scene, index))
+        return Failure(error->message);
     auto system = std::make_shared<System>();
     system->generation = generation;
     system->run = run;

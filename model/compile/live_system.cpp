@@ -172,7 +172,7 @@ void LiveSystem::Private::note(const SetValues& change)
     }
 }
 
-std::variant<Update, Problem> LiveSystem::Private::update(std::uint64_t generation, std::uint64_t run)
+std::variant<Update, Finding> LiveSystem::Private::update(std::uint64_t generation, std::uint64_t run)
 {
     for (std::vector<Id>* ids :
          {&m_noted.materials, &m_noted.particles, &m_noted.links, &m_noted.panels})
@@ -180,7 +180,7 @@ std::variant<Update, Problem> LiveSystem::Private::update(std::uint64_t generati
     if (m_noted.structure)
         m_index = ElementIndex(m_scene);
     if (m_noted.structure || !isSound())
-        if (std::optional<Problem> error = firstError(m_scene, m_index))
+        if (std::optional<Finding> error = firstError(m_scene, m_index))
             return std::move(*error);
 
     Update update;

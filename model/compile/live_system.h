@@ -31,7 +31,7 @@ public:
 
     // All that has changed since the last update; the first one is a whole system. Whoever
     // runs it must be given every update in order.
-    std::variant<Update, Problem> update(std::uint64_t generation, std::uint64_t run);
+    std::variant<Update, Finding> update(std::uint64_t generation, std::uint64_t run);
 
 private:
     class Private;

@@ -113,7 +113,7 @@ Result<std::string> exported(const aiScene& scene, const char* format)
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format);
     if (!blob)
-        return Failure{std::string("The mesh cannot be written: ") + exporter.GetErrorString()};
+        return Failure("The mesh cannot be written: %1", exporter.GetErrorString());
     return std::string(static_cast<const char*>(blob->data), blob->size);
 }
 

@@ -35,8 +35,9 @@ Eigen::Vector3f middle(const FrameSpool::Shape& shape, std::span<const int> corn
 Result<ConstantMesh> ConstantMesh::of(FrameSpool& spool, const MeshAppearance& appearance)
 {
     if (const auto other = otherDesign(spool))
-        return Failure{"The panels of the design change after " + std::to_string(spool.time(*other))
-                       + " s, and this format knows one mesh only; choose a sequence of files."};
+        return Failure("The panels of the design change after %1 s, and this format knows one mesh "
+                       "only; choose a sequence of files.",
+                       Message::number("%f", spool.time(*other)));
 
     ConstantMesh mesh;
     const Layout& last = spool.layout(spool.count() - 1);
@@ -121,9 +122,10 @@ std::optional<Failure> ConstantMesh::followLinks(const Layout& layout, double ti
         const std::pair<std::uint32_t, std::size_t> wanted{m_last->links[source.element].id, 0};
         const auto found = std::ranges::lower_bound(byId, wanted);
         if (found == byId.end() || found->first != wanted.first)
-            return Failure{"The lines of the design change after " + std::to_string(time)
-                           + " s, and this format knows one mesh only; choose a sequence of "
-                             "files."};
+            return Failure(
+                "The lines of the design change after %1 s, and this format knows one mesh "
+                "only; choose a sequence of files.",
+                Message::number("%f", time));
         m_linkAt[source.element] = found->second;
     }
     return std::nullopt;

@@ -136,8 +136,10 @@ public:
     std::optional<Failure> add(const Frame& frame) override
     {
         if (frame.layout->probes.empty())
-            return Failure{"The scene has no probes, so there is nothing to draw in "
-                           + m_target.string() + "; add a probe first."};
+            return Failure(
+                "The scene has no probes, so there is nothing to draw in %1; add a probe "
+                "first.",
+                m_target.string());
         m_time.push_back(frame.time);
         for (std::size_t i = 0; i < frame.probe.size(); ++i) {
             Curve& curve = curveOf(frame.layout->probes[i]);

@@ -18,7 +18,7 @@ constexpr double shareOfFlight = 0.8; // of the progress; the rest is writing
 
 Failure unknownFormat(const fs::path& target)
 {
-    return Failure{target.string() + " has no known ending: " + knownEndings(EndingsOf::All) + "."};
+    return Failure("%1 has no known ending: %2.", target.string(), knownEndings(EndingsOf::All));
 }
 
 // Progress from the time of the source to `end`, s.
@@ -36,7 +36,7 @@ std::optional<Failure> exportMoment(FrameSource& source, const MeshAppearance& a
 {
     const auto taken = source.take(range.to, told(source, range.to, progress));
     if (!taken.end.empty())
-        return Failure{taken.end + " Nothing was written."};
+        return Failure("%1 Nothing was written.", taken.end);
     if (!taken.frame)
         return Failure{"The export was cancelled; nothing was written."};
     if (auto failure = writeMoment(*taken.frame, appearance, target))
@@ -54,11 +54,11 @@ std::optional<Failure> wrongRange(const FrameSource& source, const ExportRange& 
         return Failure{"The end of the range must not lie before its start."};
     const double halfStep = 0.5 * source.timeStep();
     if (range.from < source.begin() - halfStep)
-        return Failure{"The range starts at " + inSeconds(range.from)
-                       + ", but the run begins only at " + inSeconds(source.begin()) + "."};
+        return Failure("The range starts at %1, but the run begins only at %2.",
+                       inSeconds(range.from), inSeconds(source.begin()));
     if (range.from > source.end() + halfStep)
-        return Failure{"The range starts at " + inSeconds(range.from) + ", but the run ends at "
-                       + inSeconds(source.end()) + "."};
+        return Failure("The range starts at %1, but the run ends at %2.", inSeconds(range.from),
+                       inSeconds(source.end()));
     return std::nullopt;
 }
 
@@ -73,7 +73,7 @@ std::optional<Failure> exportSeries(FrameSource& source, const ExportRange& rang
     const auto reached = told(source, range.to, flight);
     const std::size_t count = frameCount(range);
     std::int64_t last = -1; // step; a rate above that of the steps must not repeat frames
-    std::string end;
+    Message end;
     for (std::size_t i = 0; i < count && end.empty(); ++i) {
         const auto taken = source.take(range.from + double(i) / range.fps, reached);
         end = taken.end;
@@ -86,13 +86,13 @@ std::optional<Failure> exportSeries(FrameSource& source, const ExportRange& rang
         }
     }
     if (last < 0)
-        return Failure{end + " Nothing was written."};
+        return Failure("%1 Nothing was written.", end);
     if (auto failure = sink.finish(stageOf(progress, shareOfFlight, 1.0)))
         return failure;
     if (progress)
         progress(1.0);
     if (!end.empty())
-        return Failure{end + " What was written ends there."};
+        return Failure("%1 What was written ends there.", end);
     return std::nullopt;
 }
 
@@ -108,8 +108,8 @@ std::optional<Failure> writeMoment(const Frame& frame, const MeshAppearance& app
     if (!format)
         return unknownFormat(target);
     if (!format->content)
-        return Failure{target.string() + " is a series; for one moment "
-                       + knownEndings(EndingsOf::Moments) + "."};
+        return Failure("%1 is a series; for one moment %2.", target.string(),
+                       knownEndings(EndingsOf::Moments));
     const auto content = format->content(frame, appearance);
     return content ? replaceFile(target, *content, Flush::Later) : content.failure();
 }

@@ -45,12 +45,16 @@ struct RecordedFrames::Walk
     InputPlayer inputs;
 };
 
-std::string inSeconds(double time)
+Message inSeconds(double time) { return Message("%1 s", Message::number("%.6g", time)); }
+
+namespace {
+
+Message stopped(const Simulation& simulation)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g s", time);
-    return text;
+    return Message("The simulation stopped: %1", simulation.trouble()->message);
 }
+
+} // namespace
 
 FlownFrames::FlownFrames(Simulation& simulation, ControlTrack controls, Recorder* recorder)
     : m_simulation(simulation)
@@ -72,8 +76,7 @@ FrameSource::Taken FlownFrames::take(double time, const Reached& reached)
         if (m_recorder)
             m_recorder->beforeStep(m_simulation);
         if (!m_simulation.step())
-            return {m_simulation.frame(),
-                    "The simulation stopped: " + m_simulation.trouble()->message};
+            return {m_simulation.frame(), stopped(m_simulation)};
         if (m_recorder)
             m_recorder->afterStep(m_simulation);
     }
@@ -146,7 +149,7 @@ FrameSource::Taken RecordedFrames::take(double time, const Reached& reached)
         taken.end = frame.message();
     }
     if (taken.end.empty() && time > end() + 0.5 * m_timeStep)
-        taken.end = "The recording ends at " + inSeconds(end()) + ".";
+        taken.end = Message("The recording ends at %1.", inSeconds(end()));
     return taken;
 }
 
@@ -158,7 +161,7 @@ FrameSource::Taken RecordedFrames::computed(std::int64_t step, const Reached& re
         auto moment = m_recording->moment(
             step, [&](double) { return !(cancelled = cancelled || !reached(time)); });
         if (!moment)
-            return {nullptr, cancelled ? "" : moment.message()};
+            return {nullptr, cancelled ? Message() : moment.message()};
         Moment& from = **moment;
         InputPlayer inputs(*m_recording, from.state);
         m_walk = std::make_unique<Walk>(
@@ -171,7 +174,7 @@ FrameSource::Taken RecordedFrames::computed(std::int64_t step, const Reached& re
         if (auto failure = inputs.giveTo(simulation))
             return {simulation.frame(), failure->message};
         if (!simulation.step())
-            return {simulation.frame(), "The simulation stopped: " + simulation.trouble()->message};
+            return {simulation.frame(), stopped(simulation)};
     }
     return {simulation.frame(), {}};
 }

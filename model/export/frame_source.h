@@ -32,7 +32,7 @@ public:
     struct Taken
     {
         std::shared_ptr<const Frame> frame; // null when cancelled, or when there is none
-        std::string end;                    // why none comes after it, a sentence; or empty
+        Message end;                        // why none comes after it, a sentence; or empty
     };
 
     // The frame of the time step nearest to `time`, s, or the last one that there is. Times ascend
@@ -93,6 +93,6 @@ private:
     std::unique_ptr<Walk> m_walk; // null before the first step that has to be computed
 };
 
-std::string inSeconds(double time); // "4.25 s"
+Message inSeconds(double time); // "4.25 s"
 
 } // namespace ripstop

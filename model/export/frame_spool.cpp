@@ -52,7 +52,7 @@ std::optional<Failure> FrameSpool::add(const Frame& frame)
     write(m_file, frame.torn);
     m_file.flush();
     if (!m_file)
-        return notWritten(m_besides, "there is no room for the shapes of the series");
+        return notWritten(m_besides, Message("there is no room for the shapes of the series"));
     join(m_everGone, frame.gone);
     join(m_everTorn, frame.torn);
     return std::nullopt;
@@ -67,7 +67,7 @@ Result<FrameSpool::Shape> FrameSpool::read(std::size_t i)
     ripstop::read(m_file, shape.gone, of.panelId.size());
     ripstop::read(m_file, shape.torn, of.links.size());
     if (!m_file)
-        return notWritten(m_besides, "the shapes of the series cannot be read again");
+        return notWritten(m_besides, Message("the shapes of the series cannot be read again"));
     return shape;
 }
 

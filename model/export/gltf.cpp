@@ -198,9 +198,9 @@ std::optional<Failure> addTargets(Builder& builder, tinygltf::Mesh& mesh, FrameS
     const std::size_t frames = spool.count();
     const std::size_t bytes = builder.size() + 12 * first->size() * frames + 4 * frames * frames;
     if (bytes > largestBuffer)
-        return Failure{"The animation would have " + std::to_string(bytes >> 20)
-                       + " MB, and a glTF file holds 4096 at most; choose fewer frames, or a "
-                         "point cache (.pc2)."};
+        return Failure("The animation would have %1 MB, and a glTF file holds 4096 at most; choose "
+                       "fewer frames, or a point cache (.pc2).",
+                       bytes >> 20);
     builder.model().buffers[0].data.reserve(bytes);
     for (std::size_t i = 1; i < frames; ++i) {
         if (!goesOn(progress, double(i) / double(frames)))

@@ -19,17 +19,18 @@ bool isTaken(const fs::path& target)
     return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-std::string reason()
+Message reason()
 {
-    return errno ? std::generic_category().message(errno) : std::string("the disk does not answer");
+    return errno ? Message::verbatim(std::generic_category().message(errno))
+                 : Message("the disk does not answer");
 }
 
 } // namespace
 
-Failure notWritten(const fs::path& file, const std::string& why)
+Failure notWritten(const fs::path& file, const Message& why)
 {
-    return Failure{file.string() + " was not written: " + why
-                   + "; make room or choose another folder."};
+    return Failure("%1 was not written: %2; make room or choose another folder.", file.string(),
+                   why);
 }
 
 std::optional<Failure> close(std::ofstream& out, const fs::path& file)
@@ -64,15 +65,14 @@ std::optional<Failure> OutputFiles::makeFolder(const fs::path& folder)
         m_newFolders.push_back(folder);
     if (fs::is_directory(folder))
         return std::nullopt;
-    return Failure{"The folder " + folder.string()
-                   + " cannot be made: " + (error ? error.message() : "a file has that name")
-                   + "; choose another target."};
+    return Failure("The folder %1 cannot be made: %2; choose another target.", folder.string(),
+                   error ? Message::verbatim(error.message()) : Message("a file has that name"));
 }
 
 Result<std::ofstream> OutputFiles::open(const fs::path& target)
 {
     if (isTaken(target))
-        return Failure{target.string() + " is a folder or a device; name a file."};
+        return Failure("%1 is a folder or a device; name a file.", target.string());
     if (auto failure = unwritable(target))
         return *failure;
     const fs::path written = nameFor(target);
@@ -117,10 +117,10 @@ std::optional<Failure> OutputFiles::commit()
         if (file.target.empty())
             continue;
         if (isTaken(file.target))
-            return notWritten(file.target, "it is a folder or a device");
+            return notWritten(file.target, Message("it is a folder or a device"));
         fs::rename(file.written, file.target, error);
         if (error)
-            return notWritten(file.target, error.message());
+            return notWritten(file.target, Message::verbatim(error.message()));
     }
     std::erase_if(m_files, [](const File& file) { return !file.target.empty(); });
     m_newFolders.clear();

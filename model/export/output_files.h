@@ -50,7 +50,7 @@ private:
 };
 
 // Why a stream could not be written, as the system says it.
-Failure notWritten(const std::filesystem::path& file, const std::string& why);
+Failure notWritten(const std::filesystem::path& file, const Message& why);
 
 // Closes it; the failure of any write, or nothing.
 std::optional<Failure> close(std::ofstream& out, const std::filesystem::path& file);

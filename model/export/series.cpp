@@ -111,8 +111,9 @@ public:
     {
         if (!m_out) {
             if (frame.layout->probes.empty())
-                return Failure{"The scene has no probes, so there is nothing to put into "
-                               + m_target.string() + "; add a probe first."};
+                return Failure("The scene has no probes, so there is nothing to put into %1; add a "
+                               "probe first.",
+                               m_target.string());
             Result<std::ofstream> out = m_files.open(m_target);
             if (!out)
                 return out.failure();

@@ -99,7 +99,7 @@ BendingNet bendingNetOf(const System& system)
 class BendForce final : public Force
 {
 public:
-    std::string_view name() const override { return "bending"; }
+    Message name() const override { return Message("bending"); }
     ForceKind kind() const override { return ForceKind::Elastic; }
     bool acts(const System& system, const State&) const override
     {

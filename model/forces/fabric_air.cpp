@@ -13,7 +13,7 @@ namespace {
 class FabricAirForce final : public Force
 {
 public:
-    std::string_view name() const override { return "air on fabric"; }
+    Message name() const override { return Message("air on fabric"); }
     ForceKind kind() const override { return ForceKind::Air; }
     bool acts(const System& system, const State&) const override { return !system.panels.empty(); }
     bool hangsOn(const Edited& e) const override

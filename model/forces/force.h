@@ -14,6 +14,7 @@
 // has to be shown an example of it.
 #pragma once
 
+#include "base/message.h"
 #include "forces/lane.h"
 #include "parallel/thread_pool.h"
 #include "system/system.h"
@@ -57,7 +58,7 @@ public:
     virtual ~Force() = default;
 
     // For people: "bending needs at least 12", where it bounds the substep.
-    virtual std::string_view name() const = 0;
+    virtual Message name() const = 0;
     virtual ForceKind kind() const = 0;
     virtual bool acts(const System& system, const State& state) const = 0;
 

@@ -78,12 +78,12 @@ double stiffStepLimit(const System& system)
     return limit;
 }
 
-std::string boundingForces(const System& system)
+Message boundingForces(const System& system)
 {
-    std::string names;
+    Message names;
     for (const auto& force : knownForces())
         if (force->boundsSubstep(system))
-            names += (names.empty() ? "" : " and ") + std::string(force->name());
+            names = names.empty() ? force->name() : Message("%1 and %2", names, force->name());
     return names;
 }
 

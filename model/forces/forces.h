@@ -46,7 +46,7 @@ bool listForces(System& system, const Edited& edited);
 double stiffStepLimit(const System& system);
 
 // What bounds it, as "bending"; empty without.
-std::string boundingForces(const System& system);
+Message boundingForces(const System& system);
 
 // The longest substep, s, that is sure to be stable for what forces take from motion, as that is in
 // `state`; infinite where they take nothing.

@@ -114,7 +114,7 @@ namespace {
 class HandPullForce final : public Force
 {
 public:
-    std::string_view name() const override { return "hand"; }
+    Message name() const override { return Message("hand"); }
     ForceKind kind() const override { return ForceKind::Hand; }
     bool acts(const System&, const State& state) const override
     {

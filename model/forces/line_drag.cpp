@@ -14,7 +14,7 @@ namespace {
 class LineDragForce final : public Force
 {
 public:
-    std::string_view name() const override { return "line drag"; }
+    Message name() const override { return Message("line drag"); }
     ForceKind kind() const override { return ForceKind::Air; }
     bool acts(const System& system, const State&) const override
     {

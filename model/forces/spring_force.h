@@ -35,7 +35,7 @@ public:
     // N, on end `a`, as of the last fill()
     std::span<const PaddedVec3> loads() const { return m_load; }
 
-    std::string_view name() const override { return "springs"; }
+    Message name() const override { return Message("springs"); }
     ForceKind kind() const override { return ForceKind::Elastic; }
     bool acts(const System& system, const State&) const override { return !system.springs.empty(); }
     void prepare(const System& system, const State&) override;

@@ -7,7 +7,7 @@ namespace {
 class WeightForce final : public Force
 {
 public:
-    std::string_view name() const override { return "weight"; }
+    Message name() const override { return Message("weight"); }
     ForceKind kind() const override { return ForceKind::Weight; }
     bool acts(const System&, const State&) const override { return true; }
     bool isSteady() const override { return true; }

@@ -27,13 +27,11 @@ Result<std::uint32_t> controlOf(const Scene& scene, std::string_view name)
                 return id;
             names.push_back(control->name);
         }
-    std::string message = "there is no control \"" + std::string(name) + "\"";
     const std::string_view near = nearest(name, names);
     if (!near.empty())
-        message.append("; did you mean \"").append(near).append("\"?");
-    else
-        message += names.empty() ? "; the scene has none." : ".";
-    return Failure{message};
+        return Failure("there is no control \"%1\"; did you mean \"%2\"?", name, near);
+    return names.empty() ? Failure("there is no control \"%1\"; the scene has none.", name)
+                         : Failure("there is no control \"%1\".", name);
 }
 
 // The name, where it tells the control from all others.
@@ -128,8 +126,7 @@ Result<ControlTrack> readControlTrack(const std::filesystem::path& file, const S
         if (heading || cellContent(line).empty())
             continue;
         if (const auto failure = addRow(scene, line, track))
-            return Failure{file.string() + ", line " + std::to_string(number) + ": "
-                           + failure->message};
+            return Failure("%1, line %2: %3", file.string(), number, failure->message);
     }
     return {ControlTrack{inOrder(track.commands), inOrder(track.hands)}};
 }

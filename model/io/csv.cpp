@@ -84,8 +84,7 @@ Result<CsvWriter> CsvWriter::open(const std::filesystem::path& file, const Frame
     errno = 0;
     writer.m_out.open(file, std::ios::binary | std::ios::trunc);
     if (!writer.m_out)
-        return Failure{file.string() + " cannot be written: " + reason()
-                       + "; choose another folder."};
+        return Failure("%1 cannot be written: %2; choose another folder.", file.string(), reason());
     writer.m_out << csvHeader(first);
     return writer;
 }
@@ -98,8 +97,8 @@ std::optional<Failure> CsvWriter::close(const Frame& last)
     m_out << csvEnd(last);
     m_out.close();
     if (!m_out)
-        return Failure{m_file.string() + " is not complete: " + reason()
-                       + "; make room or choose another folder."};
+        return Failure("%1 is not complete: %2; make room or choose another folder.",
+                       m_file.string(), reason());
     return std::nullopt;
 }
 

@@ -232,19 +232,18 @@ Result<HandNote::What> handOf(std::string_view row)
     }
     if (!word) {
         const std::string_view near = nearest(name, names);
-        return Failure{"a hand does not \"" + std::string(name) + "\""
-                       + (near.empty() ? "." : "; did you mean \"" + std::string(near) + "\"?")};
+        return near.empty() ? Failure("a hand does not \"%1\".", name)
+                            : Failure("a hand does not \"%1\"; did you mean \"%2\"?", name, near);
     }
     Numbers numbers;
     while (!cellContent(row).empty()) {
         const std::optional<double> number = cellNumber(takeCell(row));
         if (!number)
-            return Failure{"what follows " + std::string(name) + " must be finite numbers."};
+            return Failure("what follows %1 must be finite numbers.", name);
         numbers.push_back(*number);
     }
     if (!fits(*word, numbers))
-        return Failure{"what follows " + std::string(name) + " must be " + std::string(word->what)
-                       + "."};
+        return Failure("what follows %1 must be %2.", name, word->what);
     return word->read(numbers);
 }
 

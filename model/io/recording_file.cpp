@@ -182,17 +182,17 @@ public:
     {}
 
     // What is wrong with the next block, or nothing.
-    std::optional<std::string> next()
+    std::optional<Message> next()
     {
         const std::string bytes = m_file->read(m_place, headSize);
         BlockHead head;
         if (bytes.size() < headSize || !readWhole(bytes, head))
-            return "is cut off";
+            return Message("is cut off");
         if (head.length > m_size - m_place - headSize)
-            return "is cut off";
+            return Message("is cut off");
         const std::string content = m_file->read(m_place + headSize, std::size_t(head.length));
         if (content.size() < head.length || checksumOf(head.kind, content) != head.checksum)
-            return "is damaged";
+            return Message("is damaged");
         const std::uint64_t begin = m_place + headSize;
         m_place = begin + head.length;
         if (head.kind == BlockKind::End)
@@ -211,25 +211,25 @@ public:
     std::shared_ptr<Recording> take() { return std::move(m_recording); }
 
 private:
-    std::optional<std::string> readAbout(const std::string& content)
+    std::optional<Message> readAbout(const std::string& content)
     {
         About about;
         if (!readWhole(content, about))
-            return "is damaged";
+            return Message("is damaged");
         m_recording->setName(about.name);
         m_recording->setOrigin(about.origin);
         m_recording->setBookmarks(about.bookmarks);
         return std::nullopt;
     }
 
-    std::optional<std::string> readDesign(const std::string& content)
+    std::optional<Message> readDesign(const std::string& content)
     {
         Result<std::string> text = unpacked(content, m_text);
         if (!text)
-            return "is damaged";
+            return Message("is damaged");
         Result<Scene> scene = parseScene(*text, m_name);
         if (!scene)
-            return "has a scene that cannot be read (" + scene.message() + ")";
+            return Message("has a scene that cannot be read (%1)", scene.message());
         scene->folder.path = m_folder;
         m_recording->addDesign({std::make_shared<const Scene>(std::move(*scene)), {}});
         m_text = std::move(*text);
@@ -251,19 +251,19 @@ private:
                && std::all_of(chunk.inputs.begin(), chunk.inputs.end(), isKnown);
     }
 
-    std::optional<std::string> readStretch(const std::string& content, std::uint64_t begin)
+    std::optional<Message> readStretch(const std::string& content, std::uint64_t begin)
     {
         std::uint64_t length = 0;
         constexpr std::size_t prefix = sizeof length;
         if (content.size() < prefix
             || !readWhole(std::string_view(content).substr(0, prefix), length)
             || length > content.size() - prefix)
-            return "is damaged";
+            return Message("is damaged");
         const Result<std::string> head =
             unpacked(std::string_view(content).substr(prefix, std::size_t(length)));
         StoredChunk chunk;
         if (!head || !readWhole(*head, chunk, m_version) || !isSound(chunk))
-            return "is damaged";
+            return Message("is damaged");
         std::erase_if(chunk.events, [](const RunEvent& event) { // of a later version
             return std::size_t(event.kind) >= runEventNames.size();
         });
@@ -272,7 +272,7 @@ private:
         const auto fetch = [file = m_file, place, size, name = m_name]() -> Result<std::string> {
             std::string bytes = file->read(place, size);
             if (bytes.size() < size)
-                return Failure{name + " can no longer be read; open it again."};
+                return Failure("%1 can no longer be read; open it again.", name);
             return bytes;
         };
         m_recording->addChunk(std::move(chunk), fetch, size);
@@ -290,13 +290,6 @@ private:
     std::shared_ptr<Recording> m_recording = std::make_shared<Recording>(0);
 };
 
-std::string shortTime(double time)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f s", time);
-    return text;
-}
-
 } // namespace
 
 std::optional<Failure> saveRecording(const Recording& recording, const fs::path& file,
@@ -312,26 +305,26 @@ Result<OpenedRecording> openRecording(const fs::path& file, const Progress& prog
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (!fs::exists(status))
-        return Failure{file.string() + " does not exist; check the path."};
+        return Failure("%1 does not exist; check the path.", file.string());
     if (!fs::is_regular_file(status))
-        return Failure{file.string() + " is no file; name a recording (*.ripstop-run)."};
+        return Failure("%1 is no file; name a recording (*.ripstop-run).", file.string());
     const auto size = fs::file_size(file, error);
     const auto open = std::make_shared<RunFile>(file);
     if (error || !open->isOpen())
-        return Failure{file.string() + " cannot be opened; check that you may read it."};
+        return Failure("%1 cannot be opened; check that you may read it.", file.string());
     const std::string start = open->read(0, firstLine.size());
     const auto line = std::find(firstLines.begin(), firstLines.end(), start);
     if (line == firstLines.end()) {
         const bool newer = start.starts_with(firstLine.substr(0, firstLine.find(' ') + 1));
-        return Failure{file.string()
-                       + (newer ? " was written by a later version of Ripstop; open it with that."
-                                : " is not a recording of Ripstop (*.ripstop-run).")};
+        return newer ? Failure("%1 was written by a later version of Ripstop; open it with that.",
+                               file.string())
+                     : Failure("%1 is not a recording of Ripstop (*.ripstop-run).", file.string());
     }
 
     const int version = int(line - firstLines.begin()) + 1;
     Reader reader(open, version, size, file);
     OpenedRecording opened;
-    std::optional<std::string> wrong;
+    std::optional<Message> wrong;
     while (!reader.atEnd() && !wrong) {
         wrong = reader.next();
         if (!goesOn(progress, double(reader.place()) / double(std::max<std::uintmax_t>(1, size))))
@@ -340,14 +333,14 @@ Result<OpenedRecording> openRecording(const fs::path& file, const Progress& prog
     opened.recording = reader.take();
     const std::size_t frames = opened.recording->frameCount();
     if (frames == 0)
-        return Failure{file.string() + " "
-                       + (wrong ? *wrong + " before its first frame; there is nothing to show."
-                                : "holds no frame.")};
+        return wrong ? Failure("%1 %2 before its first frame; there is nothing to show.",
+                               file.string(), *wrong)
+                     : Failure("%1 holds no frame.", file.string());
     opened.recording->finish();
     if (wrong)
-        opened.damage = file.string() + " " + *wrong + " after "
-                        + shortTime(opened.recording->timeOf(frames - 1))
-                        + " of simulated time; what comes before is shown.";
+        opened.damage = Message("%1 %2 after %3 s of simulated time; what comes before is shown.",
+                                file.string(), *wrong,
+                                Message::number("%.3f", opened.recording->timeOf(frames - 1)));
     return opened;
 }
 

@@ -31,7 +31,7 @@ std::optional<Failure> saveRecording(const Recording& recording, const std::file
 struct OpenedRecording
 {
     std::shared_ptr<Recording> recording;
-    std::string damage; // one sentence, empty when the file is whole
+    Message damage; // one sentence, empty when the file is whole
 };
 
 Result<OpenedRecording> openRecording(const std::filesystem::path& file,

@@ -15,15 +15,15 @@ constexpr int version = 1; // of the format that is written, and the newest that
 constexpr std::string_view formatName = "ripstop-scene";
 
 // Why a text that begins like this is no scene, as the rest of a sentence.
-std::optional<std::string> wrongStart(std::string_view start)
+std::optional<Message> wrongStart(std::string_view start)
 {
     if (start.starts_with("\xef\xbb\xbf")) // the mark that some editors put before UTF-8
         start.remove_prefix(3);
     const auto first = start.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || start[first] == '{')
         return std::nullopt;
-    return "is not a scene: a scene file starts with '{'; choose a file that ends in "
-           + std::string(sceneExtension);
+    return Message("is not a scene: a scene file starts with '{'; choose a file that ends in %1",
+                   sceneExtension);
 }
 
 // Format and version, wherever they stand.
@@ -58,15 +58,13 @@ Failure failureAt(std::string_view fileName, std::string_view text, const Flaw& 
     const JsonPlace place = placeOf(text, flaw.end);
     std::string message = std::string(fileName) + ", line " + std::to_string(place.line);
     message += place.path.empty() ? ": the file " : ", " + place.path + ": ";
-    return Failure{printable(message + flaw.message + ".")};
+    return Failure(Message::verbatim(printable(message + flaw.message + ".")));
 }
 
-std::string nameOfThing(Id id, Kind kind)
+Message nameOfThing(Id id, Kind kind)
 {
-    std::string name(kindName(kind));
-    if (kind != Kind::Settings)
-        name.append(" ").append(std::to_string(std::uint32_t(id)));
-    return name;
+    const Message name = Message::word(kindName(kind));
+    return kind == Kind::Settings ? name : Message("%1 %2", name, std::uint32_t(id));
 }
 
 // A scene that could not be read again must not replace one that can.
@@ -76,9 +74,8 @@ std::optional<Failure> unwritable(const Scene& scene, const std::filesystem::pat
     const auto check = [&](Id id, const ConstRef& ref) {
         for (const Property& property : propertiesOf(kindOf(ref))) {
             if (const auto reason = refusal(property, property.get(ref)))
-                failure =
-                    Failure{file.string() + " was not saved: " + std::string(property.key) + " of "
-                            + nameOfThing(id, kindOf(ref)) + " " + *reason + "; correct it first."};
+                failure = Failure("%1 was not saved: %2 of %3 %4; correct it first.", file.string(),
+                                  property.key, nameOfThing(id, kindOf(ref)), *reason);
         }
     };
     check(settingsId, &scene.settings);
@@ -87,8 +84,10 @@ std::optional<Failure> unwritable(const Scene& scene, const std::filesystem::pat
         if (const Part* part = std::get_if<Part>(&entry.item)) {
             for (const auto& [key, value] : part->parameters)
                 if (!std::isfinite(value))
-                    failure = Failure{file.string() + " was not saved: parameter " + key + " of "
-                                      + part->name + " is not a finite number; correct it first."};
+                    failure =
+                        Failure("%1 was not saved: parameter %2 of %3 is not a finite number; "
+                                "correct it first.",
+                                file.string(), key, part->name);
             for (const Particle& row : part->particles)
                 check(row.id, &row);
             for (const Link& row : part->links)
@@ -105,10 +104,10 @@ std::optional<Failure> unwritable(const Scene& scene, const std::filesystem::pat
 Result<Scene> parseScene(std::string_view text, std::string_view fileName)
 {
     if (const auto reason = wrongStart(text))
-        return Failure{std::string(fileName) + ", line 1: the file " + *reason + "."};
+        return Failure("%1, line 1: the file %2.", fileName, *reason);
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        return Failure{std::string(fileName)
-                       + ", line 1: the file is empty; choose another or restore it from a copy."};
+        return Failure("%1, line 1: the file is empty; choose another or restore it from a copy.",
+                       fileName);
     if (const auto flaw = headerFlaw(text))
         return failureAt(fileName, text, *flaw);
     SceneDraft draft = readDraft(text);
@@ -130,7 +129,7 @@ Result<Scene> readScene(const std::filesystem::path& file)
             scene->folder.path = file.parent_path().string();
         return scene;
     } catch (const std::bad_alloc&) {
-        return Failure{file.string() + " is too large for the memory of this computer."};
+        return Failure("%1 is too large for the memory of this computer.", file.string());
     }
 }
 
@@ -141,7 +140,7 @@ std::optional<Failure> saveScene(const Scene& scene, const std::filesystem::path
             return failure;
         return replaceFile(file, sceneText(scene, file.parent_path()));
     } catch (const std::bad_alloc&) {
-        return Failure{file.string() + " was not saved: not enough memory to write the scene."};
+        return Failure("%1 was not saved: not enough memory to write the scene.", file.string());
     }
 }
 

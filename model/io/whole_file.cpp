@@ -15,7 +15,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t largestFile = std::size_t(4) << 30; // bytes
 constexpr std::size_t chunk = std::size_t(1) << 20;
 
-std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown error"; }
+Message reason()
+{
+    return errno != 0 ? Message::verbatim(std::strerror(errno)) : Message("unknown error");
+}
 
 // Brings what was written onto the disk before the rename makes it count.
 bool flushToDisk(const fs::path& file)
@@ -46,14 +49,13 @@ std::optional<Failure> whyNoFolder(const fs::path& file)
     std::error_code error;
     if (fs::is_directory(folderOf(file), error))
         return std::nullopt;
-    return Failure{file.string() + " cannot be written: there is no folder "
-                   + folderOf(file).string() + "; make it or choose another."};
+    return Failure("%1 cannot be written: there is no folder %2; make it or choose another.",
+                   file.string(), folderOf(file).string());
 }
 
-Failure notSaved(const fs::path& file, const std::string& why)
+Failure notSaved(const fs::path& file, const Message& why)
 {
-    return Failure{file.string() + " was not saved: " + why
-                   + "; make room or choose another folder."};
+    return Failure("%1 was not saved: %2; make room or choose another folder.", file.string(), why);
 }
 
 std::optional<Failure> writeInPlace(const fs::path& file, const WriteInto& write)
@@ -73,14 +75,14 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (!fs::exists(status))
-        return Failure{file.string() + " does not exist; check the path."};
+        return Failure("%1 does not exist; check the path.", file.string());
     if (fs::is_directory(status))
-        return Failure{file.string() + " is a folder; name a file in it."};
+        return Failure("%1 is a folder; name a file in it.", file.string());
 
     errno = 0;
     std::ifstream in(file, std::ios::binary);
     if (!in)
-        return Failure{file.string() + " cannot be opened: " + reason() + "."};
+        return Failure("%1 cannot be opened: %2.", file.string(), reason());
 
     // Sizes of pipes and special files are not known beforehand.
     std::string text;
@@ -88,7 +90,7 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
     if (fs::is_regular_file(status)) {
         const auto size = fs::file_size(file, error);
         if (!error && size > largestFile)
-            return Failure{file.string() + " is larger than 4 GiB, too large for this program."};
+            return Failure("%1 is larger than 4 GiB, too large for this program.", file.string());
         expected = error ? 0 : std::size_t(size);
     }
     for (;;) {
@@ -98,15 +100,15 @@ Result<std::string> readWholeFile(const fs::path& file, const StartCheck& check)
         text.resize(before + std::size_t(in.gcount()));
         if (before == 0) {
             if (const auto refused = check(text))
-                return Failure{file.string() + ", line 1: the file " + *refused + "."};
+                return Failure("%1, line 1: the file %2.", file.string(), *refused);
             text.reserve(expected + chunk);
         }
         if (in.bad())
-            return Failure{file.string() + " cannot be read: " + reason() + "."};
+            return Failure("%1 cannot be read: %2.", file.string(), reason());
         if (in.eof())
             return text;
         if (text.size() > largestFile)
-            return Failure{file.string() + " is larger than 4 GiB, too large for this program."};
+            return Failure("%1 is larger than 4 GiB, too large for this program.", file.string());
     }
 }
 
@@ -117,11 +119,10 @@ std::optional<Failure> unwritable(const fs::path& file)
     std::error_code error;
     const fs::path folder = folderOf(file);
     if (fs::is_directory(file, error))
-        return Failure{file.string() + " is a folder; name a file in it."};
+        return Failure("%1 is a folder; name a file in it.", file.string());
     errno = 0;
     if (::access((isSpecial(file) ? file : folder).c_str(), W_OK) != 0)
-        return Failure{file.string() + " cannot be written: " + reason()
-                       + "; choose another folder."};
+        return Failure("%1 cannot be written: %2; choose another folder.", file.string(), reason());
     return std::nullopt;
 }
 
@@ -143,12 +144,12 @@ std::optional<Failure> replaceFile(const fs::path& file, const WriteInto& write,
     fs::path temporary = target;
     temporary.concat(".").concat(std::to_string(::getpid())).concat(".saving");
 
-    const auto failed = [&](const std::string& why) {
+    const auto failed = [&](const Message& why) {
         fs::remove(temporary, error);
         return notSaved(file, why);
     };
     if (fs::is_directory(target, error))
-        return failed("it is a folder");
+        return failed(Message("it is a folder"));
     if (auto failure = whyNoFolder(target))
         return failure;
 
@@ -166,7 +167,7 @@ std::optional<Failure> replaceFile(const fs::path& file, const WriteInto& write,
         fs::permissions(temporary, old.permissions(), error);
     fs::rename(temporary, target, error);
     if (error)
-        return failed(error.message());
+        return failed(Message::verbatim(error.message()));
     return std::nullopt;
 }
 

@@ -13,7 +13,7 @@
 namespace ripstop {
 
 // Given the first bytes of a file, the reason not to read the rest ("is not a scene"), or nothing.
-using StartCheck = std::function<std::optional<std::string>(std::string_view)>;
+using StartCheck = std::function<std::optional<Message>(std::string_view)>;
 
 // Up to 4 GiB. Works on pipes too.
 Result<std::string> readWholeFile(const std::filesystem::path& file, const StartCheck& check);

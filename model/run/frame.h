@@ -8,6 +8,7 @@
 
 #include "base/guide.h"
 #include "base/link_laws.h"
+#include "base/message.h"
 #include "base/vec3.h"
 #include "run/hand_track.h"
 
@@ -117,7 +118,7 @@ struct Frame
     double time = 0.0;          // s
     std::int64_t step = 0;      // time steps since the start
     int substeps = 0;           // that the next step will take
-    std::string solverChoice;   // what Solver::Auto began with and why; empty for others
+    Message solverChoice;       // what Solver::Auto began with and why; empty for others
     std::uint64_t hash = 0;     // of the state, as stateHash() has it
     double realTimeRatio = 0.0; // simulated seconds per second of the clock, lately
     std::vector<Vec3> position; // [particles] m
@@ -142,7 +143,7 @@ struct Frame
     std::vector<std::uint32_t> handPins; // keys of particles
     std::optional<Settling> settling;    // while it does, and at its end
     bool underWay = false;               // the run has left the design
-    std::string stopped;                 // why the simulation cannot go on; empty when it can
+    Message stopped;                     // why the simulation cannot go on; empty when it can
     std::uint32_t culprit = 0;           // id of the element that stopped it
 };
 

@@ -87,7 +87,8 @@ Result<std::string> unpacked(std::string_view packed, std::string_view before)
     const std::size_t done = ZSTD_decompressDCtx(context.get(), bytes.data(), bytes.size(),
                                                  packed.data(), packed.size());
     if (ZSTD_isError(done) || done != bytes.size())
-        return Failure{ZSTD_isError(done) ? ZSTD_getErrorName(done) : "it is too short"};
+        return ZSTD_isError(done) ? Failure(Message::verbatim(ZSTD_getErrorName(done)))
+                                  : Failure("it is too short");
     return bytes;
 }
 

@@ -49,7 +49,7 @@ public:
         });
         for (std::size_t i = 0; i < m_system.links.size(); ++i)
             writeLink(i);
-        Edit edit{"Split", {}};
+        Edit edit{Message("Split"), {}};
         for (auto& [part, rows] : m_rows) {
             edit.changes.emplace_back(std::move(rows.first));
             edit.changes.emplace_back(std::move(rows.second));
@@ -91,7 +91,7 @@ private:
             for (const Particle& row : part.particles)
                 rows[Key(row.id)] = {id, row};
         });
-        Edit edit{"Split", {}};
+        Edit edit{Message("Split"), {}};
         for (std::size_t i = 0; i < m_system.key.size(); ++i) {
             if (m_system.key[i] < firstTwinParticle)
                 continue;
@@ -281,7 +281,7 @@ std::size_t partedParticles(const Layout& layout)
 
 Posed posed(Scene scene, const Frame& frame, const PoseOptions& options)
 {
-    Draft draft{{std::move(scene), {"Adopt pose", {}}}};
+    Draft draft{{std::move(scene), {Message("Adopt pose"), {}}}};
     const RowIds ids = rowIds(draft, *frame.layout);
     place(draft, frame, ids, options);
     placeColliders(draft, frame);

@@ -112,7 +112,7 @@ Result<std::shared_ptr<Moment>> Recording::moment(std::int64_t step, const Progr
         if (auto failure = inputs.giveTo(simulation))
             return *failure;
         if (!simulation.step())
-            return Failure{"The run stopped before that: " + simulation.trouble()->message};
+            return Failure("The run stopped before that: %1", simulation.trouble()->message);
         if (!goesOn(progress, double(simulation.state().step - first) / double(step - first)))
             return Failure{"Cancelled."};
     }
@@ -234,7 +234,7 @@ void Recording::setMemory(std::size_t bytes)
     d->wake.notify_all();
 }
 
-std::string Recording::trouble() const
+Message Recording::trouble() const
 {
     const std::lock_guard lock(d->mutex);
     return d->trouble;

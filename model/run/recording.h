@@ -103,7 +103,7 @@ public:
     };
     Size size() const;
     void setMemory(std::size_t bytes); // the bound
-    std::string trouble() const;       // why it ends before the run does; empty when it does not
+    Message trouble() const;           // why it ends before the run does; empty when it does not
     void settle() const;               // waits until all that is old is packed
 
     // --- adding, from one thread ---

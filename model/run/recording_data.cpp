@@ -102,7 +102,7 @@ void Recording::Private::spillOne(Lock& lock)
     const Result<std::size_t> place = m_spill->append(*bytes);
     lock.lock();
     if (!place) {
-        trouble = "The recording ends here, as " + place.message() + ".";
+        trouble = Message("The recording ends here, as %1.", place.message());
         return;
     }
     Entry& entry = entries[number];

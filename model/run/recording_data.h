@@ -81,7 +81,7 @@ public:
     std::vector<Bookmark> bookmarks;
     std::string name;
     std::string origin;
-    std::string trouble;
+    Message trouble;
     bool over = false;
     Size size;
 

@@ -84,8 +84,8 @@ Result<ReplayOutcome> compareFlight(const Recording& recording, Simulation& simu
         if (auto failure = tell(simulation))
             return *failure;
         if (!simulation.step())
-            return Failure{"The run cannot be computed to its end here: "
-                           + simulation.trouble()->message};
+            return Failure("The run cannot be computed to its end here: %1",
+                           simulation.trouble()->message);
         ++outcome.steps;
         goes = comparison.look(simulation.state());
         const double share = double(simulation.state().step - first)

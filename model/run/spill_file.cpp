@@ -34,7 +34,7 @@ std::optional<Failure> SpillFile::open()
             break;
     }
     if (!m_file)
-        return Failure{"no temporary file can be made in " + folder.string() + ": " + reason()};
+        return Failure("no temporary file can be made in %1: %2", folder.string(), reason());
     return std::nullopt;
 }
 
@@ -50,7 +50,7 @@ Result<std::size_t> SpillFile::append(std::string_view bytes)
                          && std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) == bytes.size()
                          && std::fflush(m_file.get()) == 0;
     if (!written)
-        return Failure{"the folder for temporary files cannot take more: " + reason()};
+        return Failure("the folder for temporary files cannot take more: %1", reason());
     m_end += bytes.size();
     return place;
 }
@@ -62,7 +62,7 @@ Result<std::string> SpillFile::read(std::size_t place, std::size_t size)
     std::string bytes(size, '\0');
     if (fseeko(m_file.get(), off_t(place), SEEK_SET) != 0
         || std::fread(bytes.data(), 1, size, m_file.get()) != size)
-        return Failure{"a temporary file cannot be read: " + reason()};
+        return Failure("a temporary file cannot be read: %1", reason());
     return bytes;
 }
 

@@ -26,8 +26,6 @@ struct Side // of a panel
 
 using Sides = std::map<Edge, std::vector<Side>>;
 
-std::string text(Id id) { return std::to_string(std::uint32_t(id)); }
-
 class PieceFinder
 {
 public:
@@ -41,43 +39,47 @@ public:
     Result<std::vector<CanopyPiece>> run()
     {
         if (m_part.panels.empty())
-            return refusal("has canopy pressure and no panels to hold the air: add panels");
+            return refusal(
+                Message("has canopy pressure and no panels to hold the air: add panels"));
         for (const Panel& row : m_part.panels)
             for (const Id id : {row.a, row.b, row.c})
                 if (!findRow(m_part.particles, id))
-                    return refusal("has canopy pressure, and panel " + text(row.id)
-                                   + " has a corner that is not a particle of this part: join the "
-                                     "two parts");
+                    return refusal(
+                        Message("has canopy pressure, and panel %1 has a corner that is not a "
+                                "particle of this part: join the two parts",
+                                std::uint32_t(row.id)));
         noteSides();
         for (const auto& [edge, sides] : m_sides)
             if (sides.size() > 2)
-                return refusal("has canopy pressure, and more than two panels meet between "
-                               "particles "
-                               + text(edge.first) + " and " + text(edge.second)
-                               + ": remove all but two of them");
+                return refusal(Message("has canopy pressure, and more than two panels meet between "
+                                       "particles %1 and %2: remove all but two of them",
+                                       std::uint32_t(edge.first), std::uint32_t(edge.second)));
         std::vector<CanopyPiece> pieces;
         for (int panel = 0; panel < int(m_part.panels.size()); ++panel) {
             if (m_piece[std::size_t(panel)] >= 0)
                 continue;
             if (!collect(panel, int(pieces.size())))
-                return refusal("has canopy pressure and fabric with one side only, like a twisted "
-                               "ribbon: remove a panel of the twist");
+                return refusal(
+                    Message("has canopy pressure and fabric with one side only, like a twisted "
+                            "ribbon: remove a panel of the twist"));
             CanopyPiece piece = facetsOf(int(pieces.size()));
             if (!findEdges(piece))
-                return refusal("has canopy pressure and closed fabric that no air can enter: leave "
-                               "a mouth open");
+                return refusal(
+                    Message("has canopy pressure and closed fabric that no air can enter: leave "
+                            "a mouth open"));
             if (!faceOutwards(piece))
-                return refusal("has canopy pressure and lies flat where the run starts, so that "
-                               "neither side is the inside: give it a hollow");
+                return refusal(
+                    Message("has canopy pressure and lies flat where the run starts, so that "
+                            "neither side is the inside: give it a hollow"));
             pieces.push_back(std::move(piece));
         }
         return pieces;
     }
 
 private:
-    Failure refusal(const std::string& what) const
+    Failure refusal(const Message& what) const
     {
-        return {"Part " + m_part.name + " " + what + ", or set its canopyPressure to 0."};
+        return Failure("Part %1 %2, or set its canopyPressure to 0.", m_part.name, what);
     }
 
     std::array<Id, 3> cornersOf(int panel) const

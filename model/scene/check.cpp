@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -19,11 +18,12 @@ namespace ripstop {
 namespace {
 
 // As the subject of a sentence.
-std::string named(Kind kind, Id id)
+Message named(Kind kind, Id id)
 {
     std::string name(kindName(kind));
     name[0] = char(std::toupper(name[0]));
-    return id == settingsId ? name : name + " " + std::to_string(std::uint32_t(id));
+    return id == settingsId ? Message::word(name)
+                            : Message("%1 %2", Message::word(name), std::uint32_t(id));
 }
 
 std::optional<StepLimit> limitOf(const Scene& scene, const ElementIndex& index)
@@ -79,7 +79,7 @@ public:
         , m_most(most)
     {}
 
-    std::vector<Problem> run()
+    std::vector<Finding> run()
     {
         errors();
         duplicates();
@@ -87,20 +87,20 @@ public:
         gaps();
         if (!m_hasParticles)
             add("empty", Severity::Warning,
-                "The scene has no particles: insert a part or import a mesh.", noId);
+                Message("The scene has no particles: insert a part or import a mesh."), noId);
         std::stable_sort(
             m_problems.begin(), m_problems.end(),
-            [](const Problem& a, const Problem& b) { return a.severity < b.severity; });
+            [](const Finding& a, const Finding& b) { return a.severity < b.severity; });
         return std::move(m_problems);
     }
 
-    std::optional<Problem> firstError()
+    std::optional<Finding> firstError()
     {
         errors();
         return first();
     }
 
-    std::optional<Problem> firstErrorOfItems()
+    std::optional<Finding> firstErrorOfItems()
     {
         for (const Entry& entry : m_scene.items)
             std::visit([&](const auto& item) { pointing(entry.id, &item); }, entry.item);
@@ -113,26 +113,30 @@ private:
     {
         for (const Id id : m_index.repeated())
             add("twice", Severity::Error,
-                "The id " + std::to_string(std::uint32_t(id))
-                    + " is used twice; give one of the two another id.",
+                Message("The id %1 is used twice; give one of the two another id.",
+                        std::uint32_t(id)),
                 id);
         references();
         masses();
         shapes();
     }
 
-    std::optional<Problem> first() const
+    std::optional<Finding> first() const
     {
-        for (const Problem& problem : m_problems)
+        for (const Finding& problem : m_problems)
             if (problem.severity == Severity::Error)
                 return problem;
         return std::nullopt;
     }
 
-    void add(const char* sort, Severity severity, std::string message, Id culprit)
+    void add(const char* sort, Severity severity, Message message, Id culprit)
     {
-        if (++m_count[sort] <= m_most)
-            m_problems.push_back({severity, std::move(message), culprit, sort});
+        if (++m_count[sort] > m_most)
+            return;
+        Finding problem{severity, std::move(message), {}, sort};
+        if (culprit != noId)
+            problem.culprits = {culprit};
+        m_problems.push_back(std::move(problem));
     }
 
     void pointing(Id holder, const ConstRef& ref)
@@ -142,12 +146,16 @@ private:
                 continue;
             const auto check = [&](Id id) {
                 const std::optional<Kind> found = m_index.kindOf(id);
-                if (!found || !property.pointsAt.contains(*found))
+                if (!found)
                     add("dangling", Severity::Error,
-                        named(kindOf(ref), holder) + ": " + std::string(property.key)
-                            + " points at " + std::to_string(std::uint32_t(id))
-                            + (found ? ", which is a " + std::string(kindName(*found)) + "."
-                                     : ", which does not exist; choose another or remove it."),
+                        Message("%1: %2 points at %3, which does not exist; choose another or "
+                                "remove it.",
+                                named(kindOf(ref), holder), property.key, std::uint32_t(id)),
+                        holder);
+                else if (!property.pointsAt.contains(*found))
+                    add("dangling", Severity::Error,
+                        Message("%1: %2 points at %3, which is a %4.", named(kindOf(ref), holder),
+                                property.key, std::uint32_t(id), Message::word(kindName(*found))),
                         holder);
             };
             const Value value = property.get(ref);
@@ -170,8 +178,8 @@ private:
                     pointing(row.id, &row);
                     if (!hasEnds(row))
                         add("ends", Severity::Error,
-                            named(Kind::Link, row.id)
-                                + " needs two different particles as its ends; remove it.",
+                            Message("%1 needs two different particles as its ends; remove it.",
+                                    named(Kind::Link, row.id)),
                             row.id);
                 }
                 for (const Panel& row : part->panels) {
@@ -180,8 +188,9 @@ private:
                     pointing(row.id, &row);
                     if (!hasCorners(row))
                         add("corners", Severity::Error,
-                            named(Kind::Panel, row.id)
-                                + " needs three different particles as its corners; remove it.",
+                            Message("%1 needs three different particles as its corners; remove "
+                                    "it.",
+                                    named(Kind::Panel, row.id)),
                             row.id);
                 }
             }
@@ -194,13 +203,16 @@ private:
             for (const Particle& row : part.particles) {
                 if (isSound(row))
                     continue;
-                const std::string name = named(Kind::Particle, row.id) + " of " + part.name;
+                const Message name = named(Kind::Particle, row.id);
                 if (!hasDirection(row))
-                    add("guide", Severity::Error, name + " needs a guide axis that is not zero.",
+                    add("guide", Severity::Error,
+                        Message("%1 of %2 needs a guide axis that is not zero.", name, part.name),
                         row.id);
                 else
                     add("massless", Severity::Error,
-                        name + " is free and has no mass: give it a mass or pin it.", row.id);
+                        Message("%1 of %2 is free and has no mass: give it a mass or pin it.", name,
+                                part.name),
+                        row.id);
             }
         });
     }
@@ -217,24 +229,26 @@ private:
             if (const Wind* wind = std::get_if<Wind>(&entry.item))
                 if (wind->kind == WindKind::LogLaw && !(wind->roughness < wind->referenceHeight))
                     add("roughness", Severity::Error,
-                        "Wind " + wind->name
-                            + " needs a roughness that is below its reference height.",
+                        Message("Wind %1 needs a roughness that is below its reference height.",
+                                wind->name),
                         entry.id);
             if (const Control* control = std::get_if<Control>(&entry.item)) {
                 if (!(control->axis.norm() > 0.0))
                     add("axis", Severity::Error,
-                        "Control " + control->name + " needs an axis that is not zero.", entry.id);
+                        Message("Control %1 needs an axis that is not zero.", control->name),
+                        entry.id);
                 const auto isCollider = [&](Id id) { return m_index.kindOf(id) == Kind::Collider; };
                 if (control->kind == ControlKind::WeightShift
                     && std::any_of(control->targets.begin(), control->targets.end(), isCollider))
                     add("weight", Severity::Warning,
-                        "Control " + control->name
-                            + " shifts weights, and a collider has none: make it move, or remove "
-                              "the collider from its targets.",
+                        Message("Control %1 shifts weights, and a collider has none: make it move, "
+                                "or remove the collider from its targets.",
+                                control->name),
                         entry.id);
                 if (control->targets.empty())
                     add("idle", Severity::Warning,
-                        "Control " + control->name + " has no targets and does nothing.", entry.id);
+                        Message("Control %1 has no targets and does nothing.", control->name),
+                        entry.id);
             }
             if (const Probe* probe = std::get_if<Probe>(&entry.item))
                 checkProbe(*probe, entry.id);
@@ -244,8 +258,8 @@ private:
         for (const ProbeFormula& probe : formulasOf(m_scene))
             if (!probe.formula)
                 add("formula", Severity::Warning,
-                    "The formula of probe " + nameOf(*findItem(m_scene, probe.probe))
-                        + " cannot be worked out: " + probe.formula.message() + ".",
+                    Message("The formula of probe %1 cannot be worked out: %2.",
+                            nameOf(*findItem(m_scene, probe.probe)), probe.formula.message()),
                     probe.probe);
     }
 
@@ -254,20 +268,21 @@ private:
         const int points = rowOf(probe.quantity).points;
         if (points >= 2 && (probe.target == noId || probe.from == noId))
             add("probe", Severity::Warning,
-                "Probe " + probe.name + " needs a target and a particle to measure from.", id);
+                Message("Probe %1 needs a target and a particle to measure from.", probe.name), id);
         else if (points >= 3 && probe.side == noId)
             add("probe", Severity::Warning,
-                "Probe " + probe.name + " needs a third particle, on the right.", id);
+                Message("Probe %1 needs a third particle, on the right.", probe.name), id);
     }
 
     void checkPlot(const Plot& plot, Id id)
     {
         if (plot.axis == PlotAxis::Probe && plot.against == noId)
             add("plot", Severity::Warning,
-                "Plot " + plot.name + " needs the probe that its curves are against.", id);
+                Message("Plot %1 needs the probe that its curves are against.", plot.name), id);
         if (plot.low && plot.high && *plot.low >= *plot.high)
             add("plot", Severity::Warning,
-                "Plot " + plot.name + " shows no values: its lowest has to be below its highest.",
+                Message("Plot %1 shows no values: its lowest has to be below its highest.",
+                        plot.name),
                 id);
     }
 
@@ -340,8 +355,9 @@ private:
             const int end = start + int(part.links.size());
             for (; link != again.end() && *link < end; ++link)
                 add("double", Severity::Warning,
-                    named(Kind::Link, part.links[std::size_t(*link - start)].id) + " of "
-                        + part.name + " joins two particles that are joined already.",
+                    Message("%1 of %2 joins two particles that are joined already.",
+                            named(Kind::Link, part.links[std::size_t(*link - start)].id),
+                            part.name),
                     part.links[std::size_t(*link - start)].id);
             start = end;
         });
@@ -356,8 +372,8 @@ private:
                 const int place = m_index.particle(row.id);
                 if (place >= 0 && !tied[std::size_t(place)] && !row.pinned)
                     add("loose", Severity::Warning,
-                        named(Kind::Particle, row.id) + " of " + part.name
-                            + " has no links and will fly by itself.",
+                        Message("%1 of %2 has no links and will fly by itself.",
+                                named(Kind::Particle, row.id), part.name),
                         row.id);
             }
         });
@@ -376,13 +392,13 @@ private:
         if (!limit || !exceeds(m_scene.settings, *limit))
             return;
         const double h = m_scene.settings.timeStep / m_scene.settings.substeps;
-        char text[200];
-        std::snprintf(
-            text, sizeof text,
-            "The substep of %.3g s is above the %.3g s that springs and bending at particle %u may "
-            "need: shorten the time step, add substeps, or lower stiffness and damping.",
-            h, limit->timeStep, unsigned(limit->particle));
-        add("step", Severity::Warning, text, limit->particle);
+        add("step", Severity::Warning,
+            Message(
+                "The substep of %1 s is above the %2 s that springs and bending at particle %3 "
+                "may need: shorten the time step, add substeps, or lower stiffness and damping.",
+                Message::number("%.3g", h), Message::number("%.3g", limit->timeStep),
+                std::uint32_t(limit->particle)),
+            limit->particle);
     }
 
     const Scene& m_scene;
@@ -390,23 +406,23 @@ private:
     std::size_t m_most;
     bool m_hasParticles = false;
     std::map<std::string_view, std::size_t> m_count;
-    std::vector<Problem> m_problems;
+    std::vector<Finding> m_problems;
 };
 
 } // namespace
 
-std::vector<Problem> problemsOf(const Scene& scene, std::size_t most)
+std::vector<Finding> problemsOf(const Scene& scene, std::size_t most)
 {
     const ElementIndex index(scene);
     return Checker(scene, index, most).run();
 }
 
-std::optional<Problem> firstError(const Scene& scene, const ElementIndex& index)
+std::optional<Finding> firstError(const Scene& scene, const ElementIndex& index)
 {
     return Checker(scene, index, 1).firstError();
 }
 
-std::optional<Problem> firstErrorOfItems(const Scene& scene, const ElementIndex& index)
+std::optional<Finding> firstErrorOfItems(const Scene& scene, const ElementIndex& index)
 {
     return Checker(scene, index, 1).firstErrorOfItems();
 }
@@ -422,10 +438,10 @@ bool isSound(const ConstRef& ref, const ElementIndex& index)
     return true;
 }
 
-bool hasErrors(const std::vector<Problem>& problems)
+bool hasErrors(const std::vector<Finding>& problems)
 {
     return std::any_of(problems.begin(), problems.end(),
-                       [](const Problem& p) { return p.severity == Severity::Error; });
+                       [](const Finding& p) { return p.severity == Severity::Error; });
 }
 
 bool exceeds(const Settings& settings, const StepLimit& limit)

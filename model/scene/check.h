@@ -1,34 +1,19 @@
 // Problems of a scene: what keeps it from running, and what will run but hardly as meant.
 #pragma once
 
-#include "scene/property.h"
-
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "scene/finding.h"
 
 namespace ripstop {
 
-enum class Severity { Error, Warning };
-
-struct Problem
-{
-    Severity severity;
-    std::string message;        // what is wrong and what to do about it
-    Id culprit{};               // item or element; noId when it is the scene as a whole
-    std::string_view sort = {}; // "step", "loose": the same for all of its sort
-};
-
 // Errors first. At most `most` problems of each sort, so that a broken table of a million rows
 // stays readable.
-std::vector<Problem> problemsOf(const Scene& scene, std::size_t most = 20);
+std::vector<Finding> problemsOf(const Scene& scene, std::size_t most = 20);
 
 class ElementIndex;
 
 // The first error, without looking for warnings. `index` is that of the scene as it is.
-std::optional<Problem> firstError(const Scene& scene, const ElementIndex& index);
-std::optional<Problem> firstErrorOfItems(const Scene& scene, const ElementIndex& index);
+std::optional<Finding> firstError(const Scene& scene, const ElementIndex& index);
+std::optional<Finding> firstErrorOfItems(const Scene& scene, const ElementIndex& index);
 
 // Whether an element has no error of its own: what is left to check when only its values changed.
 bool isSound(const ConstRef& element, const ElementIndex& index);
@@ -44,6 +29,6 @@ struct StepLimit
 std::optional<StepLimit> stepLimit(const Scene& scene);
 bool exceeds(const Settings& settings, const StepLimit& limit);
 
-bool hasErrors(const std::vector<Problem>& problems);
+bool hasErrors(const std::vector<Finding>& problems);
 
 } // namespace ripstop

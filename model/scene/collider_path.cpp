@@ -36,11 +36,10 @@ Result<std::vector<PathKey>> pathFromText(std::string_view text)
         key.remove_prefix(colon ? 1 : 0);
         const auto x = takeNumber(key), y = takeNumber(key), z = takeNumber(key);
         if (!colon || !x || !y || !z || key.find_first_not_of(" \t") != std::string_view::npos)
-            return Failure{"must be times and places as 0: 0 1 0; 2.5: 3 1 0 (" + told
-                           + " is not)"};
+            return Failure("must be times and places as 0: 0 1 0; 2.5: 3 1 0 (%1 is not)", told);
         if (!path.empty() && *time <= path.back().time)
-            return Failure{"must have times that ascend (" + told + " is not later than the row "
-                           + "before)"};
+            return Failure("must have times that ascend (%1 is not later than the row before)",
+                           told);
         path.push_back({*time, Vec3(*x, *y, *z)});
     }
     return path;

@@ -90,15 +90,14 @@ std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& sc
     return error ? collider.file : seen.generic_string();
 }
 
-std::optional<std::string> colliderError(const Scene& scene, const Collider& collider)
+std::optional<Message> colliderError(const Scene& scene, const Collider& collider)
 {
-    const std::string name = "Collider " + collider.name;
     if (const auto path = pathFromText(collider.path); !path)
-        return name + ": its path " + path.message() + ".";
-    if (const std::string_view flaw = rowOf(collider.shape).flaw(solidOf(collider)); !flaw.empty())
-        return name + " " + std::string(flaw);
+        return Message("Collider %1: its path %2.", collider.name, path.message());
+    if (const Message flaw = rowOf(collider.shape).flaw(solidOf(collider)); !flaw.empty())
+        return flaw.with(collider.name);
     if (const auto data = shapeDataOf(scene, collider); !data)
-        return name + ": " + data.message();
+        return Message("Collider %1: %2", collider.name, data.message());
     return std::nullopt;
 }
 
@@ -121,17 +120,15 @@ double meanPanelEdge(const Scene& scene)
 
 double widthOf(const Collider& collider) { return rowOf(collider.shape).width(solidOf(collider)); }
 
-std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge)
+std::optional<Message> colliderWarning(const Collider& collider, double panelEdge)
 {
     const double width = widthOf(collider);
     if (width >= panelEdge)
         return std::nullopt;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  " is %.3g m wide and the panels have edges of %.3g m: it fits between particles, "
-                  "which are what touches; make the mesh finer or the collider larger.",
-                  width, panelEdge);
-    return "Collider " + collider.name + text;
+    return Message("Collider %1 is %2 m wide and the panels have edges of %3 m: it fits between "
+                   "particles, which are what touches; make the mesh finer or the collider larger.",
+                   collider.name, Message::number("%.3g", width),
+                   Message::number("%.3g", panelEdge));
 }
 
 } // namespace ripstop

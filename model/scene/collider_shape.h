@@ -40,7 +40,7 @@ std::string fileSeenFrom(const std::filesystem::path& newFolder, const Scene& sc
                          const Collider& collider);
 
 // What keeps the collider from working, as a sentence, or nothing.
-std::optional<std::string> colliderError(const Scene& scene, const Collider& collider);
+std::optional<Message> colliderError(const Scene& scene, const Collider& collider);
 
 // The mean edge of all panels, m, 0 without any.
 double meanPanelEdge(const Scene& scene);
@@ -49,6 +49,6 @@ double meanPanelEdge(const Scene& scene);
 double widthOf(const Collider& collider);
 
 // Particles touch, panels do not: what is smaller than the gaps between particles goes through.
-std::optional<std::string> colliderWarning(const Collider& collider, double panelEdge);
+std::optional<Message> colliderWarning(const Collider& collider, double panelEdge);
 
 } // namespace ripstop

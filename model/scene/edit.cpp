@@ -174,7 +174,7 @@ Edit removal(const Scene& scene, const std::vector<Id>& ids)
                 gone.insert(panel.id);
     });
 
-    Edit edit{"Remove", {}};
+    Edit edit{Message("Remove"), {}};
 
     // References first, so that undo restores what they point at before the references themselves.
     const Heirs left = [&](Id id, std::vector<Id>& heirs) {

@@ -49,7 +49,7 @@ using Change = std::variant<SetValues, AddItem, RemoveItem, AddRows, RemoveRows>
 // Changes that are made, undone and redone together.
 struct Edit
 {
-    std::string label;
+    Message label;
     std::vector<Change> changes;
 };
 

@@ -150,10 +150,9 @@ Result<Formula> Formula::read(std::string_view text, std::span<const Name> names
         return Formula(std::move(parts));
     } catch (const mu::Parser::exception_type& error) {
         if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
-            return Failure{error.GetMsg()};
-        std::string message("\"");
-        return Failure{message.append(error.GetToken())
-                           .append("\" is no other probe; names are written with _ for blanks")};
+            return Failure(Message::verbatim(error.GetMsg()));
+        return Failure("\"%1\" is no other probe; names are written with _ for blanks",
+                       error.GetToken());
     }
 }
 

@@ -7,17 +7,17 @@
 namespace ripstop {
 namespace {
 
-std::string quoted(std::string_view text) { return std::string(1, '"').append(text) + '"'; }
-
-std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates)
+// What is wrong with a word, and which one may be meant.
+Failure unknown(const Message& what, std::string_view word,
+                const std::vector<std::string_view>& candidates)
 {
     const std::string_view near = nearest(word, candidates);
     if (!near.empty())
-        return "; did you mean " + quoted(near) + "?";
+        return Failure("%1; did you mean \"%2\"?", what, near);
     std::string list;
     for (const std::string_view candidate : candidates)
-        list += (list.empty() ? "; there is " : ", ") + std::string(candidate);
-    return list;
+        list += (list.empty() ? "" : ", ") + std::string(candidate);
+    return list.empty() ? Failure(what) : Failure("%1; there is %2", what, list);
 }
 
 struct Target
@@ -48,7 +48,7 @@ Result<Target> findNumbered(const Scene& scene, std::string_view name)
     const bool whole = error == std::errc() && end == name.data() + name.size();
     if (const auto ref = whole ? find(scene, Id{number}) : std::nullopt)
         return Target{kindOf(*ref), {Id{number}}};
-    return Failure{"nothing in the scene has the id " + quoted(name)};
+    return Failure("nothing in the scene has the id \"%1\"", name);
 }
 
 // `name` is all of the path before the property's key.
@@ -78,11 +78,11 @@ Result<Target> findTarget(const Scene& scene, std::string_view name)
                 return rowsOf(Kind::Link, part->links);
             if (table == kindPlural(Kind::Panel))
                 return rowsOf(Kind::Panel, part->panels);
-            return Failure{"part " + quoted(part->name) + " has particles, links and panels, not "
-                           + quoted(table)};
+            return Failure("part \"%1\" has particles, links and panels, not \"%2\"", part->name,
+                           table);
         }
     }
-    return Failure{"no item is called " + quoted(name) + suggestion(name, names)};
+    return unknown(Message("no item is called \"%1\"", name), name, names);
 }
 
 } // namespace
@@ -91,7 +91,7 @@ Result<Place> findPlace(const Scene& scene, std::string_view path)
 {
     const auto dot = path.rfind('.');
     if (dot == std::string_view::npos)
-        return Failure{quoted(path) + " is no path; write ITEM.PROPERTY, like settings.timeStep"};
+        return Failure("\"%1\" is no path; write ITEM.PROPERTY, like settings.timeStep", path);
 
     const Result<Target> target = findTarget(scene, path.substr(0, dot));
     if (!target)
@@ -103,10 +103,11 @@ Result<Place> findPlace(const Scene& scene, std::string_view path)
     std::vector<std::string_view> keys;
     for (const Property& property : propertiesOf(target->kind))
         keys.push_back(property.key);
-    const std::string kind(kindName(target->kind)); // of which there are several, or "settings"
-    return Failure{
-        (kind.ends_with('s') ? kind + " have no property " : "a " + kind + " has no property ")
-        + quoted(key) + suggestion(key, keys)};
+    if (target->kind == Kind::Settings)
+        return unknown(Message("settings have no property \"%1\"", key), key, keys);
+    return unknown(
+        Message("a %1 has no property \"%2\"", Message::word(kindName(target->kind)), key), key,
+        keys);
 }
 
 Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name)
@@ -116,8 +117,8 @@ Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name)
         if (!target)
             return target.failure();
         if (target->kind != kind)
-            return Failure{quoted(name) + " is a " + std::string(kindName(target->kind))
-                           + ", not a " + std::string(kindName(kind))};
+            return Failure("\"%1\" is a %2, not a %3", name, Message::word(kindName(target->kind)),
+                           Message::word(kindName(kind)));
         return target->ids.front();
     }
     std::vector<std::string_view> names;
@@ -129,24 +130,23 @@ Result<Id> findNamed(const Scene& scene, Kind kind, std::string_view name)
         names.push_back(nameOf(entry.item));
     }
     if (names.empty())
-        return Failure{"the scene has no " + std::string(kindName(kind))};
-    return Failure{"no " + std::string(kindName(kind)) + " is called " + quoted(name)
-                   + suggestion(name, names)};
+        return Failure("the scene has no %1", Message::word(kindName(kind)));
+    return unknown(Message("no %1 is called \"%2\"", Message::word(kindName(kind)), name), name,
+                   names);
 }
 
 Result<Edit> assignment(const Scene& scene, std::string_view text)
 {
     const auto equals = text.find('=');
     if (equals == std::string_view::npos)
-        return Failure{quoted(text)
-                       + " sets nothing; write PATH=VALUE, like settings.timeStep=0.002"};
+        return Failure("\"%1\" sets nothing; write PATH=VALUE, like settings.timeStep=0.002", text);
     const Result<Place> place = findPlace(scene, text.substr(0, equals));
     if (!place)
         return place.failure();
     const Result<Value> value = valueFromText(*place->property, text.substr(equals + 1));
     if (!value)
         return value.failure();
-    return weighed(scene, {"Set " + std::string(place->property->label),
+    return weighed(scene, {Message("Set %1", Message::word(place->property->label)),
                            {SetValues{place->property, place->targets, {*value}}}});
 }
 

@@ -329,9 +329,9 @@ Result<const Preset*> findPreset(std::string_view name)
         names.push_back(preset.name);
     }
     const std::string_view near = nearest(name, names);
-    return Failure{"There is no preset \"" + std::string(name) + "\"; "
-                   + (near.empty() ? "ripstop-cli presets lists them."
-                                   : "did you mean \"" + std::string(near) + "\"?")};
+    return near.empty()
+               ? Failure("There is no preset \"%1\"; ripstop-cli presets lists them.", name)
+               : Failure("There is no preset \"%1\"; did you mean \"%2\"?", name, near);
 }
 
 const Preset* presetOf(const Material& material)
@@ -359,7 +359,7 @@ Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
 {
     PresetEdit result;
     std::vector<Change>& changes = result.edit.changes;
-    result.edit.label = "Preset " + preset.label;
+    result.edit.label = Message("Preset %1", Message::word(preset.label));
     for (const Property* property : settable()) {
         const Value* value = valueOf(preset, *property);
         changes.push_back({setting(*property, materials, value ? *value : property->initial)});

@@ -244,7 +244,7 @@ bool changesLooks(const Property& property); // of things in the view, or what t
 
 // Why the property cannot have this value, as half a sentence ("must be above 0"), or nothing.
 // Dangling ids are found by check.h, which sees the whole scene.
-std::optional<std::string> refusal(const Property& property, const Value& value);
+std::optional<Message> refusal(const Property& property, const Value& value);
 
 // Values as people type them: "0.5", "true", "verlet", "1, 0, -2", "17", "0, 1; 2, 3" for a
 // table of two rows. An empty text is the

@@ -48,10 +48,10 @@ std::optional<Number> numberIn(std::string_view word)
                                                                     : std::nullopt;
 }
 
-Failure broken(std::string_view part, std::string_view why)
+Failure broken(std::string_view part, const Message& why)
 {
-    std::string message = "must be sliders such as material.stiffness #17 1 1000 log; \"";
-    return {message.append(part).append("\" ").append(why)};
+    return Failure("must be sliders such as material.stiffness #17 1 1000 log; \"%1\" %2", part,
+                   why);
 }
 
 const Property* propertyNamed(std::string_view name)
@@ -66,12 +66,12 @@ Result<Slider> sliderFromText(std::string_view text)
     const std::vector<std::string_view> words = wordsOf(text);
     Slider slider{propertyNamed(words.front()), {}, {}};
     if (!slider.property || !canBeTuned(*slider.property))
-        return broken(words.front(), "is no property that can be tuned");
+        return broken(words.front(), Message("is no property that can be tuned"));
     std::size_t next = 1;
     for (; next < words.size() && words[next].starts_with('#'); ++next) {
         const auto id = numberIn<std::uint32_t>(words[next].substr(1));
         if (!id)
-            return broken(words[next], "is no id");
+            return broken(words[next], Message("is no id"));
         slider.ids.push_back(Id{*id});
     }
     if (slider.property->kind == Kind::Settings)
@@ -79,17 +79,19 @@ Result<Slider> sliderFromText(std::string_view text)
     std::ranges::sort(slider.ids);
     slider.ids.erase(std::unique(slider.ids.begin(), slider.ids.end()), slider.ids.end());
     if (slider.ids.empty() || slider.ids.size() > mostOfASlider)
-        return broken(text, slider.ids.empty() ? "names nothing" : "names too many things");
+        return broken(text, slider.ids.empty() ? Message("names nothing")
+                                               : Message("names too many things"));
     if (!hasRange(*slider.property))
-        return next == words.size() ? Result<Slider>(slider) : broken(text, "needs no range");
+        return next == words.size() ? Result<Slider>(slider)
+                                    : broken(text, Message("needs no range"));
     const auto low = next < words.size() ? numberIn<double>(words[next++]) : std::nullopt;
     const auto high = next < words.size() ? numberIn<double>(words[next++]) : std::nullopt;
     const bool isLog = next < words.size() && words[next] == "log";
     if (!low || !high || next + (isLog ? 1 : 0) != words.size())
-        return broken(text, "needs two numbers as its range");
+        return broken(text, Message("needs two numbers as its range"));
     slider.range = {*low, *high, isLog};
     if (const auto reason = refusal(*slider.property, slider.range))
-        return broken(text, std::string("has a range that ").append(*reason));
+        return broken(text, Message("has a range that %1", *reason));
     return slider;
 }
 
@@ -134,23 +136,20 @@ SliderRange rangeAround(const Property& property, double value)
             range.logarithmic};
 }
 
-std::optional<std::string> refusal(const Property& property, const SliderRange& range)
+std::optional<Message> refusal(const Property& property, const SliderRange& range)
 {
     const bool isVector = std::holds_alternative<Vec3>(property.initial);
     if (!std::isfinite(range.low) || !std::isfinite(range.high))
-        return "must have finite ends";
+        return Message("must have finite ends");
     if (!(range.low < range.high))
-        return "must rise from left to right";
+        return Message("must rise from left to right");
     if (range.logarithmic && !(range.low > 0.0))
-        return "must begin above 0 to be logarithmic";
+        return Message("must begin above 0 to be logarithmic");
     if (range.low < (isVector ? 0.0 : property.range.low))
-        return std::string("must begin at ")
-            .append(numberText(isVector ? 0.0 : property.range.low))
-            .append(" or above");
+        return Message("must begin at %1 or above",
+                       Message::number(numberText(isVector ? 0.0 : property.range.low)));
     if (range.high > property.range.high)
-        return std::string("must end at ")
-            .append(numberText(property.range.high))
-            .append(" or below");
+        return Message("must end at %1 or below", Message::number(numberText(property.range.high)));
     return std::nullopt;
 }
 

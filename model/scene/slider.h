@@ -32,7 +32,7 @@ bool canBeTuned(const Property& property); // those, switches and choices
 SliderRange rangeAround(const Property& property, double value);
 
 // A refusal as half a sentence where the range cannot be had.
-std::optional<std::string> refusal(const Property& property, const SliderRange& range);
+std::optional<Message> refusal(const Property& property, const SliderRange& range);
 
 double valueAt(const SliderRange& range, double place); // place 0..1; three digits
 double placeOf(const SliderRange& range, double value);

@@ -41,32 +41,36 @@ struct Rest
 constexpr std::string_view minus = "\u2212"; // the typographic one
 
 // "kg, g or t"; a few are enough to see what is meant.
-std::string offered(std::string_view wanted)
+Message offered(std::string_view wanted)
 {
     const std::vector<std::string> units = unitsLike(wanted);
     const std::size_t most = std::min<std::size_t>(units.size(), 5);
-    std::string text;
-    for (std::size_t i = 0; i < most; ++i)
-        text += (i == 0 ? "" : i + 1 == most ? " or " : ", ") + units[i];
-    return text;
+    std::string list;
+    for (std::size_t i = 0; i + 1 < most; ++i)
+        list += (i == 0 ? "" : ", ") + units[i];
+    if (most < 2)
+        return Message::verbatim(most == 1 ? units[0] : std::string());
+    return Message("%1 or %2", list, units[most - 1]);
 }
 
-std::string complaintAbout(const ExpressionFault& fault, std::string_view wanted)
+Message complaintAbout(const ExpressionFault& fault, std::string_view wanted)
 {
-    const std::string units = offered(wanted);
-    const std::string word = "\"" + fault.word + "\"";
+    const Message units = offered(wanted);
     switch (fault.sort) {
     case ExpressionFault::Sort::UnknownUnit:
-        return units.empty() ? "must be a number without a unit" : "must be a number in " + units;
+        return units.empty() ? Message("must be a number without a unit")
+                             : Message("must be a number in %1", units);
     case ExpressionFault::Sort::UnlikeSum:
-        return "must be a sum of numbers in one kind of unit"
-               + (units.empty() ? "" : ", such as " + units);
+        return units.empty()
+                   ? Message("must be a sum of numbers in one kind of unit")
+                   : Message("must be a sum of numbers in one kind of unit, such as %1", units);
     case ExpressionFault::Sort::WrongUnit:
-        return wanted.empty() ? "must be a number without a unit" : "must be in " + units;
+        return wanted.empty() ? Message("must be a number without a unit")
+                              : Message("must be in %1", units);
     case ExpressionFault::Sort::NotANumber:
         break;
     }
-    return "must be a number";
+    return Message("must be a number");
 }
 
 Typed refusedFor(ExpressionFault fault, const Rest& rest, std::string_view wanted)

@@ -25,9 +25,9 @@ struct TypedNumber
 struct Typed
 {
     std::optional<TypedNumber> number;
-    std::string complaint; // half a sentence when there is none: "must be in kg, g or t, not in m"
-    std::size_t at = 0;    // character that the complaint is about, from 0
-    std::string unit;      // the unit that does not fit, if that is it
+    Message complaint;  // half a sentence when there is none: "must be in kg, g or t, not in m"
+    std::size_t at = 0; // character that the complaint is about, from 0
+    std::string unit;   // the unit that does not fit, if that is it
 };
 
 // `unit` is the wanted one, as in the table of properties; empty for a pure number.

@@ -64,43 +64,49 @@ std::string joined(std::span<const std::string_view> words)
     return text;
 }
 
-std::optional<std::string> outside(const Range& range, double value)
+std::optional<Message> outside(const Range& range, double value)
 {
     if (!std::isfinite(value))
-        return "must be a finite number";
+        return Message("must be a finite number");
+    const Message low = Message::number(number(range.low));
     if (value < range.low || (range.openLow && value == range.low))
-        return (range.openLow ? "must be above " : "must be at least ") + number(range.low);
+        return range.openLow ? Message("must be above %1", low)
+                             : Message("must be at least %1", low);
     if (value > range.high)
-        return "must be at most " + number(range.high);
+        return Message("must be at most %1", Message::number(number(range.high)));
     return std::nullopt;
 }
 
-std::string_view typeName(const Value& value)
+Message mustBeLike(const Value& value)
 {
-    constexpr std::array<std::string_view, 9> typeNames{
-        "nothing",       "true or false", "a whole number", "a number",       "a text",
-        "three numbers", "an id",         "a list of ids",  "rows of numbers"};
-    return typeNames[value.index()];
+    static const std::array<Message, 9> byType{
+        Message("must be nothing"),         Message("must be true or false"),
+        Message("must be a whole number"),  Message("must be a number"),
+        Message("must be a text"),          Message("must be three numbers"),
+        Message("must be an id"),           Message("must be a list of ids"),
+        Message("must be rows of numbers"),
+    };
+    return byType[value.index()];
 }
 
-std::optional<std::string> refusalOfRows(const Property& property, const NumberRows& table)
+std::optional<Message> refusalOfRows(const Property& property, const NumberRows& table)
 {
     if (table.empty())
-        return "needs a row";
+        return Message("needs a row");
     double last = -1.0;
     for (std::size_t i = 0; i < table.size(); ++i) {
         const std::vector<double>& row = table[i];
-        const std::string here = " (row " + std::to_string(i + 1) + ")";
         if (row.size() != std::size_t(property.columns))
-            return "must have " + std::to_string(property.columns) + " numbers in each row" + here;
+            return Message("must have %1 numbers in each row (row %2)", property.columns, i + 1);
         if (!std::ranges::all_of(row, [](double value) { return std::isfinite(value); }))
-            return "must be finite numbers" + here;
+            return Message("must be finite numbers (row %1)", i + 1);
         if (property.use.meaning != Meaning::Polar)
             continue;
         if (row[0] < 0.0 || row[0] > 90.0 || row[0] <= last)
-            return "must have angles that rise from row to row, between 0 and 90" + here;
+            return Message("must have angles that rise from row to row, between 0 and 90 (row %1)",
+                           i + 1);
         if (row[2] < 0.0) // the wind would gain energy
-            return "must have drag of at least 0" + here;
+            return Message("must have drag of at least 0 (row %1)", i + 1);
         last = row[0];
     }
     return std::nullopt;
@@ -127,7 +133,7 @@ bool isColor(std::string_view text)
 struct Reading
 {
     std::optional<Value> value;
-    std::string complaint = {};
+    Message complaint = {};
 };
 
 Reading reading(bool, std::string_view text, std::string_view)
@@ -170,7 +176,7 @@ Reading reading(const Vec3&, std::string_view text, std::string_view unit)
     for (std::size_t i = 0; i < 3; ++i) {
         const Reading part = reading(0.0, parts[i], unit);
         if (!part.value)
-            return {{}, part.complaint == "must be a number" ? "" : part.complaint};
+            return {{}, part.complaint == Message("must be a number") ? Message() : part.complaint};
         vector[Eigen::Index(i)] = std::get<double>(*part.value);
     }
     return {vector};
@@ -212,30 +218,29 @@ Reading reading(std::monostate, std::string_view, std::string_view) { return {};
 
 } // namespace
 
-std::optional<std::string> refusal(const Property& property, const Value& value)
+std::optional<Message> refusal(const Property& property, const Value& value)
 {
     if (std::holds_alternative<std::monostate>(value))
-        return property.optional ? std::nullopt : std::optional<std::string>("needs a value");
+        return property.optional ? std::nullopt : std::optional(Message("needs a value"));
     const bool sameType = property.optional ? std::holds_alternative<double>(value)
                                             : value.index() == property.initial.index();
     if (!sameType)
-        return "must be "
-               + std::string(property.optional ? "a number" : typeName(property.initial));
+        return property.optional ? Message("must be a number") : mustBeLike(property.initial);
 
     if (const auto* real = std::get_if<double>(&value))
         return outside(property.range, *real);
     if (const auto* whole = std::get_if<int>(&value))
         return outside(property.range, *whole);
     if (const auto* vector = std::get_if<Vec3>(&value); vector && !vector->allFinite())
-        return "must be three finite numbers";
+        return Message("must be three finite numbers");
     if (const auto* table = std::get_if<NumberRows>(&value))
         return refusalOfRows(property, *table);
     if (const auto* text = std::get_if<std::string>(&value)) {
         const auto choices = property.choices;
         if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
-            return "must be one of " + joined(choices);
+            return Message("must be one of %1", joined(choices));
         if (property.use.meaning == Meaning::Color && !isColor(*text))
-            return "must be a colour as #rrggbb";
+            return Message("must be a colour as #rrggbb");
         if (property.use.meaning == Meaning::Path)
             if (const auto path = pathFromText(*text); !path)
                 return path.message();
@@ -270,13 +275,12 @@ Result<Value> valueFromText(const Property& property, std::string_view text, std
     const Value shape = property.optional ? Value(0.0) : property.initial;
     const Reading read =
         std::visit([&](const auto& kind) { return reading(kind, text, unit); }, shape);
-    const auto refused = [&](const std::string& reason) {
-        return Failure{std::string(kindName(property.kind)) + "." + std::string(property.key) + " "
-                       + reason + ", not \"" + std::string(text) + "\""};
+    const auto refused = [&](const Message& reason) {
+        return Failure("%1.%2 %3, not \"%4\"", Message::word(kindName(property.kind)), property.key,
+                       reason, text);
     };
     if (!read.value)
-        return refused(read.complaint.empty() ? "must be " + std::string(typeName(shape))
-                                              : read.complaint);
+        return refused(read.complaint.empty() ? mustBeLike(shape) : read.complaint);
     if (const auto reason = refusal(property, *read.value))
         return refused(*reason);
     return *read.value;

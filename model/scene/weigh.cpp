@@ -121,9 +121,10 @@ Result<Edit> weighed(const Scene& scene, Edit edit)
         masses.targets.push_back(particle.id);
         masses.values.emplace_back(particle.mass + mass);
         if (!(particle.mass + mass > 0.0) && !failure)
-            failure = Failure{"Particle " + std::to_string(std::uint32_t(particle.id))
-                              + " weighs less than the density of its material says: empty the "
-                                "material's areal and linear density first."};
+            failure =
+                Failure("Particle %1 weighs less than the density of its material says: empty "
+                        "the material's areal and linear density first.",
+                        std::uint32_t(particle.id));
     });
     if (failure)
         return *failure;
@@ -144,7 +145,7 @@ Edit weighing(const Scene& scene)
         masses.targets.push_back(particle.id);
         masses.values.emplace_back(mass);
     });
-    Edit edit{"Weigh", {}};
+    Edit edit{Message("Weigh"), {}};
     if (!masses.targets.empty())
         edit.changes.push_back({std::move(masses)});
     return edit;

@@ -12,18 +12,18 @@ namespace {
 
 constexpr int mostPoints = 8192; // along a side
 
-Failure unreadable(const std::filesystem::path& file, const std::string& why)
+Failure unreadable(const std::filesystem::path& file, const Message& why)
 {
-    return Failure{"The picture " + file.string() + " cannot be read (" + why
-                   + "); save it as a grey PNG of 8 or 16 bits, or choose another file."};
+    return Failure("The picture %1 cannot be read (%2); save it as a grey PNG of 8 or 16 bits, or "
+                   "choose another file.",
+                   file.string(), why);
 }
 
-std::optional<std::string> badSize(long columns, long rows)
+std::optional<Message> badSize(long columns, long rows)
 {
     if (columns >= 2 && rows >= 2 && columns <= mostPoints && rows <= mostPoints)
         return std::nullopt;
-    return "it is " + std::to_string(columns) + " x " + std::to_string(rows)
-           + " points, and 2 x 2 to 8192 x 8192 are possible";
+    return Message("it is %1 x %2 points, and 2 x 2 to 8192 x 8192 are possible", columns, rows);
 }
 
 // Samples of one or two bytes, the high one first.
@@ -55,7 +55,7 @@ Result<HeightGrid> readPgm(const std::filesystem::path& file)
     if (const auto reason = badSize(columns, rows))
         return unreadable(file, *reason);
     if (white < 1 || white > 65535)
-        return unreadable(file, "its largest value is not 1 to 65535");
+        return unreadable(file, Message("its largest value is not 1 to 65535"));
     const bool wide = white > 255;
     const std::size_t count = std::size_t(columns) * std::size_t(rows);
     if (magic[1] == '2') { // as text
@@ -63,7 +63,8 @@ Result<HeightGrid> readPgm(const std::filesystem::path& file)
         for (std::size_t i = 0; i < count; ++i) {
             const long value = number();
             if (value < 0 || value > white)
-                return unreadable(file, "it ends too early or has a value that is too large");
+                return unreadable(file,
+                                  Message("it ends too early or has a value that is too large"));
             grid.height.push_back(double(value) / double(white));
         }
         return grid;
@@ -72,13 +73,13 @@ Result<HeightGrid> readPgm(const std::filesystem::path& file)
     std::vector<unsigned char> samples(count * (wide ? 2 : 1));
     in.read(reinterpret_cast<char*>(samples.data()), std::streamsize(samples.size()));
     if (!in)
-        return unreadable(file, "it ends too early");
+        return unreadable(file, Message("it ends too early"));
     return gridFrom(samples, columns, rows, double(white), wide);
 }
 
 // libpng reports flaws by a jump back to here, so nothing with a destructor may live in between.
 bool readRows(png_structp png, png_infop info, std::FILE* file, std::vector<unsigned char>& samples,
-              long (&size)[2], bool& wide, std::string& why)
+              long (&size)[2], bool& wide, Message& why)
 {
     if (setjmp(png_jmpbuf(png)))
         return false;
@@ -98,7 +99,7 @@ bool readRows(png_structp png, png_infop info, std::FILE* file, std::vector<unsi
     png_read_update_info(png, info);
     const std::size_t stride = png_get_rowbytes(png, info);
     if (stride != std::size_t(size[0]) * (wide ? 2 : 1)) {
-        why = "its kind of colour is not known";
+        why = Message("its kind of colour is not known");
         return false;
     }
     samples.resize(stride * std::size_t(size[1]));
@@ -110,9 +111,9 @@ bool readRows(png_structp png, png_infop info, std::FILE* file, std::vector<unsi
 
 Result<HeightGrid> readPng(const std::filesystem::path& file)
 {
-    std::string why = "it is damaged";
+    Message why("it is damaged");
     const auto remember = [](png_structp png, png_const_charp message) {
-        *static_cast<std::string*>(png_get_error_ptr(png)) = message;
+        *static_cast<Message*>(png_get_error_ptr(png)) = Message::verbatim(message);
         png_longjmp(png, 1);
     };
     const auto ignore = [](png_structp, png_const_charp) {};
@@ -142,7 +143,7 @@ Result<HeightGrid> readHeightPicture(const std::filesystem::path& file)
         return readPgm(file);
     if (std::memcmp(start, "\x89P", 2) == 0)
         return readPng(file);
-    return unreadable(file, "it is neither a PNG nor a PGM");
+    return unreadable(file, Message("it is neither a PNG nor a PGM"));
 }
 
 } // namespace ripstop

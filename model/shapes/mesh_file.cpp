@@ -32,9 +32,9 @@ std::string extensionOf(const std::filesystem::path& file)
     return extension;
 }
 
-Failure about(const std::filesystem::path& file, const std::string& what)
+Failure unread(const std::filesystem::path& file, std::string_view why)
 {
-    return Failure{"The mesh " + file.string() + " " + what};
+    return Failure("The mesh %1 cannot be read (%2).", file.string(), why);
 }
 
 // What would make reading it pointless.
@@ -43,25 +43,28 @@ std::optional<Failure> refusal(const std::filesystem::path& file)
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status))
-        return about(file, "does not exist; check the name and the folder.");
+        return Failure("The mesh %1 does not exist; check the name and the folder.", file.string());
     if (std::filesystem::is_directory(status))
-        return about(file, "is a folder; choose a file in it.");
+        return Failure("The mesh %1 is a folder; choose a file in it.", file.string());
     const std::string extension = extensionOf(file);
     const bool isKnown =
         std::ranges::find(extensions, extension) != extensions.end()
         || (!extension.empty() && Assimp::Importer().IsExtensionSupported(extension));
     if (!isKnown)
-        return about(file, "has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or "
-                           "Collada (.dae) file.");
+        return Failure(
+            "The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or "
+            "Collada (.dae) file.",
+            file.string());
     if (!std::filesystem::is_regular_file(status))
         return std::nullopt; // a pipe has no size
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error)
-        return about(file, "cannot be read (" + error.message() + ").");
+        return unread(file, error.message());
     if (size == 0)
-        return about(file, "is empty; save it again.");
+        return Failure("The mesh %1 is empty; save it again.", file.string());
     if (size > largestFile)
-        return about(file, "is larger than 1 GiB; make it coarser in a mesh program first.");
+        return Failure("The mesh %1 is larger than 1 GiB; make it coarser in a mesh program first.",
+                       file.string());
     return std::nullopt;
 }
 
@@ -69,10 +72,10 @@ Result<std::string> contentOf(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        return about(file, "cannot be opened; check that you may read it.");
+        return Failure("The mesh %1 cannot be opened; check that you may read it.", file.string());
     std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (stream.bad())
-        return about(file, "cannot be read to its end; check the disk.");
+        return Failure("The mesh %1 cannot be read to its end; check the disk.", file.string());
     return text;
 }
 
@@ -193,9 +196,9 @@ Result<PolygonMesh> readByAssimp(const std::filesystem::path& file, const Progre
     if (!goesOn(progress, shareOfFile))
         return Failure{"The import was cancelled."};
     if (!scene || !scene->mRootNode)
-        return about(file, std::string("cannot be read (") + importer.GetErrorString()
-                               + "). The file may be cut off or of another format; save it again, "
-                                 "or choose another file.");
+        return Failure("The mesh %1 cannot be read (%2). The file may be cut off or of another "
+                       "format; save it again, or choose another file.",
+                       file.string(), importer.GetErrorString());
     return Collector(*scene).collect();
 }
 
@@ -239,18 +242,20 @@ try {
     if (!mesh)
         return mesh;
     if (mesh->faceCount() == 0)
-        return about(file, "has no faces; choose a file with a surface.");
+        return Failure("The mesh %1 has no faces; choose a file with a surface.", file.string());
     for (std::size_t i = 0; i < mesh->points.size(); ++i)
         if (!mesh->points[i].allFinite())
-            return about(file, "has a vertex that is not finite (the one at place "
-                                   + std::to_string(i + 1) + "); save it again.");
+            return Failure(
+                "The mesh %1 has a vertex that is not finite (the one at place %2); save it "
+                "again.",
+                file.string(), i + 1);
     if (extension == "gltf" || extension == "glb" || extension == "dae") {
         mesh->unit = 1.0; // what assimp makes of them
         mesh->isUpright = true;
     }
     return mesh;
 } catch (const std::exception& error) {
-    return about(file, std::string("cannot be read (") + error.what() + ").");
+    return unread(file, error.what());
 }
 
 Result<TriangleTree> readMeshFile(const std::filesystem::path& file)
@@ -276,7 +281,8 @@ Result<TriangleTree> readMeshFile(const std::filesystem::path& file)
             corner = place[std::size_t(corner)];
     TriangleTree tree(std::move(points), triangles);
     if (tree.faces().empty())
-        return about(file, "has no face with an area; choose a file with a surface.");
+        return Failure("The mesh %1 has no face with an area; choose a file with a surface.",
+                       file.string());
     return tree;
 }
 

@@ -90,9 +90,9 @@ private:
         Vec3 point;
         for (int axis = 0; axis < 3; ++axis)
             if (!readNumber(takeWord(line), point[axis]))
-                return refuse("a vertex needs three numbers");
+                return refuse(Message("a vertex needs three numbers"));
         if (!point.allFinite())
-            return refuse("a vertex is not finite");
+            return refuse(Message("a vertex is not finite"));
         m_mesh.points.push_back(point);
     }
 
@@ -103,7 +103,7 @@ private:
         const std::string_view second = takeWord(line); // may be absent
         if (!hasU || (!second.empty() && !readNumber(second, point[1])) || !std::isfinite(point[0])
             || !std::isfinite(point[1]))
-            return refuse("a texture point needs two finite numbers");
+            return refuse(Message("a texture point needs two finite numbers"));
         m_texture.push_back(point);
     }
 
@@ -127,7 +127,7 @@ private:
             m_textureAt.push_back(at > 0 ? at - 1 : at < 0 ? int(m_texture.size()) + at : -1);
         }
         if (m_mesh.corners.size() - before < 3)
-            return refuse("a face needs three corners");
+            return refuse(Message("a face needs three corners"));
         if (m_objects.empty())
             startObject(false, {});
         if (m_mesh.materials.empty())
@@ -166,8 +166,7 @@ private:
                 const int corner = m_mesh.corners[std::size_t(c)];
                 if (corner < 0 || corner >= points) {
                     m_line = m_faceLine[i];
-                    return refuse("a face names vertex " + std::to_string(corner + 1) + " of "
-                                  + std::to_string(points));
+                    return refuse(Message("a face names vertex %1 of %2", corner + 1, points));
                 }
                 const int at = m_textureAt[std::size_t(c)];
                 if (at < 0 || at >= int(m_texture.size()))
@@ -179,14 +178,13 @@ private:
 
     void refuseCorner(std::string_view word)
     {
-        std::string what(1, '"');
-        refuse(what.append(word).append("\" is not a corner of a face"));
+        refuse(Message("\"%1\" is not a corner of a face", word));
     }
 
-    void refuse(const std::string& what)
+    void refuse(const Message& what)
     {
-        m_failure = Failure{"The mesh " + m_name + ", line " + std::to_string(m_line) + ": " + what
-                            + ". The file may be cut off; save it again."};
+        m_failure = Failure("The mesh %1, line %2: %3. The file may be cut off; save it again.",
+                            m_name, m_line, what);
     }
 
     const std::string& m_name;

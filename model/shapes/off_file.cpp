@@ -48,9 +48,9 @@ Result<PolygonMesh> readOff(std::string_view content, const std::string& name,
                             const Progress& progress)
 {
     Lines lines(content, progress);
-    const auto refuse = [&](const std::string& what) {
-        return Failure{"The mesh " + name + ", line " + std::to_string(lines.number()) + ": " + what
-                       + ". The file may be cut off; save it again."};
+    const auto refuse = [&](const Message& what) {
+        return Failure("The mesh %1, line %2: %3. The file may be cut off; save it again.", name,
+                       lines.number(), what);
     };
     std::string_view line = lines.take();
     std::string_view rest = line;
@@ -62,7 +62,7 @@ Result<PolygonMesh> readOff(std::string_view content, const std::string& name,
     long long faceCount = 0;
     if (!readNumber(takeWord(line), pointCount) || !readNumber(takeWord(line), faceCount)
         || pointCount < 0 || faceCount < 0)
-        return refuse("the numbers of vertices and faces are missing");
+        return refuse(Message("the numbers of vertices and faces are missing"));
     PolygonMesh mesh;
     mesh.objects.emplace_back();
     mesh.materials.emplace_back();
@@ -71,8 +71,7 @@ Result<PolygonMesh> readOff(std::string_view content, const std::string& name,
         Vec3 point;
         for (int axis = 0; axis < 3; ++axis)
             if (!readNumber(takeWord(line), point[axis]))
-                return refuse("vertex " + std::to_string(i + 1) + " of "
-                              + std::to_string(pointCount) + " needs three numbers");
+                return refuse(Message("vertex %1 of %2 needs three numbers", i + 1, pointCount));
         mesh.points.push_back(point);
     }
     for (long long i = 0; i < faceCount; ++i) {
@@ -86,8 +85,8 @@ Result<PolygonMesh> readOff(std::string_view content, const std::string& name,
                 mesh.corners.push_back(corner);
         }
         if (!isWhole)
-            return refuse("face " + std::to_string(i + 1) + " of " + std::to_string(faceCount)
-                          + " needs a count and as many vertices of the file");
+            return refuse(Message("face %1 of %2 needs a count and as many vertices of the file",
+                                  i + 1, faceCount));
         if (corners >= 3)
             mesh.endFace(0, 0);
         else

@@ -123,7 +123,7 @@ public:
     Result<PolygonMesh> read(std::string_view content, const Progress& progress)
     {
         if (!readHeader(content))
-            return refuse("its header cannot be understood");
+            return refuse(Message("its header cannot be understood"));
         Numbers numbers(content, m_format);
         const double size = std::max(numbers.left(), 1.0);
         for (const PlyElement& element : m_elements)
@@ -131,8 +131,8 @@ public:
                 if (row % rowsBetweenReports == 0 && !goesOn(progress, 1.0 - numbers.left() / size))
                     return Failure{"The import was cancelled."};
                 if (!readRow(element, numbers))
-                    return refuse(element.name + " " + std::to_string(row + 1) + " of "
-                                  + std::to_string(element.count) + " is not there");
+                    return refuse(
+                        Message("%1 %2 of %3 is not there", element.name, row + 1, element.count));
             }
         return whole();
     }
@@ -270,19 +270,18 @@ private:
         for (std::size_t i = 0; i < m_mesh.faceCount(); ++i)
             for (const int corner : m_mesh.face(i))
                 if (corner < 0 || corner >= int(m_mesh.points.size()))
-                    return refuse("face " + std::to_string(i + 1) + " names vertex "
-                                  + std::to_string(corner) + ", and there are "
-                                  + std::to_string(m_mesh.points.size()));
+                    return refuse(Message("face %1 names vertex %2, and there are %3", i + 1,
+                                          corner, m_mesh.points.size()));
         if (m_hasTexture)
             for (const int corner : m_mesh.corners)
                 m_mesh.texture.push_back(m_texture[std::size_t(corner)]);
         return std::move(m_mesh);
     }
 
-    Failure refuse(const std::string& what) const
+    Failure refuse(const Message& what) const
     {
-        return Failure{"The mesh " + m_name + " cannot be read: " + what
-                       + ". The file may be cut off; save it again."};
+        return Failure("The mesh %1 cannot be read: %2. The file may be cut off; save it again.",
+                       m_name, what);
     }
 
     const std::string& m_name;

@@ -61,16 +61,17 @@ private:
 };
 
 template <typename Shape, typename Read>
-Result<std::shared_ptr<const Shape>> fromFile(const std::filesystem::path& file, const char* what,
-                                              Shelf<Shape>& shelf, Effort effort, Read read)
+Result<std::shared_ptr<const Shape>> fromFile(const std::filesystem::path& file,
+                                              const Message& what, Shelf<Shape>& shelf,
+                                              Effort effort, Read read)
 {
     std::error_code error;
     const bool isThere = std::filesystem::is_regular_file(file, error);
     if (!isThere)
-        return Failure{"The " + std::string(what) + " " + file.string()
-                       + (std::filesystem::exists(file, error)
-                              ? " is not a file; choose another."
-                              : " does not exist; put it there, or choose another file.")};
+        return std::filesystem::exists(file, error)
+                   ? Failure("The %1 %2 is not a file; choose another.", what, file.string())
+                   : Failure("The %1 %2 does not exist; put it there, or choose another file.",
+                             what, file.string());
     const auto date = std::filesystem::last_write_time(file, error);
     const auto size = std::filesystem::file_size(file, error);
     std::ostringstream name;
@@ -89,14 +90,14 @@ Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem:
                                                           Effort effort)
 {
     static Shelf<HeightGrid> shelf;
-    return fromFile(file, "picture", shelf, effort, readHeightPicture);
+    return fromFile(file, Message("picture"), shelf, effort, readHeightPicture);
 }
 
 Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file,
                                                          Effort effort)
 {
     static Shelf<TriangleTree> shelf;
-    return fromFile(file, "mesh", shelf, effort, readMeshFile);
+    return fromFile(file, Message("mesh"), shelf, effort, readMeshFile);
 }
 
 std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length, Effort effort)

@@ -19,7 +19,7 @@ Box around(const Vec3& half) { return {-half, half}; }
 Box nowhere(const Solid&) { return {}; }
 double wideByNature(const Solid&) { return std::numeric_limits<double>::infinity(); }
 double acrossRadius(const Solid& solid) { return 2.0 * (solid.radius + solid.margin); }
-std::string_view sound(const Solid&) { return {}; }
+Message sound(const Solid&) { return {}; }
 
 std::vector<Vec3> cornersOf(const Box& box)
 {
@@ -32,9 +32,11 @@ std::vector<Vec3> cornersOf(const Box& box)
 
 // --- one shape after the other
 
-std::string_view flawOfPlane(const Solid& solid)
+Message flawOfPlane(const Solid& solid)
 {
-    return solid.normal.norm() > 0.0 ? "" : "needs a normal that is not zero.";
+    return solid.normal.norm() > 0.0
+               ? Message()
+               : Message("Collider %1 needs a normal that is not zero.");
 }
 
 Box boundsOfSphere(const Solid& solid) { return around(Vec3::Constant(solid.radius)); }
@@ -58,9 +60,11 @@ double widthOfBox(const Solid& solid)
     return size.y();
 }
 
-std::string_view flawOfBox(const Solid& solid)
+Message flawOfBox(const Solid& solid)
 {
-    return solid.size.minCoeff() > 0.0 ? "" : "needs edges above 0: correct its size.";
+    return solid.size.minCoeff() > 0.0
+               ? Message()
+               : Message("Collider %1 needs edges above 0: correct its size.");
 }
 
 // The second number of the size is the height.
@@ -71,10 +75,10 @@ Box boundsOfCylinder(const Solid& solid)
     return around({solid.radius, 0.5 * solid.size.y(), solid.radius});
 }
 
-std::string_view flawOfCylinder(const Solid& solid)
+Message flawOfCylinder(const Solid& solid)
 {
-    return solid.size.y() > 0.0 ? ""
-                                : "needs a height above 0: correct the second number of its size.";
+    return solid.size.y() > 0.0 ? Message()
+                                : Message("Collider %1 needs a height above 0: correct the second number of its size.");
 }
 
 Box boundsOfGround(const Solid& solid)

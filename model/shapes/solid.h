@@ -11,6 +11,7 @@
 #pragma once
 
 #include "base/contact_laws.h"
+#include "base/message.h"
 #include "shapes/shape_surface.h"
 #include "shapes/touch.h"
 
@@ -74,7 +75,7 @@ struct ShapeRow
     double (*width)(const Solid&);
 
     // What its numbers must have, as the end of a sentence on the collider; empty when they do.
-    std::string_view (*flaw)(const Solid&);
+    Message (*flaw)(const Solid&);
 
     // What the view draws; without faces when there is nothing.
     ShapeSurface (*surface)(const Solid&);

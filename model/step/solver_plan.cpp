@@ -104,13 +104,6 @@ Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
     return worst;
 }
 
-std::string text(const char* pattern, auto... values)
-{
-    char buffer[300];
-    std::snprintf(buffer, sizeof buffer, pattern, values...);
-    return buffer;
-}
-
 int substepsWithin(double timeStep, double limit, double spare)
 {
     return std::clamp(int(std::ceil(std::min(spare * timeStep / limit, double(mostSubsteps)))), 1,
@@ -130,44 +123,60 @@ SolverPlan planFor(const System& system)
     SolverPlan plan;
     plan.least = substepsForStiffness(system);
     plan.substeps = std::max(system.substeps, plan.least);
-    const std::string least =
-        plan.least > 1 ? text("; %s needs at least %d", boundingForces(system).c_str(), plan.least)
-                       : std::string();
+    const auto bounded = [&](Message reason) {
+        return plan.least > 1 ? Message("%1; %2 needs at least %3", std::move(reason),
+                                        boundingForces(system), plan.least)
+                              : reason;
+    };
     if (system.rods.empty()) {
-        plan.reason = "there are no rods" + least;
+        plan.reason = bounded(Message("there are no rods"));
         return plan;
     }
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
-    std::string block;
-    const auto solveDirectly = [&](const std::vector<int>& rods, const std::string& why) {
+    const auto solveDirectly = [&](const std::vector<int>& rods) {
         plan.direct.resize(system.rods.size(), 0);
         for (const int rod : rods)
             plan.direct[std::size_t(rod)] = 1;
-        block += text("%d rods are solved directly, since ", int(rods.size())) + why + "; ";
+        return rods.size();
     };
+    std::size_t ofFabric = 0, ofLoad = 0; // rods that are solved directly
     if (mayHaveBlocks)
         if (const std::vector<int> rods = rodsOfSmallFabric(system); !rods.empty())
-            solveDirectly(rods, "they hold fabric that is small enough for it");
+            ofFabric = solveDirectly(rods);
     Worst worst = worstRod(system, plan.direct);
     const double many = manySubsteps * system.timeStep / 0.01;
+    double ofSweeps = 0.0; // substeps that the load would need
     // A heavy load on light lines stretches them little in a step, but the sweeps give back more
     // than they took: it bounces higher and higher.
     if ((worst.substeps > many || worst.hangsHeavy) && mayHaveBlocks)
         if (const std::vector<int> rods = rodsForDirect(system); !rods.empty()) {
-            solveDirectly(rods, worst.substeps > many
-                                    ? text("their load would need %.0f substeps", worst.substeps)
-                                    : "their load is far heavier than what holds it");
+            ofLoad = solveDirectly(rods);
+            ofSweeps = worst.substeps;
             worst = worstRod(system, plan.direct);
         }
     plan.substeps =
         std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), plan.substeps);
     const bool all = !plan.direct.empty() && worst.rod < 0;
-    plan.reason = block
-                  + (all ? text("%d substeps", plan.substeps)
-                         : text("small steps: %d substeps of one sweep to begin with, for a strain "
-                                "of %.3g %%",
-                                plan.substeps, 100.0 * system.strainGoal))
-                  + least;
+    if (all)
+        plan.reason = bounded(Message("%1 substeps", plan.substeps));
+    else
+        plan.reason = bounded(Message("small steps: %1 substeps of one sweep to begin with, for a "
+                                      "strain of %2 %",
+                                      plan.substeps,
+                                      Message::number("%.3g", 100.0 * system.strainGoal)));
+    if (ofLoad > 0)
+        plan.reason =
+            ofSweeps > many
+                ? Message("%1 rods are solved directly, since their load would need %2 substeps; "
+                          "%3",
+                          ofLoad, Message::number("%.0f", ofSweeps), plan.reason)
+                : Message("%1 rods are solved directly, since their load is far heavier than what "
+                          "holds it; %2",
+                          ofLoad, plan.reason);
+    if (ofFabric > 0)
+        plan.reason = Message("%1 rods are solved directly, since they hold fabric that is small "
+                              "enough for it; %2",
+                              ofFabric, plan.reason);
     return plan;
 }
 

@@ -19,10 +19,10 @@
 // substeps follows it (adaptedSubsteps): wind and swings load rods as well.
 #pragma once
 
+#include "base/message.h"
 #include "system/system.h"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace ripstop {
@@ -32,7 +32,7 @@ struct SolverPlan
     int substeps = 1;                 // to begin with, and never fewer than System::substeps
     int least = 1;                    // that stiff forces allow, with all beside them
     std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
-    std::string reason;               // what was chosen and why, for people; one sentence
+    Message reason;                   // what was chosen and why, for people; one sentence
 };
 
 // Tells whether a plan still holds.

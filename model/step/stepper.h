@@ -49,10 +49,9 @@ public:
     int substepsOf(const System& system, const State& state) const;
 
     // What Solver::Auto began with and why, once there was a step; empty for other solvers.
-    std::string choice(const System& system) const
+    Message choice(const System& system) const
     {
-        return m_planFor.isOf(system) && system.solver == Solver::Auto ? m_plan.reason
-                                                                       : std::string();
+        return m_planFor.isOf(system) && system.solver == Solver::Auto ? m_plan.reason : Message();
     }
 
 private:

@@ -5,17 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace ripstop {
 namespace {
-
-std::string format(const char* pattern, auto... values)
-{
-    char text[240];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 // s; without end when there are no springs.
 double springLimitAt(const System& system, const State& state, std::size_t particle)
@@ -46,23 +38,23 @@ double largestMassRatio(const System& system, std::size_t particle)
 }
 
 // The most likely cause first: what the element itself says about the step.
-std::string causeAt(const System& system, const State& before, int substeps, std::size_t particle)
+Message causeAt(const System& system, const State& before, int substeps, std::size_t particle)
 {
     const double h = system.timeStep / substeps;
     const double limit = springLimitAt(system, before, particle);
     if (h > limit)
-        return format("the substep of %.3g s is above the %.3g s that its springs allow; "
-                      "shorten the time step, add substeps, or lower stiffness and damping",
-                      h, limit);
+        return Message("the substep of %1 s is above the %2 s that its springs allow; shorten the "
+                       "time step, add substeps, or lower stiffness and damping",
+                       Message::number("%.3g", h), Message::number("%.3g", limit));
     if (system.integrator == Integrator::ExplicitEuler && std::isfinite(limit))
-        return "explicit Euler gains energy from springs at any time step; choose another "
-               "integrator or add damping";
+        return Message("explicit Euler gains energy from springs at any time step; choose another "
+                       "integrator or add damping");
     if (const double ratio = largestMassRatio(system, particle); ratio > 1000.0)
-        return format("a rod joins it to a particle of %.0f times another mass; add substeps or "
-                      "bring the masses closer",
-                      ratio);
-    return "something pushes it harder than the time step resolves; shorten the time step or "
-           "look at the forces there";
+        return Message("a rod joins it to a particle of %1 times another mass; add substeps or "
+                       "bring the masses closer",
+                       Message::number("%.0f", ratio));
+    return Message("something pushes it harder than the time step resolves; shorten the time step "
+                   "or look at the forces there");
 }
 
 } // namespace
@@ -80,12 +72,13 @@ std::optional<Trouble> findTrouble(const System& system, const State& before, co
             continue;
         const Key key = TwinOrigins(after.splits).particle(system.key[i]);
         Trouble trouble{after.time, key, {}};
-        trouble.message = "particle " + std::to_string(key)
-                          + (finite ? format(" reached %.3g m/s, above the limit of %.3g m/s,",
-                                             speed, system.speedLimit)
-                                    : " left the range of numbers")
-                          + format(" at %.4f s: ", after.time)
-                          + causeAt(system, before, substeps, i);
+        const Message time = Message::number("%.4f", after.time);
+        const Message cause = causeAt(system, before, substeps, i);
+        trouble.message =
+            finite ? Message("particle %1 reached %2 m/s, above the limit of %3 m/s, at %4 s: %5",
+                             key, Message::number("%.3g", speed),
+                             Message::number("%.3g", system.speedLimit), time, cause)
+                   : Message("particle %1 left the range of numbers at %2 s: %3", key, time, cause);
         return trouble;
     }
     return std::nullopt;

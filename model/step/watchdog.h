@@ -2,6 +2,7 @@
 // It reads the states that it is given and nothing else: any thread may call it.
 #pragma once
 
+#include "base/message.h"
 #include "system/system.h"
 #include "system/trouble.h"
 

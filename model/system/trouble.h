@@ -2,17 +2,16 @@
 // command line pass it on.
 #pragma once
 
+#include "base/message.h"
 #include "system/key.h"
-
-#include <string>
 
 namespace ripstop {
 
 struct Trouble
 {
-    double time = 0.0;   // s
-    Key particle = 0;    // the first that went wrong
-    std::string message; // element, time and likely cause, for people
+    double time = 0.0; // s
+    Key particle = 0;  // the first that went wrong
+    Message message;   // element, time and likely cause, for people
 };
 
 } // namespace ripstop

@@ -93,7 +93,7 @@ private slots:
         const QString file = shop.folder.filePath("kite.zip");
         QCOMPARE(QDir(shop.folder.path()).entryList(QDir::Files), QStringList{"kite.zip"});
         const auto bundle = openBundle(file.toStdString());
-        QVERIFY2(bundle, bundle ? "" : bundle.message().c_str());
+        QVERIFY2(bundle, bundle ? "" : bundle.message().english().c_str());
         QVERIFY(std::abs(bundle->manifest.end - 0.5) < 0.003);
         const QImage view(QString::fromStdString((bundle->folder / "view.png").string()));
         QCOMPARE(view.size(), QSize(320, 240));

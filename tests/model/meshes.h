@@ -53,7 +53,7 @@ inline PolygonMesh meshOf(const char* obj)
 {
     Result<PolygonMesh> mesh = readObj(obj, "test");
     if (!mesh)
-        qFatal("%s", mesh.message().c_str());
+        qFatal("%s", mesh.message().english().c_str());
     return *mesh;
 }
 
@@ -61,7 +61,7 @@ inline PreparedMesh preparedOf(const PolygonMesh& mesh, const MeshShape& shape =
 {
     Result<PreparedMesh> result = prepared(mesh, shape);
     if (!result)
-        qFatal("%s", result.message().c_str());
+        qFatal("%s", result.message().english().c_str());
     return *result;
 }
 
@@ -80,7 +80,7 @@ inline MeshImport importOf(const PreparedMesh& mesh, const MeshFabric& fabric = 
 {
     Result<MeshImport> result = fabricOf(mesh, fabric, "sail", surroundingsOf(scene));
     if (!result)
-        qFatal("%s", result.message().c_str());
+        qFatal("%s", result.message().english().c_str());
     return *result;
 }
 
@@ -159,7 +159,7 @@ protected:
     {
         Result<PolygonMesh> mesh = readPolygonFile(write(name, content).toStdString());
         if (!mesh)
-            qFatal("%s", mesh.message().c_str());
+            qFatal("%s", mesh.message().english().c_str());
         return *mesh;
     }
 

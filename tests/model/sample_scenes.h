@@ -16,7 +16,7 @@ inline Scene sample(const QString& name)
     const Result<Scene> scene =
         readScene((QStringLiteral(SCENES_DIR) + "/" + name + ".ripstop.json").toStdString());
     if (!scene)
-        qFatal("%s", scene.message().c_str());
+        qFatal("%s", scene.message().english().c_str());
     return *scene;
 }
 
@@ -24,7 +24,7 @@ inline Simulation started(const QString& name)
 {
     const auto system = compile(sample(name));
     if (!system)
-        qFatal("%s", system.message().c_str());
+        qFatal("%s", system.message().english().c_str());
     return Simulation(*system);
 }
 

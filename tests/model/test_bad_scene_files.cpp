@@ -130,7 +130,7 @@ private slots:
 
         const Result<Scene> scene = parseScene(text.toStdString(), "wing.ripstop.json");
         QVERIFY(!scene);
-        const QString message = QString::fromStdString(scene.message());
+        const QString message = QString::fromStdString(scene.message().english());
         const QString start = QString("wing.ripstop.json, line %1%2")
                                   .arg(line)
                                   .arg(path.isEmpty() ? ": the file " : ", " + path);
@@ -149,14 +149,15 @@ private slots:
         text.append(1000, '\0'); // what a file system may leave after a power cut
         const Result<Scene> inside = parseScene(text, "wing");
         QVERIFY(!inside);
-        QVERIFY2(inside.message().find("zero bytes") != std::string::npos,
-                 inside.message().c_str());
+        QVERIFY2(inside.message().english().find("zero bytes") != std::string::npos,
+                 inside.message().english().c_str());
 
         text = withItems("").toStdString();
         text.append(3, '\0');
         const Result<Scene> behind = parseScene(text, "wing");
         QVERIFY(!behind);
-        QVERIFY2(behind.message().find("line 6") != std::string::npos, behind.message().c_str());
+        QVERIFY2(behind.message().english().find("line 6") != std::string::npos,
+                 behind.message().english().c_str());
     }
 
     // A gigabyte of zeros must be refused by its first byte.
@@ -173,7 +174,7 @@ private slots:
         const Result<Scene> scene = readScene(path.toStdString());
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         QVERIFY(!scene);
-        QVERIFY(scene.message().find("zeros.ripstop.json, line 1") != std::string::npos);
+        QVERIFY(scene.message().english().find("zeros.ripstop.json, line 1") != std::string::npos);
         QVERIFY(taken.count() < 1.0);
     }
 
@@ -198,7 +199,7 @@ private slots:
         QFETCH(QString, fragment);
         const Result<Scene> scene = readScene(path.toStdString());
         QVERIFY(!scene);
-        const QString message = QString::fromStdString(scene.message());
+        const QString message = QString::fromStdString(scene.message().english());
         QVERIFY2(message.startsWith(path) && message.contains(fragment), qPrintable(message));
     }
 };

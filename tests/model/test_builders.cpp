@@ -168,10 +168,12 @@ private slots:
                     ? "defaults"
                     : QString("%1=%2").arg(given.begin()->first.c_str()).arg(given.begin()->second);
             const Result<Scene> scene = build(builder, given);
-            QVERIFY2(bool(scene), qPrintable(scene ? what : what + ": " + scene.message().c_str()));
-            const std::vector<Problem> problems = problemsOf(*scene);
+            QVERIFY2(bool(scene),
+                     qPrintable(scene ? what : what + ": " + scene.message().english().c_str()));
+            const std::vector<Finding> problems = problemsOf(*scene);
             if (hasErrors(problems))
-                QFAIL(qPrintable(what + ": " + QString::fromStdString(problems[0].message)));
+                QFAIL(qPrintable(what + ": "
+                                 + QString::fromStdString(problems[0].message.english())));
             forEachPart(*scene, [&](Id, const Part& part) {
                 checkPart(part, what);
                 QCOMPARE(part.builder, std::string(builder.name));
@@ -193,7 +195,7 @@ private slots:
     void refusesWhatIsWrong()
     {
         const Builder& kite = *findBuilder("delta_kite");
-        QVERIFY(QString::fromStdString(build(kite, {{"segmnts", 8}}).message())
+        QVERIFY(QString::fromStdString(build(kite, {{"segmnts", 8}}).message().english())
                     .contains("did you mean \"segments\""));
         for (const Parameters& wrong :
              {Parameters{{"segments", 8.5}}, {{"segments", -1}}, {{"span", 1e9}}, {{"span", NAN}}})
@@ -207,7 +209,8 @@ private slots:
             Parameters given;
             setTable(given, *bridle.table, *tableFromText(*bridle.table, table));
             const Result<Scene> scene = build(bridle, given);
-            QVERIFY2(!scene && QString::fromStdString(scene.message()).contains(place), table);
+            QVERIFY2(!scene && QString::fromStdString(scene.message().english()).contains(place),
+                     table);
         }
     }
 

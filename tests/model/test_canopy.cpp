@@ -228,10 +228,10 @@ private slots:
         Part part = cup();
         spoil(part);
         const Scene scene = sceneOf(part);
-        const std::vector<Problem> problems = problemsOf(scene);
+        const std::vector<Finding> problems = problemsOf(scene);
         QVERIFY(hasErrors(problems));
-        QCOMPARE(problems[0].culprit, partId);
-        const QString message = QString::fromStdString(problems[0].message);
+        QCOMPARE(problems[0].culprit(), partId);
+        const QString message = QString::fromStdString(problems[0].message.english());
         QVERIFY2(message.startsWith("Part sail ") && message.contains(says), qPrintable(message));
         QVERIFY(message.endsWith("or set its canopyPressure to 0."));
         QVERIFY(!compile(scene));
@@ -246,9 +246,10 @@ private slots:
         other.particles = {{Id{80}, {0, 5, 0}}};
         scene.items.push_back({Id{70}, other});
         std::get<Part>(scene.items[0].item).panels[0].a = Id{80};
-        const std::vector<Problem> problems = problemsOf(scene);
+        const std::vector<Finding> problems = problemsOf(scene);
         QVERIFY(hasErrors(problems));
-        QVERIFY(problems[0].message.find("panel 31 has a corner that is not") != std::string::npos);
+        QVERIFY(problems[0].message.english().find("panel 31 has a corner that is not")
+                != std::string::npos);
     }
 
     // From a mouth that is all but shut, thrown or let go, straight or bent.

@@ -174,14 +174,14 @@ private slots:
         QFETCH(QString, says);
         Scene scene = sound();
         spoil(scene);
-        const std::vector<Problem> problems = problemsOf(scene);
+        const std::vector<Finding> problems = problemsOf(scene);
         QStringList messages;
-        for (const Problem& problem : problems)
-            messages << QString::fromStdString(problem.message);
+        for (const Finding& problem : problems)
+            messages << QString::fromStdString(problem.message.english());
         QVERIFY2(problems.size() == 1, qPrintable(messages.join('\n')));
         QCOMPARE(problems[0].severity == Severity::Error, isError);
         QCOMPARE(hasErrors(problems), isError);
-        QCOMPARE(quint32(problems[0].culprit), culprit);
+        QCOMPARE(quint32(problems[0].culprit()), culprit);
         const QString& message = messages[0];
         QVERIFY2(message.contains(says), qPrintable(message));
         // a sentence
@@ -228,8 +228,8 @@ private slots:
         QFETCH(Break, change);
         Scene scene = sound();
         change(scene);
-        const std::vector<Problem> problems = problemsOf(scene);
-        QVERIFY2(problems.empty(), problems.empty() ? "" : problems[0].message.c_str());
+        const std::vector<Finding> problems = problemsOf(scene);
+        QVERIFY2(problems.empty(), problems.empty() ? "" : problems[0].message.english().c_str());
     }
 
     void errorsComeFirst()
@@ -239,10 +239,10 @@ private slots:
         addItem(scene, Control{"pull"});           // a warning
         part(scene).links[0].from = Id{99};        // an error
         part(scene).particles[2].mass = 0.0;       // an error
-        const std::vector<Problem> problems = problemsOf(scene);
+        const std::vector<Finding> problems = problemsOf(scene);
         bool warned = false;
         int errors = 0;
-        for (const Problem& problem : problems) {
+        for (const Finding& problem : problems) {
             warned |= problem.severity == Severity::Warning;
             QVERIFY(!warned || problem.severity == Severity::Warning);
             errors += problem.severity == Severity::Error;
@@ -257,12 +257,12 @@ private slots:
         for (std::uint32_t i = 0; i < 1000; ++i)
             part(scene).links.push_back({Id{100 + i}, Id{5000}, Id{11}});
         part(scene).particles[2].mass = 0.0;
-        const std::vector<Problem> problems = problemsOf(scene, 5);
+        const std::vector<Finding> problems = problemsOf(scene, 5);
         int dangling = 0;
         int massless = 0;
-        for (const Problem& problem : problems) {
-            dangling += problem.message.find("does not exist") != std::string::npos;
-            massless += problem.message.find("no mass") != std::string::npos;
+        for (const Finding& problem : problems) {
+            dangling += problem.message.english().find("does not exist") != std::string::npos;
+            massless += problem.message.english().find("no mass") != std::string::npos;
         }
         QCOMPARE(dangling, 5);
         QCOMPARE(massless, 1);

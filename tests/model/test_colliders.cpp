@@ -48,7 +48,7 @@ Obstacle obstacleOf(const Collider& collider)
 {
     const auto system = compile(sceneWith(collider));
     if (!system)
-        qFatal("%s", system.message().c_str());
+        qFatal("%s", system.message().english().c_str());
     return (*system)->obstacles.back();
 }
 
@@ -62,9 +62,9 @@ void write(const QString& path, const QByteArray& bytes)
 QString problem(const Collider& collider)
 {
     const auto problems = problemsOf(sceneWith(collider));
-    for (const Problem& found : problems)
-        if (found.culprit == colliderId)
-            return QString::fromStdString(found.message);
+    for (const Finding& found : problems)
+        if (found.culprit() == colliderId)
+            return QString::fromStdString(found.message.english());
     return {};
 }
 
@@ -146,7 +146,7 @@ private slots:
     void pathRefusalsNameTheRow()
     {
         const auto message = [](const char* text) {
-            return QString::fromStdString(pathFromText(text).message());
+            return QString::fromStdString(pathFromText(text).message().english());
         };
         QVERIFY(message("0: 1 2 3; 1: 2 3").contains("row 2, \" 1: 2 3\", is not"));
         QVERIFY(message("0: 1 2 3; 2: 2 3 4; 1: 0 0 0").contains("row 3"));
@@ -280,7 +280,7 @@ private slots:
         QFile::remove(folder.filePath("meshes/square.obj"));
         const auto problems = problemsOf(*scene);
         QVERIFY(hasErrors(problems));
-        const QString message = QString::fromStdString(problems.front().message);
+        const QString message = QString::fromStdString(problems.front().message.english());
         QVERIFY2(message.contains(folder.filePath("meshes/square.obj"))
                      && message.contains("does not exist; put it there"),
                  qPrintable(message));
@@ -324,12 +324,12 @@ private slots:
         const auto set = [&](const char* assigned) {
             const auto edit = assignment(live.scene(), assigned);
             if (!edit)
-                qFatal("%s", edit.message().c_str());
+                qFatal("%s", edit.message().english().c_str());
             live.apply(*edit);
         };
         set("thing.shape=mesh");
         const auto failed = live.update(2, 1);
-        QVERIFY(std::holds_alternative<Problem>(failed));
+        QVERIFY(std::holds_alternative<Finding>(failed));
         set("thing.shape=height_field");
         const auto update = live.update(3, 1);
         QVERIFY(std::holds_alternative<Update>(update));

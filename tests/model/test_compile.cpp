@@ -59,7 +59,7 @@ std::shared_ptr<const System> compiled(const Scene& scene)
 {
     const auto system = compile(scene, 7, 3);
     if (!system)
-        qFatal("%s", system.message().c_str());
+        qFatal("%s", system.message().english().c_str());
     return *system;
 }
 

@@ -56,7 +56,7 @@ private slots:
         const std::filesystem::path file = folder.filePath("track.csv").toStdString();
         QVERIFY(!writeControlTrack(scene, trackOf(*flown), file));
         const auto track = readControlTrack(file, scene);
-        QVERIFY2(track, track ? "" : track.message().c_str());
+        QVERIFY2(track, track ? "" : track.message().english().c_str());
         ControlPlayer player(*track);
         Simulation again(*system);
         for (int step = 0; step < 240; ++step) {
@@ -68,7 +68,7 @@ private slots:
         // and another design that has a control of that name
         const Scene other = glider(10.5);
         const auto onOther = readControlTrack(file, other);
-        QVERIFY2(onOther, onOther ? "" : onOther.message().c_str());
+        QVERIFY2(onOther, onOther ? "" : onOther.message().english().c_str());
         QCOMPARE(onOther->commands.size(), track->commands.size());
     }
 
@@ -113,7 +113,7 @@ private slots:
         QVERIFY(text.open(QIODevice::ReadOnly));
         QCOMPARE(text.readAll().contains("#7"), !byName);
         const auto track = readControlTrack(file.toStdString(), scene);
-        QVERIFY2(track, track ? "" : track.message().c_str());
+        QVERIFY2(track, track ? "" : track.message().english().c_str());
         QCOMPARE(track->commands.front().control, 7u);
         QCOMPARE(track->commands.front().time, 0.1);
         QCOMPARE(track->commands.front().value, 0.25);
@@ -131,7 +131,7 @@ private slots:
         const std::string file = folder.filePath("track.csv").toStdString();
         QVERIFY(!writeControlTrack(scene, ControlTrack{{{0.0, 8, 0.1}, {0.0, 7, 0.2}}, {}}, file));
         const auto track = readControlTrack(file, scene);
-        QVERIFY2(track, track ? "" : track.message().c_str());
+        QVERIFY2(track, track ? "" : track.message().english().c_str());
         QCOMPARE(track->commands.front().control, 8u);
         QCOMPARE(track->commands.back().control, 7u);
     }
@@ -145,7 +145,7 @@ private slots:
         scene.items.push_back({Id{7}, control});
         const auto track =
             readControlTrack(SOURCE_DIR "/tests/model/golden/control_track_v1.csv", scene);
-        QVERIFY2(track, track ? "" : track.message().c_str());
+        QVERIFY2(track, track ? "" : track.message().english().c_str());
         QVERIFY(track->hands.empty());
         QCOMPARE(track->commands.size(), std::size_t(2));
         QCOMPARE(track->commands[1].time, 0.5);
@@ -156,7 +156,7 @@ private slots:
     {
         const auto track =
             readControlTrack(SOURCE_DIR "/tests/model/golden/control_track_v2.csv", Scene());
-        QVERIFY2(track, track ? "" : track.message().c_str());
+        QVERIFY2(track, track ? "" : track.message().english().c_str());
         HandPull pull;
         pull.grip = {{5, 6, 7}, {0.25, 0.25, 0.5}};
         pull.to = {1.0, 2.0, -3.0};
@@ -201,7 +201,7 @@ private slots:
         const std::string file = folder.filePath("track.csv").toStdString();
         QVERIFY(!writeControlTrack(Scene(), odd, file));
         const auto again = readControlTrack(file, Scene());
-        QVERIFY2(again, again ? "" : again.message().c_str());
+        QVERIFY2(again, again ? "" : again.message().english().c_str());
         QCOMPARE(again->hands.size(), odd.hands.size());
         for (std::size_t i = 0; i < odd.hands.size(); ++i) {
             QCOMPARE(again->hands[i].time, odd.hands[i].time);
@@ -243,7 +243,7 @@ private slots:
         text.close();
         const auto track = readControlTrack(file.toStdString(), Scene());
         QVERIFY(!track);
-        const QString message = QString::fromStdString(track.message());
+        const QString message = QString::fromStdString(track.message().english());
         QVERIFY2(message.contains("line 2") && message.contains(says), qPrintable(message));
     }
 };

@@ -65,7 +65,7 @@ Scene after(Scene scene, const Edit& edit)
     again.nextId = scene.nextId;
     [&] { QVERIFY2(again == scene, "redo must give the same"); }();
     const auto problem = firstError(scene, ElementIndex(scene));
-    [&] { QVERIFY2(!problem, problem ? problem->message.c_str() : ""); }();
+    [&] { QVERIFY2(!problem, problem ? problem->message.english().c_str() : ""); }();
     return scene;
 }
 
@@ -222,7 +222,7 @@ private slots:
         const Scene scene = strip();
         const Scene some = excerpt(scene, {Id{2}, Id{3}, Id{4}, Id{5}, Id{31}});
         const Result<Scene> read = parseScene(sceneText(some), "the clipboard");
-        QVERIFY2(read, read ? "" : read.message().c_str());
+        QVERIFY2(read, read ? "" : read.message().english().c_str());
         QCOMPARE(partOf(*read).links.size(), std::size_t(4));
 
         // into a scene that has none of it, and into its own, where the material is there
@@ -417,10 +417,10 @@ private slots:
             const Scene now = after(scene, shaped->edit);
             QVERIFY(!(now == scene));
         } else {
-            QVERIFY(shaped.message().ends_with("."));
+            QVERIFY(shaped.message().english().ends_with("."));
         }
         const Result<Shaped> nothing = operation.apply(scene, {}, values);
-        QVERIFY(!nothing && nothing.message().ends_with("."));
+        QVERIFY(!nothing && nothing.message().english().ends_with("."));
     }
 
     void everyDesignTakesEveryOperation_data()
@@ -461,7 +461,7 @@ private slots:
         (void)after(scene, flattened(scene, whole, RestLengths::Keep));
         const Scene text = excerpt(scene, some);
         const Result<Scene> read = parseScene(sceneText(text), "the clipboard");
-        QVERIFY2(read, read ? "" : read.message().c_str());
+        QVERIFY2(read, read ? "" : read.message().english().c_str());
         (void)after(scene, pasted(scene, *read).edit);
     }
 

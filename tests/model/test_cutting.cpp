@@ -267,7 +267,7 @@ private slots:
         const std::string file = folder.filePath("cuts.csv").toStdString();
         QVERIFY(!writeControlTrack(scene, trackOf(*frame), file));
         const auto track = readControlTrack(file, scene);
-        QVERIFY2(track, track ? "" : track.message().c_str());
+        QVERIFY2(track, track ? "" : track.message().english().c_str());
         for (const int threads : {1, 2, 4}) {
             Simulation again(*system, threads);
             ControlPlayer hands(*track);
@@ -281,7 +281,7 @@ private slots:
         const Posed made = posed(scene, *frame);
         QVERIFY(!hasErrors(problemsOf(made.scene)));
         const auto design = compile(made.scene);
-        QVERIFY2(design, design ? "" : design.message().c_str());
+        QVERIFY2(design, design ? "" : design.message().english().c_str());
         QCOMPARE((*design)->panels.size(), (*system)->panels.size());
         QCOMPARE((*design)->key.size(), first.system().key.size());
         QCOMPARE(piecesOf(**design, (*design)->start), piecesOf(first.system(), first.state()));

@@ -20,7 +20,7 @@ Scene built(const char* name, const Parameters& given = {})
 {
     const Result<Scene> scene = build(*findBuilder(name), given);
     if (!scene)
-        qFatal("%s", scene.message().c_str());
+        qFatal("%s", scene.message().english().c_str());
     return *scene;
 }
 
@@ -41,7 +41,7 @@ Simulation started(const Scene& scene)
 {
     const auto system = compile(scene);
     if (!system)
-        qFatal("%s", system.message().c_str());
+        qFatal("%s", system.message().english().c_str());
     return Simulation(*system);
 }
 

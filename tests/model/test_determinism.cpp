@@ -280,7 +280,7 @@ private slots:
     {
         QFETCH(QString, file);
         const auto scene = readScene((QStringLiteral(SCENES_DIR) + "/" + file).toStdString());
-        QVERIFY2(bool(scene), scene ? "" : scene.message().c_str());
+        QVERIFY2(bool(scene), scene ? "" : scene.message().english().c_str());
         std::vector<State> states;
         for (const int threads : {1, 1, 2, 3, 8}) {
             const auto system = compile(*scene);
@@ -320,7 +320,7 @@ private slots:
                 parameters[std::string(parameter.key)] = fineness;
         QVERIFY(fineness == 0 || parameters.size() == 2);
         const auto scene = build(builder, parameters);
-        QVERIFY2(bool(scene), scene ? "" : scene.message().c_str());
+        QVERIFY2(bool(scene), scene ? "" : scene.message().english().c_str());
 
         std::vector<State> states;
         for (const int threads : {1, 1, 2, 3, 8}) {

@@ -27,7 +27,7 @@ struct Sheet
         material = drawing.material({.name = "cord"});
         for (const Vec3& place : places)
             nodes.push_back(drawing.particle(part, place, 0.1));
-        (void)apply(scene, drawing.finish("Draw"));
+        (void)apply(scene, drawing.finish(Message("Draw")));
     }
 
     void link(const std::vector<std::array<int, 2>>& pairs)
@@ -35,11 +35,11 @@ struct Sheet
         Drawing drawing(scene);
         for (const auto& [a, b] : pairs)
             drawing.link(nodes[std::size_t(a)], nodes[std::size_t(b)], {material});
-        (void)apply(scene, drawing.finish("Link"));
+        (void)apply(scene, drawing.finish(Message("Link")));
     }
     void pin(int node)
     {
-        (void)apply(scene, {"Pin",
+        (void)apply(scene, {Message("Pin"),
                             {SetValues{findProperty(Kind::Particle, "pinned"),
                                        {nodes[std::size_t(node)]},
                                        {true}}}});
@@ -88,7 +88,7 @@ private slots:
         const Id rod = drawing.link(sheet.nodes[0], top, {sheet.material});
         const Id panel = drawing.panel(sheet.nodes[0], sheet.nodes[1], top, sheet.material);
         QCOMPARE(drawing.made(), (std::vector<Id>{top, rod, panel}));
-        const Edit undo = apply(sheet.scene, drawing.finish("Draw"));
+        const Edit undo = apply(sheet.scene, drawing.finish(Message("Draw")));
         QCOMPARE(sheet.rows().particles.size(), 5U);
         QCOMPARE(sheet.rows().links.at(0).restLength, std::sqrt(0.25 + 0.25 + 4.0));
         QCOMPARE(sheet.rows().panels.size(), 1U);
@@ -111,10 +111,10 @@ private slots:
                  noId);
         QCOMPARE(drawing.panel(sheet.nodes[3], sheet.nodes[0], sheet.nodes[3], sheet.material),
                  noId);
-        (void)apply(sheet.scene, drawing.finish("Draw"));
+        (void)apply(sheet.scene, drawing.finish(Message("Draw")));
         Drawing more(sheet.scene);
         QCOMPARE(more.link(sheet.nodes[0], sheet.nodes[1], stroke), noId);
-        QVERIFY(more.finish("Draw").changes.empty());
+        QVERIFY(more.finish(Message("Draw")).changes.empty());
     }
 
     void ropeHasItsLengthAndMass()
@@ -124,7 +124,7 @@ private slots:
         const std::vector<Id> nodes =
             drawing.rope(sheet.nodes[0], sheet.nodes[1], 10, 0.5, 0.02, {sheet.material});
         QCOMPARE(nodes.size(), 11U);
-        (void)apply(sheet.scene, drawing.finish("Rope"));
+        (void)apply(sheet.scene, drawing.finish(Message("Rope")));
         double length = 0.0;
         for (const Link& link : sheet.rows().links)
             length += link.restLength;
@@ -201,7 +201,7 @@ private slots:
             link.to = sheet.nodes[std::size_t(b)];
             link.material = sheet.material;
             rows.links.push_back(link);
-            (void)apply(sheet.scene, {"Link", {rows}});
+            (void)apply(sheet.scene, {Message("Link"), {rows}});
         }
         const Rigidity rigidity = sheet.rigidity();
         QCOMPARE(rigidity.rigidMotions, rigid);
@@ -316,7 +316,7 @@ private slots:
         const Sheet large(std::vector<Vec3>(mostForRigidity + 1, Vec3::Zero()));
         const auto refused = rigidityOf(large.scene, large.nodes);
         QVERIFY(!refused);
-        QVERIFY(refused.message().find("300") != std::string::npos);
+        QVERIFY(refused.message().english().find("300") != std::string::npos);
     }
 };
 

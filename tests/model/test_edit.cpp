@@ -77,8 +77,8 @@ private slots:
         QTest::newRow("a value for each") << one(SetValues{mass, {s.c, s.a, s.b}, {0.1, 0.2, 0.3}});
         QTest::newRow("a setting") << one(SetValues{
             row(Kind::Settings, "solver"), {settingsId}, {std::string("averaged_jacobi")}});
-        QTest::newRow("the same value twice")
-            << Edit{"test", {SetValues{mass, {s.a}, {0.5}}, SetValues{mass, {s.a}, {0.7}}}};
+        QTest::newRow("the same value twice") << Edit{
+            Message("test"), {SetValues{mass, {s.a}, {0.5}}, SetValues{mass, {s.a}, {0.7}}}};
         QTest::newRow("an absent value")
             << one(SetValues{row(Kind::Link, "stiffness"), {s.ab}, {40.0}});
         QTest::newRow("a list of ids")
@@ -97,7 +97,7 @@ private slots:
         QTest::newRow("all rows away")
             << one(RemoveRows{s.line, {s.knot, s.hand}, {s.bridle, s.rope}, {}});
         QTest::newRow("part, then rows in it")
-            << Edit{"test",
+            << Edit{Message("test"),
                     {AddItem{7, {Id{30}, Part{"tail"}}}, AddRows{Id{30}, {{Id{31}}}, {}, {}},
                      SetValues{mass, {Id{31}}, {2.0}}}};
         QTest::newRow("removal of a particle") << removal(s.scene, {s.b});
@@ -300,7 +300,7 @@ private slots:
         const Edit later = one(SetValues{mass, {s.a, s.b}, {0.1, 0.2}});
         const Edit fewer = one(SetValues{mass, {s.a}, {0.5}});
         const Edit other = one(SetValues{pinned, {s.a, s.b}, {true}});
-        const Edit longer{"test", {first.changes[0], first.changes[0]}};
+        const Edit longer{Message("test"), {first.changes[0], first.changes[0]}};
         const Edit item = one(AddItem{0, {Id{30}, Wind{}}});
         QVERIFY(sameTargets(first, first));
         QVERIFY(sameTargets(first, later));

@@ -155,7 +155,7 @@ private slots:
         QTemporaryDir folder;
         for (const char* name : {"a.glb", "b.pc2", "c.mdd"}) {
             const auto failure = exported(flight, folder.filePath(name));
-            QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+            QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         }
         QVERIFY(write(folder.filePath("expected.json"),
                       {{"fps", fps}, {"frames", fly(flight).standing}}));
@@ -179,7 +179,7 @@ private slots:
         const Flight& flight = flights[std::size_t(number)];
         QTemporaryDir folder;
         const auto failure = exported(flight, folder.filePath("series.pvd"));
-        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+        QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         const Expected expected = fly(flight);
         QVERIFY(write(folder.filePath("expected.json"),
                       {{"times", expected.times}, {"frames", expected.all}}));

@@ -45,7 +45,7 @@ Outcome fly(System& system, double seconds, const HandCommands& hands = {})
     simulation.handle(hands);
     simulation.runUntil(seconds);
     if (const auto& trouble = simulation.trouble())
-        qFatal("%s", trouble->message.c_str());
+        qFatal("%s", trouble->message.english().c_str());
     const State& state = simulation.state();
     return {state.work, energies(system, state).total() - energies(system, system.start).total(),
             state};

@@ -193,7 +193,7 @@ private slots:
     void opensOlderRecordings()
     {
         const auto opened = openRecording(SOURCE_DIR "/tests/model/golden/pendulum_v1.ripstop-run");
-        QVERIFY2(opened, opened ? "" : opened.message().c_str());
+        QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
         QVERIFY(opened->damage.empty());
         QCOMPARE(opened->recording->lastStep(), std::int64_t(24));
     }

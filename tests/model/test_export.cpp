@@ -262,7 +262,7 @@ private slots:
                           share = done;
                           return forward;
                       });
-        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+        QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         QCOMPARE(share, 1.0);
 
         QXmlStreamReader xml(contentOf(path));
@@ -330,7 +330,7 @@ private slots:
                                        folder.filePath(target).toStdString(),
                                        [](double done) { return done < 0.5; });
         QVERIFY(failure);
-        QVERIFY(failure->message.find("cancelled") != std::string::npos);
+        QVERIFY(failure->message.english().find("cancelled") != std::string::npos);
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
@@ -348,7 +348,7 @@ private slots:
                                        {.from = 0.0, .to = 5.0, .fps = 10.0}, path.toStdString());
         QVERIFY(failure);
         QVERIFY(simulation.trouble());
-        QVERIFY(failure->message.find("stopped") != std::string::npos);
+        QVERIFY(failure->message.english().find("stopped") != std::string::npos);
         const QStringList lines = QString(contentOf(path)).trimmed().split('\n');
         QVERIFY(lines.size() >= 3 + 10 && lines.size() <= 3 + 12); // two of them are comments
     }
@@ -391,8 +391,8 @@ private slots:
         const auto failure = exportRun(flown, MeshAppearance(),
                                        {.from = from, .to = to, .fps = fps}, path.toStdString());
         QVERIFY(failure);
-        QVERIFY2(failure->message.find(fragment.toStdString()) != std::string::npos,
-                 failure->message.c_str());
+        QVERIFY2(failure->message.english().find(fragment.toStdString()) != std::string::npos,
+                 failure->message.english().c_str());
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
@@ -406,7 +406,7 @@ private slots:
         const auto failure = exportRun(flown, MeshAppearance(), {.from = 0.0, .to = 1.0},
                                        folder.filePath("kite.csv").toStdString());
         QVERIFY(failure);
-        QVERIFY(failure->message.find("add a probe") != std::string::npos);
+        QVERIFY(failure->message.english().find("add a probe") != std::string::npos);
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 };

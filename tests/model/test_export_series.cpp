@@ -129,10 +129,10 @@ private slots:
         const std::string path = folder.filePath(file).toStdString();
         const Scene scene = kite();
         const auto failure = writeMoment(*startOf(scene), MeshAppearance(scene), path);
-        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+        QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
 
         const Result<PolygonMesh> mesh = readPolygonFile(path, {});
-        QVERIFY2(bool(mesh), mesh ? "" : mesh.message().c_str());
+        QVERIFY2(bool(mesh), mesh ? "" : mesh.message().english().c_str());
         const std::vector<Triangle> expected{{{{0, 0, 0.125}, {1, 0, 0}, {1, 1, 0.5}}},
                                              {{{0, 0, 0.125}, {1, 1, 0.5}, {0, 1, 0}}}};
         QVERIFY(trianglesOf(*mesh) == expected);
@@ -171,7 +171,7 @@ private slots:
         const Scene scene = kite();
         const auto failure = writeSeries(tearing(scene), MeshAppearance(scene),
                                          folder.filePath("kite." + ending).toStdString());
-        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+        QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
                  (ending < "obj" ? QStringList{"kite." + ending, "kite.obj"}
                                  : QStringList{"kite.obj", "kite." + ending}));
@@ -227,7 +227,7 @@ private slots:
         const std::array frames{before, after};
         const auto failure =
             writeSeries(frames, MeshAppearance(scene), folder.filePath("a.pc2").toStdString());
-        QVERIFY2(!failure, failure ? failure->message.c_str() : "");
+        QVERIFY2(!failure, failure ? failure->message.english().c_str() : "");
         const Result<PolygonMesh> mesh =
             readPolygonFile(folder.filePath("a.obj").toStdString(), {});
         QVERIFY(mesh);
@@ -247,7 +247,8 @@ private slots:
         const auto failure =
             writeSeries(frames, MeshAppearance(scene), folder.filePath("a.glb").toStdString());
         QVERIFY(failure);
-        QVERIFY2(failure->message.find("sequence") != std::string::npos, failure->message.c_str());
+        QVERIFY2(failure->message.english().find("sequence") != std::string::npos,
+                 failure->message.english().c_str());
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 

@@ -32,10 +32,10 @@ private slots:
         Simulation simulation(*compile(*scene));
         QVERIFY(simulation.runUntil(3.1));
         const auto written = readScene(file.toStdString());
-        QVERIFY2(bool(written), written ? "" : written.message().c_str());
+        QVERIFY2(bool(written), written ? "" : written.message().english().c_str());
         QVERIFY(!hasErrors(problemsOf(*written)));
         const auto system = compile(*written);
-        QVERIFY2(bool(system), system ? "" : system.message().c_str());
+        QVERIFY2(bool(system), system ? "" : system.message().english().c_str());
 
         const System& split = simulation.system();
         const State& state = simulation.state();

@@ -117,7 +117,7 @@ struct Acting
         state = system.start;
         state.hands = hands.hands;
         for (const auto& each : forces)
-            if (name == QString::fromUtf8(each->name().data(), int(each->name().size())))
+            if (name == QString::fromStdString(each->name().english()))
                 force = each.get();
         force->prepare(system, state);
     }
@@ -200,7 +200,7 @@ class TestForces : public QObject
     {
         QTest::addColumn<QString>("name");
         for (const auto& force : knownForces()) {
-            const std::string name(force->name());
+            const std::string name = force->name().english();
             QTest::newRow(name.c_str()) << QString::fromStdString(name);
         }
     }
@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(count, int(types.size()));
         QSet<QString> names;
         for (const auto& force : knownForces())
-            names << QString::fromStdString(std::string(force->name()));
+            names << QString::fromStdString(force->name().english());
         QCOMPARE(names.size(), types.size());
     }
 

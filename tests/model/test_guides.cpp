@@ -415,8 +415,8 @@ void TestGuides::aGuideNeedsADirection()
 {
     const auto system = compile(oneBead(Guide::Plane, Vec3::Zero()));
     QVERIFY(!system);
-    QVERIFY2(system.message().find("guide axis that is not zero") != std::string::npos,
-             system.message().c_str());
+    QVERIFY2(system.message().english().find("guide axis that is not zero") != std::string::npos,
+             system.message().english().c_str());
 }
 
 void TestGuides::guidesTurnWithTheDesign()
@@ -425,7 +425,7 @@ void TestGuides::guidesTurnWithTheDesign()
     const Movable movable = movableOf(scene, {scene.items.front().id});
     const Scene before = scene;
     const Edit back = apply(scene, moved(movable, turned(Vec3::Zero(), Vec3::UnitZ(), pi / 2.0),
-                                         RestLengths::Keep, "Turn"));
+                                         RestLengths::Keep, Message("Turn")));
     QVERIFY(isNear(particleOf(scene, 0).guideAxis, Vec3::UnitY(), 1e-12));
     (void)apply(scene, back);
     QVERIFY(scene.items == before.items);

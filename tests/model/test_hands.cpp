@@ -378,7 +378,7 @@ private slots:
         const std::string file = folder.filePath("hands.csv").toStdString();
         QVERIFY(!writeControlTrack(scene, trackOf(*first.frame()), file));
         const auto track = readControlTrack(file, scene);
-        QVERIFY2(track, track ? "" : track.message().c_str());
+        QVERIFY2(track, track ? "" : track.message().english().c_str());
         for (const int threads : {1, 2, 3, 8}) {
             Simulation again(*system, threads);
             ControlPlayer hands(*track);

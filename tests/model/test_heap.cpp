@@ -345,7 +345,7 @@ private slots:
         QFETCH(QString, file);
         const Result<Scene> scene =
             readScene((QStringLiteral(SCENES_DIR) + "/" + file).toStdString());
-        QVERIFY2(bool(scene), scene ? "" : scene.message().c_str());
+        QVERIFY2(bool(scene), scene ? "" : scene.message().english().c_str());
         const auto system = compile(*scene);
         QVERIFY(bool(system));
         for (const int threads : {1, 2}) {

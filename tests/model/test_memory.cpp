@@ -109,7 +109,7 @@ Sizes sizesOf(Rods which)
     sizes.scene = grown();
     const auto system = compile(scene);
     if (!system)
-        qFatal("%s", system.message().c_str());
+        qFatal("%s", system.message().english().c_str());
     sizes.system = grown();
     sizes.particles = double((*system)->key.size());
     sizes.rods = double((*system)->rods.size());

@@ -60,7 +60,7 @@ private slots:
         QFETCH(QString, property);
         QFETCH(QList<quint32>, targets);
         const Result<Place> place = findPlace(sample(), path.toStdString());
-        QVERIFY2(place, place ? "" : place.message().c_str());
+        QVERIFY2(place, place ? "" : place.message().english().c_str());
         QCOMPARE(QString::fromStdString(std::string(kindName(place->property->kind)) + "."
                                         + std::string(place->property->key)),
                  property);
@@ -99,7 +99,7 @@ private slots:
         QFETCH(QString, says);
         const Result<Place> place = findPlace(sample(), path.toStdString());
         QVERIFY(!place);
-        const QString message = QString::fromStdString(place.message());
+        const QString message = QString::fromStdString(place.message().english());
         QVERIFY2(message.contains(says), qPrintable(message));
     }
 
@@ -108,12 +108,13 @@ private slots:
         const Scene scene = sample();
         QCOMPARE(*findNamed(scene, Kind::Wind, "wind"), Id{3});
         QCOMPARE(*findNamed(scene, Kind::Wind, "#3"), Id{3});
-        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Wind, "wnd").message()),
+        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Wind, "wnd").message().english()),
                  QString("no wind is called \"wnd\"; did you mean \"wind\"?"));
-        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Part, "#3").message()),
+        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Part, "#3").message().english()),
                  QString("\"#3\" is a wind, not a part"));
-        QCOMPARE(QString::fromStdString(findNamed(scene, Kind::Probe, "height").message()),
-                 QString("the scene has no probe"));
+        QCOMPARE(
+            QString::fromStdString(findNamed(scene, Kind::Probe, "height").message().english()),
+            QString("the scene has no probe"));
     }
 
     void assigns()
@@ -136,7 +137,7 @@ private slots:
         for (const char* text :
              {"wind.velocity=0, 0, -6", "settings.title=a = b", "#13.damping="}) {
             const Result<Edit> edit = assignment(scene, text);
-            QVERIFY2(edit, edit ? "" : edit.message().c_str());
+            QVERIFY2(edit, edit ? "" : edit.message().english().c_str());
             (void)apply(scene, *edit);
         }
         QVERIFY(findItem<Wind>(scene, Id{3})->velocity == Vec3(0.0, 0.0, -6.0));
@@ -167,7 +168,8 @@ private slots:
         QFETCH(QString, says);
         const Result<Edit> edit = assignment(sample(), text.toStdString());
         QVERIFY(!edit);
-        QVERIFY2(QString::fromStdString(edit.message()).contains(says), edit.message().c_str());
+        QVERIFY2(QString::fromStdString(edit.message().english()).contains(says),
+                 edit.message().english().c_str());
     }
 };
 

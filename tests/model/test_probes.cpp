@@ -37,7 +37,7 @@ public:
     {
         const auto system = compile(scene);
         if (!system)
-            qFatal("%s", system.message().c_str());
+            qFatal("%s", system.message().english().c_str());
         Simulation simulation(*system);
         for (int i = 0; i < steps; ++i)
             simulation.step();
@@ -260,7 +260,7 @@ private slots:
                                                {"pitch", "deg"}};
         const std::vector<double> values{40.0, 10.0, 15.0, 2.0, 30.0};
         auto formula = Formula::read(text.toStdString(), names);
-        QVERIFY2(bool(formula), formula ? "" : formula.message().c_str());
+        QVERIFY2(bool(formula), formula ? "" : formula.message().english().c_str());
         QVERIFY(std::abs(formula->value(values) - expected) < 1e-12 * std::abs(expected));
         QCOMPARE(QString::fromStdString(formula->unit()), unit);
     }
@@ -288,8 +288,8 @@ private slots:
         const std::vector<Formula::Name> names{{"weight", "N"}, {"height", "m"}};
         const auto formula = Formula::read(text.toStdString(), names);
         QVERIFY(!formula);
-        QVERIFY2(QString::fromStdString(formula.message()).contains(said),
-                 formula.message().c_str());
+        QVERIFY2(QString::fromStdString(formula.message().english()).contains(said),
+                 formula.message().english().c_str());
     }
 
     // A formula may use formulas before it; one that cannot be worked out is told, reads nothing
@@ -311,8 +311,8 @@ private slots:
         QCOMPARE(read[2], 24.0);
         QVERIFY(std::isnan(read[3]));
         const auto problems = problemsOf(bench.scene);
-        const auto told = std::ranges::count_if(problems, [](const Problem& problem) {
-            return problem.message.starts_with("The formula of");
+        const auto told = std::ranges::count_if(problems, [](const Finding& problem) {
+            return problem.message.english().starts_with("The formula of");
         });
         QCOMPARE(told, 1);
     }

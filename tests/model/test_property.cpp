@@ -142,7 +142,7 @@ private slots:
         for (const Value& other : otherValues(property)) {
             QVERIFY(!(other == property.initial));
             const auto reason = refusal(property, other);
-            QVERIFY2(!reason, reason.value_or("").c_str());
+            QVERIFY2(!reason, reason ? reason->english().c_str() : "");
             property.set(object, other);
             QVERIFY(property.get(asConst(object)) == other);
             for (const Property& neighbour : propertiesOf(property.kind))
@@ -160,7 +160,7 @@ private slots:
     {
         QFETCH(int, index);
         const auto reason = refusal(row(index), row(index).initial);
-        QVERIFY2(!reason, reason.value_or("").c_str());
+        QVERIFY2(!reason, reason ? reason->english().c_str() : "");
     }
 
     void helpIsASentence_data() { everyProperty(); }

@@ -17,7 +17,7 @@ Scene built(const char* name, const Parameters& given = {})
 {
     const Result<Scene> scene = build(*findBuilder(name), given);
     if (!scene)
-        qFatal("%s", scene.message().c_str());
+        qFatal("%s", scene.message().english().c_str());
     return *scene;
 }
 
@@ -69,15 +69,15 @@ Scene changing(const Scene& scene, const Parameters& given, std::size_t index = 
         parameters[key] = value;
     const Result<Rebuilt> again = rebuilt(scene, partId(scene, index), parameters);
     if (!again)
-        qFatal("%s", again.message().c_str());
+        qFatal("%s", again.message().english().c_str());
     return after(scene, again->edit);
 }
 
 bool isClean(const Scene& scene)
 {
-    for (const Problem& problem : problemsOf(scene))
+    for (const Finding& problem : problemsOf(scene))
         if (problem.severity == Severity::Error)
-            qWarning("%s", problem.message.c_str());
+            qWarning("%s", problem.message.english().c_str());
     return !hasErrors(problemsOf(scene));
 }
 
@@ -340,7 +340,7 @@ private slots:
         Scene scene = built("rope");
         itemNamed<Part>(scene, "rope")->parameters["colour"] = 3.0;
         const Result<Rebuilt> again = rebuilt(scene, partId(scene), part(scene).parameters);
-        QVERIFY(!again && again.message().find("colour") != std::string::npos);
+        QVERIFY(!again && again.message().english().find("colour") != std::string::npos);
     }
 };
 

@@ -184,14 +184,15 @@ public:
         ++m_generation;
         const auto whole = compile(m_scene, m_generation, m_run);
         auto update = m_live.update(m_generation, m_run);
-        m_isBroken = std::holds_alternative<Problem>(update);
-        if (const auto* problem = std::get_if<Problem>(&update))
+        m_isBroken = std::holds_alternative<Finding>(update);
+        if (const auto* problem = std::get_if<Finding>(&update))
             return whole ? "a problem that compile() does not have: "
-                               + QString::fromStdString(problem->message)
+                               + QString::fromStdString(problem->message.english())
                    : problem->message != whole.message() ? "another problem"
                                                          : QString();
         if (!whole)
-            return "no problem, but compile() has one: " + QString::fromStdString(whole.message());
+            return "no problem, but compile() has one: "
+                   + QString::fromStdString(whole.message().english());
         const Update& made = std::get<Update>(update);
         m_wasPatch = made.patch != nullptr;
         if (made.system)
@@ -255,7 +256,7 @@ Edit randomEdit(const Scene& scene, Dice& dice)
     const auto any = [&](const auto& list) {
         return list[std::size_t(dice.below(int(list.size())))];
     };
-    Edit edit{"random", {}};
+    Edit edit{Message("random"), {}};
     switch (dice.below(12)) {
     case 0: { // a link between any two particles
         const std::vector<Id> particles = idsOf(scene, Kind::Particle);

@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(recording->lastStep(), std::int64_t(300));
         for (std::size_t i = 0; i < recording->frameCount(); i += 7) {
             const auto frame = recording->frame(i);
-            QVERIFY2(frame, frame ? "" : frame.message().c_str());
+            QVERIFY2(frame, frame ? "" : frame.message().english().c_str());
             const auto live = seen[(*frame)->step];
             if (!live)
                 continue;
@@ -112,7 +112,7 @@ private slots:
         const auto recording = flown(scene, 400, busyPilot(scene));
         for (const std::int64_t step : {0, 1, 59, 61, 120, 121, 239, 241, 399, 400}) {
             const auto moment = recording->moment(step);
-            QVERIFY2(moment, moment ? "" : moment.message().c_str());
+            QVERIFY2(moment, moment ? "" : moment.message().english().c_str());
             QCOMPARE((*moment)->state.step, step);
             QCOMPARE(stateHash((*moment)->state), recording->hashOf(step));
         }
@@ -148,7 +148,7 @@ private slots:
         const Scene scene = built("hang_glider");
         const auto recording = flown(scene, 260, busyPilot(scene), recorded);
         const auto outcome = replay(*recording, replayed);
-        QVERIFY2(outcome, outcome ? "" : outcome.message().c_str());
+        QVERIFY2(outcome, outcome ? "" : outcome.message().english().c_str());
         QVERIFY(!outcome->difference);
         QCOMPARE(outcome->steps, std::int64_t(260));
         QCOMPARE(outcome->hash, recording->hashOf(260));
@@ -206,8 +206,8 @@ private slots:
         recording->setBookmarks({{200, 200.0 / 240.0, "later"}, {100, 100.0 / 240.0, "here"}});
         QVERIFY(!saveRecording(*recording, file));
         const auto opened = openRecording(file);
-        QVERIFY2(opened, opened ? "" : opened.message().c_str());
-        QCOMPARE(opened->damage, std::string());
+        QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
+        QCOMPARE(opened->damage.english(), std::string());
         const Recording& again = *opened->recording;
         QCOMPARE(again.name(), std::string("flight 1"));
         QCOMPARE(again.origin(), std::string("2 s of flight 0"));
@@ -248,8 +248,9 @@ private slots:
             bytes[place] = char(bytes[place] ^ 16);
         write(file, bytes);
         const auto opened = openRecording(file.toStdString());
-        QVERIFY2(opened, opened ? "" : opened.message().c_str());
-        QVERIFY(QString::fromStdString(opened->damage).contains(cut ? "cut off" : "damaged"));
+        QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
+        QVERIFY(
+            QString::fromStdString(opened->damage.english()).contains(cut ? "cut off" : "damaged"));
         const std::size_t frames = opened->recording->frameCount();
         QVERIFY(frames > 0 && frames < recording->frameCount());
         QVERIFY((*opened->recording->frame(frames - 1))->position
@@ -258,7 +259,7 @@ private slots:
         QVERIFY(outcome && !outcome->difference);
         // and can be saved again, whole
         QVERIFY(!saveRecording(*opened->recording, file.toStdString()));
-        QCOMPARE(openRecording(file.toStdString())->damage, std::string());
+        QCOMPARE(openRecording(file.toStdString())->damage.english(), std::string());
     }
 
     void refusesOtherFiles_data()
@@ -281,7 +282,8 @@ private slots:
         write(file, bytes);
         const auto opened = openRecording(file.toStdString());
         QVERIFY(!opened);
-        QVERIFY2(QString::fromStdString(opened.message()).contains(says), opened.message().c_str());
+        QVERIFY2(QString::fromStdString(opened.message().english()).contains(says),
+                 opened.message().english().c_str());
     }
 
     // Nothing half written is left, and what was there stays.
@@ -299,8 +301,8 @@ private slots:
         const auto failure = saveRecording(*recording, file.toStdString());
         setrlimit(RLIMIT_FSIZE, &before);
         QVERIFY(failure);
-        QVERIFY2(QString::fromStdString(failure->message).contains("make room"),
-                 failure->message.c_str());
+        QVERIFY2(QString::fromStdString(failure->message.english()).contains("make room"),
+                 failure->message.english().c_str());
         QCOMPARE(contentOf(file), QByteArray("old"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
         // a folder that is none
@@ -330,7 +332,7 @@ private slots:
         recorder.finish();
         setrlimit(RLIMIT_FSIZE, &before);
         QCOMPARE(simulation.state().step, std::int64_t(900));
-        QVERIFY(QString::fromStdString(recording->trouble()).contains("temporary files"));
+        QVERIFY(QString::fromStdString(recording->trouble().english()).contains("temporary files"));
         QVERIFY(recording->frameCount() > 0);
         QVERIFY(recording->lastStep() < 900);
         QVERIFY(recording->frame(recording->frameCount() - 1));
@@ -372,7 +374,7 @@ private slots:
                 simulation.command({{firstControl(scene), 0.2}});
         });
         const auto list = compareRuns(*calm, *steered);
-        QVERIFY2(list, list ? "" : list.message().c_str());
+        QVERIFY2(list, list ? "" : list.message().english().c_str());
         QVERIFY(list->size() > 50);
         QCOMPARE(list->front().particles, calm->frame(0).operator*()->position.size());
         for (const RunDistance& row : *list)

@@ -110,7 +110,7 @@ private slots:
 
             const std::string text = sceneText(scene);
             const Result<Scene> read = parseScene(text, "test");
-            QVERIFY2(read, read ? "" : read.message().c_str());
+            QVERIFY2(read, read ? "" : read.message().english().c_str());
             QVERIFY2(*read == scene, text.c_str());
             QCOMPARE(sceneText(*read), text); // zero and minus zero differ here
             const Value back = property.get(*find(*read, exampleOf(property.kind)));
@@ -123,7 +123,7 @@ private slots:
         const auto file =
             std::filesystem::path(SOURCE_DIR "/tests/model/golden/scene_v1.ripstop.json");
         const Result<Scene> scene = readScene(file);
-        QVERIFY2(scene, scene ? "" : scene.message().c_str());
+        QVERIFY2(scene, scene ? "" : scene.message().english().c_str());
 
         QCOMPARE(scene->settings.title, std::string("One of everything"));
         QCOMPARE(scene->settings.integrator, Integrator::Verlet);
@@ -202,7 +202,7 @@ private slots:
         QFETCH(QString, text);
         QFETCH(QString, kept);
         const Result<Scene> scene = parseScene(text.toStdString(), "test");
-        QVERIFY2(scene, scene ? "" : scene.message().c_str());
+        QVERIFY2(scene, scene ? "" : scene.message().english().c_str());
         const std::string written = sceneText(*scene);
         QVERIFY2(QString::fromStdString(written).contains(kept), written.c_str());
         QVERIFY(*parseScene(written, "again") == *scene);
@@ -249,7 +249,7 @@ private slots:
         QFETCH(QString, text);
         QFETCH(QString, expected);
         const Result<Scene> scene = parseScene(text.toStdString(), "test");
-        QVERIFY2(scene, scene ? "" : scene.message().c_str());
+        QVERIFY2(scene, scene ? "" : scene.message().english().c_str());
         const std::string written = sceneText(*scene);
         QVERIFY2(QString::fromStdString(written).contains(expected), written.c_str());
     }
@@ -300,8 +300,8 @@ private slots:
         setrlimit(RLIMIT_FSIZE, &before);
 
         QVERIFY(failure);
-        QVERIFY2(failure->message.find("was not saved") != std::string::npos,
-                 failure->message.c_str());
+        QVERIFY2(failure->message.english().find("was not saved") != std::string::npos,
+                 failure->message.english().c_str());
         QCOMPARE(contentOf(path), QByteArray("the old content"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
@@ -323,7 +323,7 @@ private slots:
         QFETCH(QString, why);
         const std::optional<Failure> failure = saveScene(oneOfEach(), path.toStdString());
         QVERIFY(failure);
-        const QString told = QString::fromStdString(failure->message);
+        const QString told = QString::fromStdString(failure->message.english());
         QVERIFY2(told.startsWith(path + ' ') && told.contains(why), qPrintable(told));
     }
 
@@ -382,8 +382,8 @@ private slots:
         particle.position.y() = height;
         const std::optional<Failure> failure = saveScene(scene, path.toStdString());
         QVERIFY(failure);
-        QVERIFY2(failure->message.find(fragment.toStdString()) != std::string::npos,
-                 failure->message.c_str());
+        QVERIFY2(failure->message.english().find(fragment.toStdString()) != std::string::npos,
+                 failure->message.english().c_str());
         QCOMPARE(contentOf(path), QByteArray("the old content"));
     }
 

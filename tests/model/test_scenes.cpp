@@ -38,7 +38,7 @@ private slots:
 
         Simulation simulation = started(name);
         const bool whole = simulation.runUntil(20.0);
-        QVERIFY2(whole, whole ? "" : simulation.trouble()->message.c_str());
+        QVERIFY2(whole, whole ? "" : simulation.trouble()->message.english().c_str());
         for (const Vec3& position : simulation.state().position)
             QVERIFY(position.allFinite());
     }

@@ -305,7 +305,7 @@ private slots:
             return heightsFromFile(path(name).toStdString());
         };
         const auto text = read("text.pgm");
-        QVERIFY2(text, text ? "" : text.message().c_str());
+        QVERIFY2(text, text ? "" : text.message().english().c_str());
         QCOMPARE((*text)->columns, 3);
         QCOMPARE((*text)->height, (std::vector{0.0, 0.25, 0.5, 0.75, 1.0, 0.0}));
         QCOMPARE((*read("one.pgm"))->height, (std::vector{0.0, 1.0, 0.2, 0.4}));
@@ -322,7 +322,7 @@ private slots:
                                   "2c0000000049454e44ae426082"));
         for (const char* name : {"one.png", "two.png"}) {
             const auto png = read(name);
-            QVERIFY2(png, png ? "" : png.message().c_str());
+            QVERIFY2(png, png ? "" : png.message().english().c_str());
         }
         QCOMPARE((*read("one.png"))->height, (*read("one.pgm"))->height);
         QCOMPARE((*read("two.png"))->height, (*read("two.pgm"))->height);
@@ -363,7 +363,7 @@ private slots:
         const auto mesh = meshFromFile(file);
         QVERIFY(isPicture ? !picture : !mesh);
         const QString message =
-            QString::fromStdString(isPicture ? picture.message() : mesh.message());
+            QString::fromStdString(isPicture ? picture.message() : mesh.message().english());
         QVERIFY2(message.contains(path) && message.contains(says) && message.endsWith('.'),
                  qPrintable(message));
         QVERIFY2(message.contains("choose"), qPrintable(message));
@@ -408,7 +408,7 @@ f 4 1 5 8
         QTemporaryDir folder;
         write(folder.filePath(name), bytes);
         const auto mesh = meshFromFile(folder.filePath(name).toStdString());
-        QVERIFY2(mesh, mesh ? "" : mesh.message().c_str());
+        QVERIFY2(mesh, mesh ? "" : mesh.message().english().c_str());
         QVERIFY((*mesh)->isClosed());
         QCOMPARE((*mesh)->faces().size(), std::size_t(name.endsWith("obj") ? 12 : 4));
         QVERIFY(isNear((*mesh)->low(), Vec3::Zero(), 1e-7));

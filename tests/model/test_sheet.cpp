@@ -117,7 +117,7 @@ private slots:
             column(SheetOf::Particles, "position", 2), column(SheetOf::Particles, "mass")};
         const auto edit = pasted(scene, ids({2, 3, 4}), columns,
                                  "10 cm\t2\t3\t5 g\r\n0,5\t\u22121\t2*3\t+100 %\r\n");
-        QVERIFY2(edit, edit ? "" : edit.message().c_str());
+        QVERIFY2(edit, edit ? "" : edit.message().english().c_str());
         const Edit inverse = apply(scene, *edit);
         QVERIFY(valueOf(scene, Id{2}, "position") == Value(Vec3(0.1, 2, 3)));
         QVERIFY(valueOf(scene, Id{3}, "position") == Value(Vec3(0.5, -1, 6)));
@@ -146,7 +146,7 @@ private slots:
                                                column(SheetOf::Links, "kind"),
                                                column(SheetOf::Links, "tearLimit")};
         const auto edit = pasted(scene, ids({5, 6}), columns, "silk\tspring\t3\n#8\trod\t\n");
-        QVERIFY2(edit, edit ? "" : edit.message().c_str());
+        QVERIFY2(edit, edit ? "" : edit.message().english().c_str());
         (void)apply(scene, *edit);
         QVERIFY(valueOf(scene, Id{5}, "material") == Value(Id{7}));
         QVERIFY(valueOf(scene, Id{6}, "material") == Value(Id{8}));
@@ -180,14 +180,15 @@ private slots:
                                                column(SheetOf::Particles, "pinned")};
         const auto edit = pasted(small(), ids({2, 3, 4}), columns, block.toStdString());
         QVERIFY(!edit);
-        QVERIFY2(QString::fromStdString(edit.message()).contains(says), edit.message().c_str());
+        QVERIFY2(QString::fromStdString(edit.message().english()).contains(says),
+                 edit.message().english().c_str());
     }
 
     void namesThatDoNotExist()
     {
         const auto edit = pasted(small(), ids({5}), {column(SheetOf::Links, "material")}, "slik");
-        QVERIFY(!edit && edit.message().find("silk") != std::string::npos); // the nearest
-        QVERIFY(!pasted(small(), ids({5}), {{}}, "7"));                     // ids stay
+        QVERIFY(!edit && edit.message().english().find("silk") != std::string::npos); // the nearest
+        QVERIFY(!pasted(small(), ids({5}), {{}}, "7"));                               // ids stay
     }
 };
 

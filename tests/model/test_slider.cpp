@@ -11,9 +11,9 @@ const Property& mass = *findProperty(Kind::Particle, "mass");
 const Property& wind = *findProperty(Kind::Wind, "velocity");
 const Property& sweeps = *findProperty(Kind::Settings, "sweeps");
 
-bool says(const std::optional<std::string>& reason, const char* words)
+bool says(const std::optional<Message>& reason, const char* words)
 {
-    return reason && reason->find(words) != std::string::npos;
+    return reason && reason->english().find(words) != std::string::npos;
 }
 
 } // namespace
@@ -144,7 +144,8 @@ private slots:
         QFETCH(QString, says);
         const auto read = slidersFromText(text.toStdString());
         QVERIFY(!read);
-        QVERIFY2(QString::fromStdString(read.message()).contains(says), read.message().c_str());
+        QVERIFY2(QString::fromStdString(read.message().english()).contains(says),
+                 read.message().english().c_str());
     }
 
     // What was removed has no slider, and what is left of several keeps theirs.

@@ -214,7 +214,7 @@ void TestSmooth::nothingToSmoothSaysSo()
     for (const std::vector<Id>& ids : {std::vector<Id>{}, std::vector<Id>{id}}) {
         const Result<Shaped> shaped = operation.apply(scene, ids, parameters);
         QVERIFY(!shaped);
-        QVERIFY(shaped.message().find("Select fabric or lines") != std::string::npos);
+        QVERIFY(shaped.message().english().find("Select fabric or lines") != std::string::npos);
     }
 }
 

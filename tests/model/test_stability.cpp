@@ -38,10 +38,10 @@ Part& part(Scene& scene) { return std::get<Part>(*findItem(scene, partId)); }
 Material& cord(Scene& scene) { return std::get<Material>(*findItem(scene, materialId)); }
 
 std::optional<Finding> about(const Scene& scene, std::string_view subject,
-                             Finding::Verdict verdict = Finding::Verdict::Poor)
+                             Severity severity = Severity::Warning)
 {
     for (Finding& finding : stabilityOf(scene))
-        if (finding.subject == subject && finding.verdict == verdict)
+        if (finding.subject.english() == subject && finding.severity == severity)
             return finding;
     return std::nullopt;
 }
@@ -77,7 +77,7 @@ private slots:
     void aSoundChainIsGood()
     {
         for (const Finding& finding : stabilityOf(chain(5)))
-            QVERIFY2(finding.verdict == Finding::Verdict::Good, finding.message.c_str());
+            QVERIFY2(finding.severity == Severity::Fine, finding.message.english().c_str());
         QVERIFY(stabilityOf(Scene()).empty());
     }
 

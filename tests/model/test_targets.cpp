@@ -49,7 +49,7 @@ struct Square
 
     void set(Kind kind, const char* key, Id id, double value)
     {
-        (void)apply(scene, {"set", {SetValues{findProperty(kind, key), {id}, {value}}}});
+        (void)apply(scene, {Message("set"), {SetValues{findProperty(kind, key), {id}, {value}}}});
     }
 };
 
@@ -116,7 +116,7 @@ private slots:
         square.set(Kind::Part, "massTarget", square.part, 1.0);
         const Result<Edit> edit = massBroughtToTarget(square.scene, square.part);
         QVERIFY(!edit);
-        QVERIFY(edit.message().find("no mass yet") != std::string::npos);
+        QVERIFY(edit.message().english().find("no mass yet") != std::string::npos);
     }
 
     // Of the corners alone: the centre of gravity is sum m x / m, and with its place taken off

@@ -293,7 +293,7 @@ private slots:
 
         // a patch gives what the whole system gives
         const Edit softer{
-            "Soften",
+            Message("Soften"),
             {SetValues{findProperty(Kind::Material, "stiffness"), {scene.items[0].id}, {150.0}}}};
         live.apply(softer);
         Simulation loaded(*compile(scene, 1, 1), before);
@@ -337,7 +337,7 @@ private slots:
         const auto path = folder.filePath("torn.obj").toStdString();
         QVERIFY(!writeMoment(*simulation.frame(), MeshAppearance(), path));
         const auto mesh = meshFromFile(path);
-        QVERIFY2(bool(mesh), mesh ? "" : mesh.message().c_str());
+        QVERIFY2(bool(mesh), mesh ? "" : mesh.message().english().c_str());
         QCOMPARE((*mesh)->faces().size(), std::size_t(60));
     }
 

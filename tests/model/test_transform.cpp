@@ -70,7 +70,7 @@ Scene after(Scene scene, const Edit& edit)
 Scene movedBy(const Scene& scene, const std::vector<Id>& ids, const Motion& motion,
               RestLengths lengths = RestLengths::Keep)
 {
-    return after(scene, moved(movableOf(scene, ids), motion, lengths, "Move"));
+    return after(scene, moved(movableOf(scene, ids), motion, lengths, Message("Move")));
 }
 
 } // namespace
@@ -96,8 +96,8 @@ private slots:
 
     void pivots()
     {
-        Scene scene = oneOfEverything();                                  // at (0,1), (1,1), (0,0)
-        apply(scene, setValue(scene, Id{3}, "mass", 0.04)).label.clear(); // the others 0.01
+        Scene scene = oneOfEverything();                          // at (0,1), (1,1), (0,0)
+        (void)apply(scene, setValue(scene, Id{3}, "mass", 0.04)); // the others 0.01
         const Movable all = movableOf(scene, {Id{1}});
         const auto near = [](const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-15; };
         QVERIFY(near(pivotOf(scene, all, Pivot::Median), Vec3(1.0 / 3.0, 2.0 / 3.0, 0)));
@@ -261,17 +261,19 @@ private slots:
     {
         const Scene scene = oneOfEverything();
         const Movable all = movableOf(scene, {Id{1}, Id{12}});
-        const Edit one = moved(all, scaled(Vec3::Zero(), Vec3(1, 1, 1)), RestLengths::Rebind, "");
-        const Edit two = moved(all, scaled(Vec3::Zero(), Vec3(2, 1, 3)), RestLengths::Rebind, "");
+        const Edit one =
+            moved(all, scaled(Vec3::Zero(), Vec3(1, 1, 1)), RestLengths::Rebind, Message());
+        const Edit two =
+            moved(all, scaled(Vec3::Zero(), Vec3(2, 1, 3)), RestLengths::Rebind, Message());
         QVERIFY(sameTargets(one, two));
-        QVERIFY(sameTargets(moved(all, shifted(Vec3::Zero()), RestLengths::Rebind, ""),
-                            moved(all, shifted(Vec3(1, 2, 3)), RestLengths::Rebind, "")));
+        QVERIFY(sameTargets(moved(all, shifted(Vec3::Zero()), RestLengths::Rebind, Message()),
+                            moved(all, shifted(Vec3(1, 2, 3)), RestLengths::Rebind, Message())));
     }
 
     void nothingToMoveIsNoEdit()
     {
         const Scene scene = oneOfEverything();
-        QVERIFY(moved(movableOf(scene, {}), shifted(Vec3(1, 0, 0)), RestLengths::Keep, "")
+        QVERIFY(moved(movableOf(scene, {}), shifted(Vec3(1, 0, 0)), RestLengths::Keep, Message())
                     .changes.empty());
     }
 
@@ -286,7 +288,7 @@ private slots:
         const double found = threadTime() - start;
         const double height = placeOf(scene, ids.back()).y();
         const double before = threadTime();
-        const Edit edit = moved(all, shifted(Vec3(0, 1, 0)), RestLengths::Keep, "Move");
+        const Edit edit = moved(all, shifted(Vec3(0, 1, 0)), RestLengths::Keep, Message("Move"));
         (void)apply(scene, edit);
         qInfo("%zu particles: found in %.1f ms, moved in %.1f ms", ids.size(), found,
               threadTime() - before);

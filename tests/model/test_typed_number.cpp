@@ -80,7 +80,7 @@ private slots:
         QFETCH(double, expected);
         for (const auto read : {typedNumber, typedValue}) {
             const Typed typed = read(text.toStdString(), unit.toStdString());
-            QVERIFY2(typed.number, typed.complaint.c_str());
+            QVERIFY2(typed.number, typed.complaint.english().c_str());
             QCOMPARE(typed.number->sort, TypedNumber::Sort::Absolute);
             QVERIFY2(std::abs(typed.number->number - expected) <= 1e-12 * std::abs(expected),
                      qPrintable(QString::number(typed.number->number, 'g', 17)));
@@ -127,7 +127,7 @@ private slots:
         QFETCH(QString, unit);
         QFETCH(double, expected);
         const Typed typed = typedNumber(text.toStdString(), unit.toStdString());
-        QVERIFY2(typed.number, typed.complaint.c_str());
+        QVERIFY2(typed.number, typed.complaint.english().c_str());
         QVERIFY(std::abs(typed.number->appliedTo(8.0) - expected) < 1e-12);
     }
 
@@ -169,7 +169,8 @@ private slots:
         QFETCH(int, at);
         const Typed typed = typedNumber(text.toStdString(), unit.toStdString());
         QCOMPARE(typed.number.has_value(), says.isNull());
-        QVERIFY2(QString::fromStdString(typed.complaint).startsWith(says), typed.complaint.c_str());
+        QVERIFY2(QString::fromStdString(typed.complaint.english()).startsWith(says),
+                 typed.complaint.english().c_str());
         if (!says.isNull())
             QCOMPARE(int(typed.at), at);
     }
@@ -199,7 +200,7 @@ private slots:
         const auto read = valueFromText(velocity, "36 km/h, 0, 1");
         QVERIFY(read && std::get<Vec3>(*read) == Vec3(10.0, 0.0, 1.0));
         const auto wrong = valueFromText(velocity, "36 kg, 0, 1");
-        QVERIFY(!wrong && wrong.message().starts_with("wind.velocity must be in m/s"));
+        QVERIFY(!wrong && wrong.message().english().starts_with("wind.velocity must be in m/s"));
     }
 
     // Every unit of the table of properties can be typed.

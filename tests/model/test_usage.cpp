@@ -40,7 +40,7 @@ std::optional<std::string> why(const Scene& scene, Id id, std::string_view key)
 void set(Scene& scene, Id id, std::string_view key, Value value)
 {
     const Property& property = propertyOf(scene, id, key);
-    (void)apply(scene, Edit{"", {SetValues{&property, {id}, {std::move(value)}}}});
+    (void)apply(scene, Edit{Message(), {SetValues{&property, {id}, {std::move(value)}}}});
 }
 
 bool says(const std::optional<std::string>& reason, const char* words)
@@ -140,7 +140,7 @@ private slots:
     void editsThatChangeTheUsage()
     {
         const auto setting = [](Kind kind, const char* key) {
-            return Edit{"", {SetValues{findProperty(kind, key), {Id{5}}, {1.0}}}};
+            return Edit{Message(), {SetValues{findProperty(kind, key), {Id{5}}, {1.0}}}};
         };
         QVERIFY(!changesUsage(setting(Kind::Particle, "mass")));
         QVERIFY(!changesUsage(setting(Kind::Material, "stiffness")));

@@ -79,7 +79,7 @@ private slots:
         const Property* property = propertyAt(path);
         QVERIFY(property);
         const Result<Value> read = valueFromText(*property, text.toStdString());
-        QVERIFY2(read, read ? "" : read.message().c_str());
+        QVERIFY2(read, read ? "" : read.message().english().c_str());
         QVERIFY(*read == expected);
     }
 
@@ -136,7 +136,7 @@ private slots:
         QVERIFY(property);
         const Result<Value> read = valueFromText(*property, text.toStdString());
         QVERIFY(!read);
-        const QString message = QString::fromStdString(read.message());
+        const QString message = QString::fromStdString(read.message().english());
         QVERIFY2(message.startsWith(path + ' ' + says), qPrintable(message));
         QVERIFY2(message.endsWith("not \"" + text + '"'), qPrintable(message));
     }
@@ -173,7 +173,7 @@ private slots:
         QVERIFY(property);
         const auto reason = refusal(*property, value);
         QVERIFY(reason);
-        QCOMPARE(QString::fromStdString(*reason), says);
+        QCOMPARE(QString::fromStdString(reason->english()), says);
     }
 
     void limits_data()

@@ -28,7 +28,7 @@ std::shared_ptr<System> spring(double stiffness, double timeStep,
 QString messageOf(const System& system, const State& before, const State& after)
 {
     const auto trouble = findTrouble(system, before, after, system.substeps);
-    return trouble ? QString::fromStdString(trouble->message) : QString();
+    return trouble ? QString::fromStdString(trouble->message.english()) : QString();
 }
 
 } // namespace
@@ -73,7 +73,7 @@ private slots:
         QCOMPARE(stateHash(simulation.state()), hash);
 
         // and names element, time and cause
-        const QString message = QString::fromStdString(simulation.trouble()->message);
+        const QString message = QString::fromStdString(simulation.trouble()->message.english());
         QCOMPARE(simulation.trouble()->particle, Key(42));
         QVERIFY2(message.contains("42"), qPrintable(message));
         QVERIFY2(message.contains("time step") || message.contains("substep"), qPrintable(message));
@@ -82,7 +82,7 @@ private slots:
             isNear(simulation.trouble()->time, state.time + simulation.system().timeStep, 1e-9),
             told(simulation.trouble()->time, state.time));
         const auto frame = simulation.frame();
-        QCOMPARE(QString::fromStdString(frame->stopped), message);
+        QCOMPARE(QString::fromStdString(frame->stopped.english()), message);
         QCOMPARE(frame->culprit, std::uint32_t(42));
         QCOMPARE(frame->time, state.time);
     }
@@ -107,7 +107,7 @@ private slots:
     {
         Simulation simulation(spring(1e4, 0.01, Integrator::ExplicitEuler));
         QVERIFY(!simulation.runUntil(100.0));
-        const QString message = QString::fromStdString(simulation.trouble()->message);
+        const QString message = QString::fromStdString(simulation.trouble()->message.english());
         QVERIFY2(message.contains("xplicit Euler"), qPrintable(message));
     }
 

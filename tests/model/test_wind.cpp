@@ -399,7 +399,7 @@ private slots:
         addItem(scene, wind);
         const auto system = compile(scene);
         QVERIFY(!system);
-        QVERIFY(QString::fromStdString(system.message()).contains("roughness"));
+        QVERIFY(QString::fromStdString(system.message().english()).contains("roughness"));
     }
 };
 

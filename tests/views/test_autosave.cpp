@@ -151,7 +151,7 @@ private slots:
         QCOMPARE(found.size(), 1);
         const auto failure = desk.autosave.recover(found.first());
         QVERIFY(failure);
-        QVERIFY(failure->message.find("broken") != std::string::npos);
+        QVERIFY(failure->message.english().find("broken") != std::string::npos);
         QVERIFY(desk.document.scene() == fallingPair());
         QVERIFY(QFile::exists(place.scene()));
     }

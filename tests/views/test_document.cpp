@@ -44,12 +44,12 @@ const Case cases[] = {
     {"one value for many",
      [](const Scene&) {
          return Edit{
-             "Set",
+             Message("Set"),
              {SetValues{findProperty(Kind::Particle, "mass"), {Id{2}, Id{3}, Id{4}}, {0.7}}}};
      }},
     {"a value for each",
      [](const Scene&) {
-         return Edit{"Set",
+         return Edit{Message("Set"),
                      {SetValues{findProperty(Kind::Particle, "mass"), {Id{2}, Id{4}}, {0.1, 0.2}}}};
      }},
     {"a setting", [](const Scene& s) { return setValue(s, settingsId, "sweeps", 31); }},
@@ -157,8 +157,8 @@ private slots:
         document.replace(oneOfEverything());
         std::vector<std::string> told;
         connect(&document, &Document::changed, this,
-                [&](const Edit& edit) { told.push_back(edit.label); });
-        document.push({"nothing", {}});
+                [&](const Edit& edit) { told.push_back(edit.label.english()); });
+        document.push({Message("nothing"), {}});
         QVERIFY(told.empty());
         QCOMPARE(document.history().count(), 0);
         document.push(setValue(document.scene(), Id{3}, "mass", 1.0));

@@ -275,7 +275,7 @@ private slots:
                                  [](const TuningRow* row) { return row->isVisible(); });
         };
         QCOMPARE(rows(), 1);
-        desk.document.push({"Remove", {RemoveItem{control}}});
+        desk.document.push({Message("Remove"), {RemoveItem{control}}});
         QCOMPARE(rows(), 0);
         QVERIFY(desk.says("No sliders yet"));
         desk.document.history().undo();
@@ -303,7 +303,8 @@ private slots:
         for (std::uint32_t i = 0; i <= mostOfASlider; ++i)
             ids.push_back(Id{i + 100});
         const auto failure = desk.inspector.sliders().toggle(mass, ids);
-        QVERIFY(failure && failure->message.find("tune the material") != std::string::npos);
+        QVERIFY(failure
+                && failure->message.english().find("tune the material") != std::string::npos);
     }
 
     // What is tuned belongs to the desk: it is there when the file is opened again, and the scene

@@ -113,7 +113,7 @@ Autosave::Outcome Autosave::write(const Job& job)
         return {job.state, job.place, std::move(failure)};
     if (!writeAbout(job.place.about(), job.file, job.title))
         return {job.state, job.place,
-                Failure{job.place.about().toStdString() + " cannot be written: free some space."}};
+                Failure("%1 cannot be written: free some space.", job.place.about().toStdString())};
     return {job.state, job.place, std::nullopt};
 }
 

@@ -11,8 +11,8 @@ namespace {
 Compiled outcomeOf(LiveSystem& live, std::uint64_t generation, std::uint64_t run)
 {
     auto update = live.update(generation, run);
-    if (auto* problem = std::get_if<Problem>(&update))
-        return {generation, run, {}, std::move(problem->message), problem->culprit};
+    if (auto* problem = std::get_if<Finding>(&update))
+        return {generation, run, {}, std::move(problem->message), problem->culprit()};
     return {generation, run, std::get<Update>(std::move(update)), {}, {}};
 }
 
@@ -119,7 +119,7 @@ void Follower::work(Inbox inbox, LiveSystem& live, DesignLog& log)
         answer([&](Outbox& outbox) { outbox.compiled.push_back(std::move(outcome)); });
     }
     if (inbox.check) {
-        std::vector<Problem> problems = problemsOf(live.scene());
+        std::vector<Finding> problems = problemsOf(live.scene());
         std::vector<Finding> findings = stabilityOf(live.scene());
         answer([&](Outbox& outbox) {
             outbox.problems = std::move(problems);

@@ -29,8 +29,8 @@ struct Compiled
 {
     std::uint64_t generation;
     std::uint64_t run;
-    Update update;       // empty when there is a problem
-    std::string problem; // why the scene cannot run, or empty
+    Update update;   // empty when there is a problem
+    Message problem; // why the scene cannot run, or empty
     Id culprit{};
 };
 
@@ -49,7 +49,7 @@ public:
 
 signals:
     void compiled(const ripstop::Compiled& outcome); // every update has to be run, in order
-    void checked(const std::vector<ripstop::Problem>& problems);
+    void checked(const std::vector<ripstop::Finding>& problems);
     void examined(const std::vector<ripstop::Finding>& findings); // with each check
     void copied(std::uint64_t tag, const std::shared_ptr<const ripstop::Scene>& scene);
 
@@ -71,7 +71,7 @@ private:
     struct Outbox
     {
         std::vector<Compiled> compiled;
-        std::optional<std::vector<Problem>> problems;
+        std::optional<std::vector<Finding>> problems;
         std::vector<Finding> findings; // with the problems
         std::shared_ptr<const Scene> copy;
         std::uint64_t copyTag = 0;

@@ -103,7 +103,7 @@ private:
     {
         std::shared_ptr<const Frame> frame;
         std::shared_ptr<const Frame> ghost;
-        std::string failure;
+        Message failure;
     };
     struct Start
     {
@@ -113,7 +113,7 @@ private:
     struct Begin
     {
         std::shared_ptr<const Moment> moment;
-        std::string failure;
+        Message failure;
     };
 
     static Shown fetch(const Wish& wish);

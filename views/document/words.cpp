@@ -50,6 +50,23 @@ QString translated(std::string_view english)
                            : QCoreApplication::translate("Model", std::string(english).c_str());
 }
 
+QString translated(const Message& message)
+{
+    return QString::fromStdString(message.said([](Message::Kind kind, const std::string& english) {
+        switch (kind) {
+        case Message::Kind::Sentence:
+            return translated(std::string_view(english)).toStdString();
+        case Message::Kind::Verbatim:
+            return english;
+        case Message::Kind::Number:
+            break;
+        }
+        return QString::fromStdString(english)
+            .replace(QChar('.'), QLocale().decimalPoint())
+            .toStdString();
+    }));
+}
+
 QString kindLabel(Kind kind) { return translated("Kind", wordsOf(kind).one); }
 
 QString kindPluralLabel(Kind kind) { return translated("Kind", wordsOf(kind).many); }

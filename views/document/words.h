@@ -10,6 +10,7 @@ namespace ripstop {
 
 // A text of the model, which is written in English, in the language of the window.
 QString translated(std::string_view english);
+QString translated(const Message& message);
 
 QString kindLabel(Kind kind);                  // "Particle"
 QString kindPluralLabel(Kind kind);            // "Particles"

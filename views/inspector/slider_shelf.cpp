@@ -56,9 +56,8 @@ bool SliderShelf::has(const Property& property, const std::vector<Id>& ids) cons
 std::optional<Failure> SliderShelf::toggle(const Property& property, const std::vector<Id>& ids)
 {
     if (ids.size() > mostOfASlider)
-        return Failure{tr("A slider moves at most %1 things; tune the material that they share.")
-                           .arg(mostOfASlider)
-                           .toStdString()};
+        return Failure("A slider moves at most %1 things; tune the material that they share.",
+                       mostOfASlider);
     std::vector<Slider> sliders = this->sliders();
     if (std::erase_if(sliders, isAbout(property, ids)) == 0)
         sliders.push_back(sliderFor(m_document.scene(), property, ids));

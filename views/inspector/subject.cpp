@@ -86,7 +86,8 @@ Edit Subject::settingOf(const Property& property, std::vector<Value> values) con
     //: history: "Set mass of 3 particles of kite"
     const QString label =
         tr("Set %1 of %2").arg(labelOf(property).toLower(), describe(m_document.scene(), m_ids));
-    const Edit edit{label.toStdString(), {SetValues{&property, m_ids, std::move(values)}}};
+    const Edit edit{Message::verbatim(label.toStdString()),
+                    {SetValues{&property, m_ids, std::move(values)}}};
     // where particles weigh less than the old density says, it was not theirs, and is only noted
     const Result<Edit> withMasses = weighed(m_document.scene(), edit);
     return withMasses ? *withMasses : edit;

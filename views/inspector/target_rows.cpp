@@ -113,8 +113,7 @@ void TargetRows::spread()
 {
     Result<Edit> edit = massBroughtToTarget(m_document.scene(), m_id);
     if (!edit) {
-        QMessageBox::information(window(), tr("Target mass"),
-                                 QString::fromStdString(edit.message()));
+        QMessageBox::information(window(), tr("Target mass"), translated(edit.message()));
         return;
     }
     m_document.push(std::move(*edit));

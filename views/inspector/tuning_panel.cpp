@@ -205,7 +205,7 @@ TuningPanel::Set TuningPanel::captured() const
 // Only what differs, so that no change is empty.
 Edit TuningPanel::restoring(const Set& set, const QString& label) const
 {
-    Edit edit{label.toStdString(), {}};
+    Edit edit{Message::verbatim(label.toStdString()), {}};
     for (const Held& now : captured())
         for (const Held& held : set)
             if (held.property == now.property && held.ids == now.ids && held.values != now.values)

@@ -183,7 +183,7 @@ void Outline::add(Kind kind, Entry entry)
 {
     const Scene& scene = m_document.scene();
     const Id id = entry.id;
-    m_document.push({tr("Add %1").arg(kindLabel(kind).toLower()).toStdString(),
+    m_document.push({Message::verbatim(tr("Add %1").arg(kindLabel(kind).toLower()).toStdString()),
                      {AddItem{scene.items.size(), std::move(entry)}}});
     m_search->clear();
     m_selection.set({id});
@@ -203,7 +203,8 @@ void Outline::removeSelected()
         if (!confirm(tr("Delete %1, and with it what hangs on it: %2?")
                          .arg(describe(m_document.scene(), ids), others)))
             return;
-    edit.label = tr("Remove %1").arg(describe(m_document.scene(), ids)).toStdString();
+    edit.label =
+        Message::verbatim(tr("Remove %1").arg(describe(m_document.scene(), ids)).toStdString());
     m_document.push(std::move(edit));
 }
 

@@ -195,8 +195,9 @@ bool OutlineModel::setData(const QModelIndex& index, const QVariant& value, int 
     if (role != Qt::EditRole || !property || name.isEmpty())
         return false;
     if (name != nameOf(m_document.scene(), n.id))
-        m_document.push({tr("Rename %1").arg(kindLabel(n.kind).toLower()).toStdString(),
-                         {SetValues{property, {n.id}, {name.toStdString()}}}});
+        m_document.push(
+            {Message::verbatim(tr("Rename %1").arg(kindLabel(n.kind).toLower()).toStdString()),
+             {SetValues{property, {n.id}, {name.toStdString()}}}});
     return true;
 }
 
@@ -204,9 +205,9 @@ void OutlineModel::toggleShown(const QModelIndex& index)
 {
     const Node n = node(index);
     if (const Property* property = shownProperty(n))
-        m_document.push({(isShown(n) ? tr("Hide %1") : tr("Show %1"))
-                             .arg(nameOf(m_document.scene(), n.id))
-                             .toStdString(),
+        m_document.push({Message::verbatim((isShown(n) ? tr("Hide %1") : tr("Show %1"))
+                                               .arg(nameOf(m_document.scene(), n.id))
+                                               .toStdString()),
                          {SetValues{property, {n.id}, {!isShown(n)}}}});
 }
 

@@ -23,13 +23,14 @@ void PlotPanel::keepPlot()
     const Scene& scene = m_document.scene();
     Plot plot = m_own;
     plot.name = freeName(scene, kindName(Kind::Plot));
-    m_document.push({"Keep " + plot.name, {AddItem{scene.items.size(), {scene.nextId, plot}}}});
+    m_document.push(
+        {Message("Keep %1", plot.name), {AddItem{scene.items.size(), {scene.nextId, plot}}}});
 }
 
 void PlotPanel::addPlot()
 {
     const Scene& scene = m_document.scene();
-    Edit edit{"Add a plot", {}};
+    Edit edit{Message("Add a plot"), {}};
     Id next = scene.nextId;
     std::size_t place = scene.items.size();
     Plot plot;
@@ -59,7 +60,7 @@ void PlotPanel::change(const Plot& wanted)
     if (!m_plots.empty()) {
         auto changes = changesTo(wanted, plotOf(m_current), m_plots[m_current].id);
         if (!changes.empty())
-            m_document.push({"Change " + plotOf(m_current).name, std::move(changes)});
+            m_document.push({Message("Change %1", plotOf(m_current).name), std::move(changes)});
         return;
     }
     m_own = wanted;

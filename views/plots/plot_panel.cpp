@@ -408,7 +408,8 @@ void PlotPanel::tick(QTreeWidgetItem* item)
         const auto* ticked = findItem<Probe>(m_document.scene(), id);
         const Property* property = &propertyOf<&Probe::plotted>();
         if (ticked && ticked->plotted != wanted)
-            m_document.push({(wanted ? "Plot " : "Do not plot ") + ticked->name,
+            m_document.push({wanted ? Message("Plot %1", ticked->name)
+                                    : Message("Do not plot %1", ticked->name),
                              {SetValues{property, {id}, {wanted}}}});
     };
     QMetaObject::invokeMethod(this, push, Qt::QueuedConnection);

@@ -68,7 +68,7 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     connect(&document, &Document::changed, &m_delay, qOverload<>(&QTimer::start));
     connect(&document, &Document::replaced, this, &ProblemList::check);
     connect(&player.follower(), &Follower::checked, this,
-            [this](const std::vector<Problem>& problems) { m_problems = problems; });
+            [this](const std::vector<Finding>& problems) { m_problems = problems; });
     connect(&player.follower(), &Follower::examined, this,
             [this](const std::vector<Finding>& findings) { // comes right after the other
                 m_stability->showFindings(findings);
@@ -98,14 +98,14 @@ void ProblemList::noteStop(const QString& why, quint32 culprit)
 {
     if (why == m_player.problem())
         return; // the check says it too
-    m_stops = {{Severity::Error, why.toStdString(), Id{culprit}}};
+    m_stops = {{Severity::Error, Message::verbatim(why.toStdString()), {Id{culprit}}}};
     rebuild();
 }
 
-std::vector<Problem> ProblemList::told() const
+std::vector<Finding> ProblemList::told() const
 {
-    std::vector<Problem> all = m_stops;
-    std::ranges::copy_if(m_problems, std::back_inserter(all), [this](const Problem& problem) {
+    std::vector<Finding> all = m_stops;
+    std::ranges::copy_if(m_problems, std::back_inserter(all), [this](const Finding& problem) {
         return problem.severity == Severity::Error || !m_stability->tellsPoor(problem.sort);
     });
     return all;
@@ -113,20 +113,20 @@ std::vector<Problem> ProblemList::told() const
 
 void ProblemList::rebuild()
 {
-    const std::vector<Problem> all = told();
+    const std::vector<Finding> all = told();
     m_list->clear();
-    for (const Problem& problem : all) {
+    for (const Finding& problem : all) {
         const bool isError = problem.severity == Severity::Error;
         auto* item =
             new QListWidgetItem(signOf(problem.severity), translated(problem.message), m_list);
-        item->setData(Qt::UserRole, std::uint32_t(problem.culprit));
+        item->setData(Qt::UserRole, std::uint32_t(problem.culprit()));
         item->setData(Qt::AccessibleTextRole,
                       (isError ? tr("Error: %1") : tr("Warning: %1")).arg(item->text()));
     }
     m_pages->setCurrentWidget(all.empty() ? static_cast<QWidget*>(m_empty) : m_list);
 
     m_errors = int(std::count_if(all.begin(), all.end(),
-                                 [](const Problem& p) { return p.severity == Severity::Error; }));
+                                 [](const Finding& p) { return p.severity == Severity::Error; }));
     m_warnings = int(all.size()) - m_errors + m_stability->poor();
     emit countChanged(m_errors, m_warnings);
 }

@@ -37,13 +37,13 @@ signals:
 private:
     void check();
     void noteStop(const QString& why, quint32 culprit);
-    std::vector<Problem> told() const; // here: what the list beside does not tell
+    std::vector<Finding> told() const; // here: what the list beside does not tell
     void rebuild();
 
     Selection& m_selection;
     Player& m_player;
-    std::vector<Problem> m_problems;
-    std::vector<Problem> m_stops; // of the run, at most one
+    std::vector<Finding> m_problems;
+    std::vector<Finding> m_stops; // of the run, at most one
     QTimer m_delay;
     QStackedLayout* m_pages;
     QLabel* m_empty;

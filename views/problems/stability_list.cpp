@@ -55,7 +55,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
     clear();
     for (std::size_t row = 0; row < findings.size(); ++row) {
         const Finding& finding = findings[row];
-        const bool isPoor = finding.verdict == Finding::Verdict::Poor;
+        const bool isPoor = finding.severity == Severity::Warning;
         auto* item =
             new QTreeWidgetItem(this, {translated(finding.subject), translated(finding.message)});
         item->setIcon(Subject, isPoor ? tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f))
@@ -79,13 +79,13 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
 
 int StabilityList::poor() const
 {
-    return int(std::ranges::count(m_findings, Finding::Verdict::Poor, &Finding::verdict));
+    return int(std::ranges::count(m_findings, Severity::Warning, &Finding::severity));
 }
 
 bool StabilityList::tellsPoor(std::string_view sort) const
 {
     return !sort.empty() && std::ranges::any_of(m_findings, [sort](const Finding& finding) {
-        return finding.verdict == Finding::Verdict::Poor && finding.sort == sort;
+        return finding.severity == Severity::Warning && finding.sort == sort;
     });
 }
 

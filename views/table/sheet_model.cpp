@@ -226,7 +226,8 @@ bool SheetModel::setData(const QModelIndex& index, const QVariant& value, int ro
         return false;
     }
     emit refused({});
-    edit->label = tr("Set %1").arg(labelOf(*column.property).toLower()).toStdString();
+    edit->label =
+        Message::verbatim(tr("Set %1").arg(labelOf(*column.property).toLower()).toStdString());
     m_document.push(std::move(*edit));
     return true;
 }

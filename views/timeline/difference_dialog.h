@@ -36,7 +36,7 @@ private:
     struct Outcome
     {
         std::vector<RunDistance> list;
-        std::string failure;
+        Message failure;
     };
     void take();
     void showProgress();

@@ -175,7 +175,7 @@ Id DrawTool::materialFor(Drawing& drawing) const
 
 void DrawTool::push(Drawing& drawing, const QString& label)
 {
-    Edit edit = drawing.finish(label.toStdString());
+    Edit edit = drawing.finish(Message::verbatim(label.toStdString()));
     if (!edit.changes.empty())
         m_document.push(std::move(edit));
 }

@@ -19,19 +19,19 @@ namespace {
 
 constexpr double particleReach = 14.0; // pixels
 
-const char* verbOf(Shaping shaping)
+Message labelOf(Shaping shaping)
 {
     switch (shaping) {
     case Shaping::Move:
-        return "Move";
+        return Message("Move %1");
     case Shaping::Turn:
-        return "Rotate";
+        return Message("Rotate %1");
     case Shaping::Scale:
-        return "Scale";
+        return Message("Scale %1");
     case Shaping::None:
         break;
     }
-    return "";
+    return Message("%1");
 }
 
 } // namespace
@@ -209,7 +209,7 @@ void TransformTool::shape(const Vec3& numbers)
         return;
     const Movable all = movable();
     m_document.push(moved(all, motionOf(*handles, numbers), m_restLengths,
-                          movingLabel(verbOf(m_shaping), all)));
+                          movingLabel(labelOf(m_shaping), all)));
 }
 
 // --- the hand ----------------------------------------------------------------------------------
@@ -279,7 +279,7 @@ void TransformTool::step()
     drag.numbers = drag.pull.numbers(goal);
     drag.hasMoved = true;
     m_document.drag(moved(drag.movable, drag.pull.motion(drag.numbers), m_restLengths,
-                          movingLabel(verbOf(m_shaping), drag.movable)),
+                          movingLabel(labelOf(m_shaping), drag.movable)),
                     drag.gesture);
     emit changed();
 }
