@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
