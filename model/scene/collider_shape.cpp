@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include <cstdio>
 #include <numbers>
 
 namespace ripstop {

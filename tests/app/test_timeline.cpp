@@ -122,7 +122,7 @@ private slots:
         shop.runs.seekTime(0.4);
         QTRY_VERIFY(shop.looksAt(0.4));
         shop.document.push(
-            {"Viscosity",
+            {Message("Viscosity"),
              {SetValues{findProperty(Kind::Settings, "viscosity"), {settingsId}, {0.5}}}});
         shop.run("continueHere");
         QTRY_VERIFY(!shop.player.isLookingBack() && shop.player.frame()->step == step);
@@ -137,7 +137,7 @@ private slots:
         QVERIFY(shop.open("delta_kite.ripstop.json"));
         shop.fly(0.5);
         shop.document.push(
-            {"Viscosity",
+            {Message("Viscosity"),
              {SetValues{findProperty(Kind::Settings, "viscosity"), {settingsId}, {0.5}}}});
         shop.fly(1.0);
         const auto events = shop.runs.current()->events(); // and bridle lines that went taut before

@@ -81,7 +81,7 @@ inline Scene oneOfEverything()
 inline Edit setValue(const Scene& scene, Id id, std::string_view key, Value value)
 {
     const Property* property = findProperty(kindOf(*find(scene, id)), key);
-    return {"Set " + std::string(property->label), {SetValues{property, {id}, {std::move(value)}}}};
+    return {Message("Set %1", property->label), {SetValues{property, {id}, {std::move(value)}}}};
 }
 
 } // namespace ripstop
