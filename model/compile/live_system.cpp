@@ -57,7 +57,7 @@ public:
     const Scene& scene() const { return m_scene; }
     void replace(Scene scene);
     void apply(const Edit& edit);
-    std::variant<Update, Problem> update(std::uint64_t generation, std::uint64_t run);
+    std::variant<Update, Finding> update(std::uint64_t generation, std::uint64_t run);
 
 private:
     struct Noted // since the last update
@@ -99,7 +99,7 @@ void LiveSystem::replace(Scene scene) { d->replace(std::move(scene)); }
 
 void LiveSystem::apply(const Edit& edit) { d->apply(edit); }
 
-std::variant<Update, Problem> LiveSystem::update(std::uint64_t generation, std::uint64_t run)
+std::variant<Update, Finding> LiveSystem::update(std::uint64_t generation, std::uint64_t run)
 {
     return d->update(generation, run);
 }

@@ -81,7 +81,9 @@ std::optional<Failure> addRow(const Scene& scene, std::string_view line, Control
     Result<HandNote::What> what = handOf(rest.substr(1));
     if (!what)
         return what.failure();
-    track.hands.push_back({*time, std::move(*what)});
+    HandNote& note = track.hands.emplace_back();
+    note.time = *time;
+    note.what = *what;
     return std::nullopt;
 }
 

@@ -315,7 +315,7 @@ private:
         if (const auto reason = refusal(*m_property, value)) {
             const std::string_view near =
                 event.type == Token::Text ? nearest(event.text, m_property->choices) : "";
-            return flaw(*reason + ", not " + shown(event, m_text)
+            return flaw(reason->english() + ", not " + shown(event, m_text)
                         + (near.empty() ? "" : "; did you mean " + quoted(near) + "?"));
         }
         m_property->set(record.ref, value);
@@ -364,7 +364,7 @@ private:
         }
         const Value value(m_rows);
         if (const auto reason = refusal(*m_property, value))
-            return flaw(*reason);
+            return flaw(reason->english());
         m_property->set(m_records.back().ref, value);
         return leave();
     }

@@ -5,6 +5,7 @@
 
 #include "base/fields.h"
 #include "run/recording.h"
+#include "run/run_chunk.h"
 #include "system/fields.h"
 
 namespace ripstop {
