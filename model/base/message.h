@@ -13,7 +13,6 @@
 // that none can be forgotten. What has a singular and a plural is two messages.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -80,7 +79,8 @@ private:
     static Message part(std::string text) { return verbatim(std::move(text)); }
     static Message part(std::string_view text) { return verbatim(std::string(text)); }
     static Message part(const char* text) { return verbatim(text); }
-    static Message part(std::integral auto number)
+    template <typename Whole>
+    static std::enable_if_t<std::is_integral_v<Whole>, Message> part(Whole number)
     {
         return Message::number(std::to_string(number));
     }

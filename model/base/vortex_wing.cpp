@@ -69,7 +69,7 @@ Square downwashMatrix()
 }
 
 // A place as seen from an end of a vortex.
-struct CameraView
+struct VortexView
 {
     Vec3 from;     // m
     double length; // m
@@ -77,7 +77,7 @@ struct CameraView
 
 // Velocity at the place, times 4 pi, of a vortex of unit circulation from a to b, and from a to
 // infinity along the unit vector d. `core`, m^2, keeps it finite at the vortex.
-Vec3 ofBound(const CameraView& a, const CameraView& b, double core)
+Vec3 ofBound(const VortexView& a, const VortexView& b, double core)
 {
     const double both = a.length * b.length;
     return ((a.length + b.length)
@@ -85,7 +85,7 @@ Vec3 ofBound(const CameraView& a, const CameraView& b, double core)
            * a.from.cross(b.from);
 }
 
-Vec3 ofTrailing(const CameraView& a, const Vec3& d, double core)
+Vec3 ofTrailing(const VortexView& a, const Vec3& d, double core)
 {
     return d.cross(a.from) / (a.length * (a.length - d.dot(a.from)) + core);
 }
@@ -190,12 +190,12 @@ bool findCirculations(Line& line)
         const Strip& strip = line.strip[i];
         const auto sight = [&](std::size_t end) {
             const Vec3 from = strip.check - line.quarter[end];
-            return CameraView{from, from.norm()};
+            return VortexView{from, from.norm()};
         };
-        CameraView here = sight(0);
+        VortexView here = sight(0);
         Vec3 last = ofTrailing(here, rearward, core);
         for (std::size_t j = 0; j < N; ++j) {
-            const CameraView there = sight(j + 1);
+            const VortexView there = sight(j + 1);
             const Vec3 next = ofTrailing(there, rearward, core);
             matrix[i][j] = (ofBound(here, there, core) + next - last).dot(strip.normal) * width;
             here = there;

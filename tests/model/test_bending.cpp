@@ -370,7 +370,7 @@ private slots:
         System running = *std::get<Update>(live.update(1, 1)).system;
         const Property* property = findProperty(Kind::Material, "bendingStiffness");
         for (const double value : {1e-4, 2e-4, 0.0, 1e-3}) {
-            live.apply({"", {SetValues{property, {cloth}, {value}}}});
+            live.apply({{}, {SetValues{property, {cloth}, {value}}}});
             const auto update = std::get<Update>(live.update(1, 1));
             QVERIFY(update.patch);
             (void)apply(*update.patch, running);

@@ -94,7 +94,7 @@ Id idOfPart(const Scene& scene)
 
 Edit setting(Id target, const char* key, const Value& value)
 {
-    return {"", {SetValues{findProperty(Kind::Part, key), {target}, {value}}}};
+    return {{}, {SetValues{findProperty(Kind::Part, key), {target}, {value}}}};
 }
 
 } // namespace

@@ -111,7 +111,7 @@ private slots:
     void aPartIsCopiedWithAllThatIsInIt()
     {
         const Scene scene = strip();
-        const Copies copies = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 0, 3))}, "Duplicate");
+        const Copies copies = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 0, 3))}, Message("Duplicate"));
         const Scene now = after(scene, copies.edit);
         QCOMPARE(copies.ids.size(), std::size_t(1));
         const Part& copy = *findItem<Part>(now, copies.ids.front());
@@ -128,12 +128,12 @@ private slots:
     void copiesAreNotTiedToWhatIsNotCopied()
     {
         Scene scene = strip();
-        const Copies second = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 0, 3))}, "");
+        const Copies second = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 0, 3))}, {});
         scene = after(scene, second.edit);
         const Id other = findItem<Part>(scene, second.ids.front())->particles.front().id;
         (void)apply(scene,
-                    {"", {AddRows{Id{1}, {}, {rod(scene.nextId, Id{2}, other, Id{30})}, {}}}});
-        const Copies third = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 5, 0))}, "");
+                    {{}, {AddRows{Id{1}, {}, {rod(scene.nextId, Id{2}, other, Id{30})}, {}}}});
+        const Copies third = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 5, 0))}, {});
         const Scene now = after(scene, third.edit);
         QCOMPARE(findItem<Part>(now, third.ids.front())->links.size(), std::size_t(7));
     }
@@ -143,7 +143,7 @@ private slots:
     {
         const Scene scene = strip();
         const Copies copies =
-            duplicated(scene, {Id{2}, Id{3}, Id{4}, Id{5}}, {shifted(Vec3(0, 0, 1))}, "");
+            duplicated(scene, {Id{2}, Id{3}, Id{4}, Id{5}}, {shifted(Vec3(0, 0, 1))}, {});
         const Scene now = after(scene, copies.edit);
         QCOMPARE(copies.ids.size(), std::size_t(4 + 4 + 2));
         QCOMPARE(partOf(now).particles.size(), std::size_t(10));
@@ -240,7 +240,7 @@ private slots:
     void weldingJoinsWhatIsNear()
     {
         const Scene scene = strip();
-        const Copies copies = duplicated(scene, {Id{1}}, {shifted(Vec3(2.0, 0, 1e-4))}, "");
+        const Copies copies = duplicated(scene, {Id{1}}, {shifted(Vec3(2.0, 0, 1e-4))}, {});
         const Scene two = after(scene, copies.edit);
         const Weld weld = weldedWithin(two, {Id{1}, copies.ids.front()}, 1e-3, WeldAt::First);
         const Scene now = after(two, weld.edit);
@@ -328,7 +328,7 @@ private slots:
     void partsAlignAsWholes()
     {
         const Scene scene = strip();
-        const Copies copies = duplicated(scene, {Id{1}}, {shifted(Vec3(5, 3, 0))}, "");
+        const Copies copies = duplicated(scene, {Id{1}}, {shifted(Vec3(5, 3, 0))}, {});
         const Scene two = after(scene, copies.edit);
         const std::vector<Id> both{Id{1}, copies.ids.front()};
         const Scene now = after(two, aligned(two, both, 1, Side::Most, RestLengths::Keep));

@@ -122,7 +122,7 @@ private slots:
         Scene scene = sample();
         const Result<Edit> edit = assignment(scene, "kite.particles.mass=0.25");
         QVERIFY(edit);
-        QCOMPARE(edit->label, std::string("Set Mass"));
+        QCOMPARE(edit->label.english(), std::string("Set Mass"));
         const Edit undo = apply(scene, *edit);
         for (const Particle& particle : findItem<Part>(scene, Id{1})->particles)
             QCOMPARE(particle.mass, 0.25);

@@ -247,7 +247,7 @@ const Property* row(Kind kind, const char* key)
 
 Edit setOne(const Property* property, std::vector<Id> targets, Value value)
 {
-    return {"test", {SetValues{property, std::move(targets), {std::move(value)}}}};
+    return {Message("test"), {SetValues{property, std::move(targets), {std::move(value)}}}};
 }
 
 // One edit of any kind that fits the scene.
@@ -456,7 +456,7 @@ private slots:
         const std::vector<Id> particles = idsOf(scene, Kind::Particle);
         const Id part = idsOf(scene, Kind::Part).back();
         change(2, setOne(row(Kind::Particle, "mass"), {particles[5]}, 0.3));
-        change(3, {"link", {AddRows{part, {}, {{scene.nextId, particles[7], particles[9]}}, {}}}});
+        change(3, {Message("link"), {AddRows{part, {}, {{scene.nextId, particles[7], particles[9]}}, {}}}});
         change(4, setOne(row(Kind::Settings, "substeps"), {settingsId}, 7));
         change(5, setOne(row(Kind::Particle, "pinned"), {particles[8]}, true));
         simulation.load(*compile(scene, 5, 1));

@@ -148,7 +148,7 @@ private slots:
         for (const char* key : {"kind", "material", "role", "width", "stiffness", "tearLimit"})
             QVERIFY2(changesUsage(setting(Kind::Link, key)), key);
         QVERIFY(changesUsage(setting(Kind::Panel, "material")));
-        QVERIFY(changesUsage({"", {RemoveItem{Id{1}}}}));
+        QVERIFY(changesUsage({{}, {RemoveItem{Id{1}}}}));
     }
 };
 

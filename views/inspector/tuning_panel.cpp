@@ -209,7 +209,7 @@ Edit TuningPanel::restoring(const Set& set, const QString& label) const
     for (const Held& now : captured())
         for (const Held& held : set)
             if (held.property == now.property && held.ids == now.ids && held.values != now.values)
-                edit.changes.push_back(SetValues{held.property, held.ids, held.values});
+                edit.changes.emplace_back(SetValues{held.property, held.ids, held.values});
     return edit;
 }
 

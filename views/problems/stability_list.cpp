@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-enum Column { Subject, Message, Repair };
+enum Column { Subject, Told, Repair };
 
 constexpr int padding = 6; // px
 
@@ -36,7 +36,7 @@ StabilityList::StabilityList(Document& document, Selection& selection, QWidget* 
                   "what it is about."));
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(Subject, QHeaderView::ResizeToContents);
-    header()->setSectionResizeMode(Message, QHeaderView::Stretch);
+    header()->setSectionResizeMode(Told, QHeaderView::Stretch);
     header()->setSectionResizeMode(Repair, QHeaderView::ResizeToContents);
     const auto select = [this](QTreeWidgetItem* item) {
         const Finding& finding = m_findings[std::size_t(indexOfTopLevelItem(item))];
@@ -62,7 +62,7 @@ void StabilityList::showFindings(const std::vector<Finding>& findings)
                                       : tinted(QStringLiteral("ok"), QColor(0x3c, 0x9a, 0x5f)));
         item->setData(Subject, Qt::AccessibleTextRole,
                       (isPoor ? tr("Poor: %1") : tr("Good: %1")).arg(item->text(Subject)));
-        item->setToolTip(Message, item->text(Message));
+        item->setToolTip(Told, item->text(Told));
         if (!finding.repair)
             continue;
         auto* button = new QPushButton(translated(finding.repair->label));
@@ -98,13 +98,13 @@ void StabilityList::resizeEvent(QResizeEvent* event)
 // Rows are as high as their sentences need in the width that there is; a tree does not see to it.
 void StabilityList::fitRows()
 {
-    const int width = columnWidth(Message) - 2 * padding;
+    const int width = columnWidth(Told) - 2 * padding;
     for (int row = 0; row < topLevelItemCount(); ++row) {
         QTreeWidgetItem* item = topLevelItem(row);
         const QRect words =
             fontMetrics().boundingRect(QRect(0, 0, std::max(width, 1), QWIDGETSIZE_MAX),
-                                       Qt::TextWordWrap, item->text(Message));
-        item->setSizeHint(Message, QSize(0, words.height() + padding));
+                                       Qt::TextWordWrap, item->text(Told));
+        item->setSizeHint(Told, QSize(0, words.height() + padding));
     }
 }
 
