@@ -29,7 +29,8 @@ struct Airflow
     friend bool operator==(const Airflow&, const Airflow&) = default;
 };
 
-// m/s; gusts have none, they are the same everywhere and depend on time.
+// Velocity of the air at a place, m/s. It is zero for gusts, which are the same everywhere and
+// depend on time (forces/gusts.h). Pure: any thread may call it.
 Vec3 velocityAt(const Airflow& flow, const Vec3& place);
 
 } // namespace ripstop

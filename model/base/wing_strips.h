@@ -55,7 +55,8 @@ struct WingStrips
     friend bool operator==(const WingStrips&, const WingStrips&) = default;
 };
 
-// The wings among `corners`, in the order of their first panels; none that has no area.
+// The wings among `corners`, in the order of their first panels. Pieces that have no area, or
+// cannot be cut into strips, are left out.
 //   corners   [panels]     particle indices
 //   member    [panels]     whether the panel takes part
 //   position  [particles]  m, at the start

@@ -4,7 +4,8 @@
 // the force itself, and a program that lacks one does not link. What the author's own arrays say
 // already (springs, panels, weights) is not repeated here.
 //
-// Whoever changes a finished system in place has the lists filled anew (forces/forces.h).
+// Whoever changes a finished system in place has the lists filled anew by listForces()
+// (forces/forces.h).
 #pragma once
 
 #include "base/bend.h"
