@@ -41,8 +41,8 @@ Vec3 panelLoad(const MaterialAir& air, const Vec3& a, const Vec3& b, const Vec3&
 void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,
                     std::span<PaddedVec3> load);
 
-// The same, told whether the machine is wide (simd_pack.h), which must not be said of one that is
-// not; both ways give the same bits.
+// fillPanelLoads() that is told whether to use the kernel for wide machines (simd_pack.h), which
+// must not be asked of another machine. Both ways give the same bits, which tests compare.
 void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,
                     std::span<PaddedVec3> load, bool wide);
 

@@ -6,8 +6,7 @@
 // is done.
 //
 // The stepper has the pool and lends it to forces, rods and contact; verification and tests make
-// their own. TBB runs the threads and is not named outside of the source. Any thread may make a
-// pool.
+// their own. TBB runs the threads and is not named outside of the source.
 #pragma once
 
 #include <cstddef>
