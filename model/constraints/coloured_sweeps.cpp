@@ -7,8 +7,7 @@
 // scheduler where there is work enough for threads. Below stand, after the sweeps, how batches are
 // filled, and the order.
 //
-// The batches hold all that a projection reads in the order of reading, as memory is what large
-// networks wait for.
+// The batches hold the numbers of rods in the order in which sweeps read them.
 #include "constraints/coloured_sweeps.h"
 
 #include "base/split_mix.h"

@@ -5,7 +5,7 @@
 // it yields to pressure), fillWithAir() lets air in and out and finds the pressure, and takeAlong()
 // exchanges momentum with the added mass. addCanopyLoads() then turns the loads of panels into
 // those with this air; it is called for each filling of forces and leaves the State alone, so that
-// the display and the ledger may ask as well.
+// measurements may ask as well.
 #include "forces/canopy_air.h"
 
 #include "forces/wind.h"

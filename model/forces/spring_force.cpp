@@ -3,8 +3,8 @@
 // The kernel (spring_kernel.inl) is compiled once for any machine and once for wide ones.
 // fillSpringForces() runs it in parallel over the springs; SpringForce::prepare() notes at which of
 // its particles a spring has its end `b`, which takes the opposite of the force. What follows
-// (energy, power of dampers, work of pins) is asked for by the ledger only and goes over the
-// springs one by one, in their order.
+// (energy, power of dampers, work of pins) is asked for by measurements and goes over the springs
+// one by one, in their order.
 #include "forces/spring_force.h"
 
 #include "parallel/simd_pack.h"
