@@ -1,4 +1,4 @@
-// From numbers, such as ids of elements, to places in arrays.
+// Finds the places of numbers, such as ids of elements, in arrays.
 //
 // Ids count up from 1, so a plain table does what a hash would do, at the cost of one read: it is
 // filled and asked in about the order of memory. Numbers that are far above the count, as in a

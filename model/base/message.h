@@ -51,7 +51,7 @@ public:
     static Message number(std::string printed) { return {Kind::Number, std::move(printed)}; }
     static Message number(const char* pattern, double value); // as printf() has them
 
-    // The same sentence, of a table for example, with these parts.
+    // This sentence, of a table for example, with these parts in its gaps.
     template <typename... Parts>
     Message with(Parts&&... parts) const
     {
@@ -64,8 +64,8 @@ public:
     bool empty() const { return m_text.empty(); }
     std::string english() const;
 
-    // In a language that `inOther` looks texts up in: of a sentence with its gaps, of a number, or
-    // of what is taken verbatim.
+    // The message in the language that `inOther` looks texts up in. It is asked for a sentence with
+    // its gaps, for a number, or for what is taken verbatim.
     using Lookup = std::string (*)(Kind kind, const std::string& english);
     std::string said(Lookup inOther) const;
 

@@ -21,8 +21,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double mostCells = 16.0; // edges of cells that a panel may span to be looked up by cells
-constexpr double tornOut = 4.0;    // times the size at the start: the motion has blown up
+constexpr double mostCells = 16.0;   // cells across; wider panels are compared with all particles
+constexpr double tornOut = 4.0;      // times the size at the start: the motion has blown up
 constexpr double gravityReach = 1.5; // of the way at the speed of now: speeds change in a step
 
 Corners cornersOf(const FabricPanel& panel, const std::vector<PaddedVec3>& x)
@@ -67,7 +67,7 @@ struct Meeting
         return share[0] * v[who[0]] + share[1] * v[who[1]] + share[2] * v[who[2]]
                + share[3] * v[who[3]];
     }
-    // Changes the relative value by `change`, and the sum weighted by mass not at all.
+    // Changes the relative value by `change`, shared out by inverse masses.
     void push(const std::vector<double>& inverseMass, const Vec3& change,
               std::vector<PaddedVec3>& v) const
     {

@@ -2,8 +2,8 @@
 //
 // Contact needs the place of an obstacle at the end of a substep, the way that it went in it, and
 // bounds of all that it may touch on that way. The stepper calls beginMoves() before inputs and
-// carried colliders move, and endMoves() after them. obstaclePosition() changes nothing and is for
-// the display as well.
+// carried colliders move, and endMoves() after them. obstaclePosition() changes nothing; frames
+// ask it too.
 #pragma once
 
 #include "system/system.h"

@@ -21,8 +21,8 @@
 //     dp = dp0 / (1 + c u0 / |n.w|)^2,  u0 = sqrt(2 dp0 / rho)
 // and the leak never exceeds the head-on wind.
 //
-// All laws add skin friction, 1/2 rho Cs A |t| t along t = w - (n.w) n. None minds which side
-// the normal points to. The three corners carry a third of F each.
+// All laws add skin friction, 1/2 rho Cs A |t| t along t = w - (n.w) n. No law depends on
+// which side the normal points to. The three corners carry a third of F each.
 #pragma once
 
 #include "parallel/thread_pool.h"

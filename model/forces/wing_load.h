@@ -14,7 +14,8 @@
 
 namespace ripstop {
 
-// Finds the wings anew, from where the particles start and the wind there, gusts apart.
+// Finds the wings of a system anew, from where its particles start and the wind there without
+// gusts. For the single owner of the system, and not beside a step.
 void listWings(System& system);
 
 // The loads of wings. It holds scratch memory only, and belongs to one thread.

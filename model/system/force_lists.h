@@ -56,7 +56,8 @@ struct HandLists
     friend bool operator==(const HandLists&, const HandLists&) = default;
 };
 
-// In the order in which forces are added up at a particle: another order gives other bits.
+// Forces stand in the order in which they are added up at a particle; another order gives other
+// bits.
 using ForceLists =
     std::tuple<SpringLists, FabricLists, LineLists, BendLists, WeightLists, HandLists>;
 
