@@ -4,8 +4,8 @@
 // the panels face (orient), lays the wing flat along its wind (turn), divides the span (measure),
 // finds the edges at each station (findRim) and samples how the area of each panel lies in strips
 // and along the chord (sample). addParts() then balances the weights of panels, so that the force
-// of a strip acts at a quarter of its chord. A wing that some step cannot lay out is left out, and
-// its panels have the load of plates.
+// of a strip acts at a quarter of its chord. A wing that one of these stages cannot lay out is left
+// out, and its panels have the load of plates.
 #include "base/wing_strips.h"
 
 #include "base/joined_sets.h"

@@ -6,7 +6,8 @@
 // number of threads.
 //
 // RodSolver has one and calls it from the thread that steps; project() spreads its work over the
-// pool. It takes memory when it meets a new system, and none in later substeps.
+// pool. It takes memory when it meets a new system, or a rod that has become of another kind, and
+// none in other substeps.
 #pragma once
 
 #include "constraints/rod_batches.h"

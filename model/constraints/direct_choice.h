@@ -36,7 +36,8 @@
 namespace ripstop {
 
 // Places in system.rods, ascending. The system must be finished. Both build arrays of the size of
-// the system: they are called when a plan of solving is made (step/solver_plan.h), not in a step.
+// the system: they are called when the automatic solver makes its plan (step/solver_plan.h), not in
+// each step.
 std::vector<int> rodsForDirect(const System& system);
 std::vector<int> rodsOfSmallFabric(const System& system);
 

@@ -4,8 +4,8 @@
 // chunk: a rod takes the lowest colour that is free at both ends, fillFours() then moves rods
 // between colours so that few batches of four are left half empty, and the chunk takes the lowest
 // class that is free at all of its particles. The second pass sorts the rods of each chunk by
-// colour and writes the places down. Colours are bit sets,
-// so that the lowest free one is found in a few operations.
+// colour and writes the places down. Colours are bit sets, so that the lowest free one is found in
+// a few operations.
 #include "constraints/rod_order.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ struct RodTask
 {
     const System& system;
     Solver solver;                        // any but Auto
-    int sweeps;                           // of the direct solver, the most iterations
+    int sweeps;                           // or iterations of the direct solver
     std::span<const std::uint8_t> direct; // [rods] 1 in a direct block beside sweeps, or empty
     std::span<const std::uint8_t> torn;   // [rods] 1 where it has torn
     std::span<const double> restLength;   // [rods] m, weight shifts included

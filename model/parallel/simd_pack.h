@@ -3,8 +3,8 @@
 // There is one source for every machine, compiled once for any of them and once for AVX2 with FMA.
 // Kernels stand in files of their own, *_kernel.inl, which `parallel/for_each_machine.inl` includes
 // once for each way; `wideMachine` says which one to take. Products and sums are fused where the
-// source says `fused`, and nowhere else, so that every machine rounds alike. Only sources of the
-// engine that hold such loops include this.
+// source says `fused`, and nowhere else, so that every machine rounds alike. Only the
+// rooms that hold such loops include this.
 #pragma once
 
 #include "base/vec3.h"

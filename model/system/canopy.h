@@ -33,7 +33,7 @@ struct Canopy
     std::vector<int> particles;       // particle indices
     std::vector<Facet> facets;
     std::vector<int> mouth;              // places in `particles`, once around
-    std::vector<std::vector<int>> vents; // places in `particles`, once around as the mouth is
+    std::vector<std::vector<int>> vents; // places in `particles`, wound as the mouth is
 
     friend bool operator==(const Canopy&, const Canopy&) = default;
 };

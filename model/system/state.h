@@ -1,9 +1,9 @@
 // What changes while a system runs: time, motion, and whatever a step must remember.
 //
 // A State belongs to one System, which gives its arrays their sizes; copying it is a checkpoint,
-// from which a run goes on with the same bits. Only the thread that steps changes it. A new field
-// needs its line in system/fields.h, which says whether it is hashed and how it goes over into
-// another system.
+// from which a run goes on with the same bits. The State of a run is changed by the thread that
+// steps alone. A new field needs its line in system/fields.h, which says whether it is hashed and
+// how it goes over into another system.
 #pragma once
 
 #include "base/hands.h"
