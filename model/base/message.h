@@ -42,8 +42,7 @@ public:
         , m_parts{part(std::forward<Parts>(parts))...}
     {}
     template <std::size_t size, typename... Parts>
-    explicit Message(char (&composed)[size],
-                     Parts&&... parts) = delete; // a text that was composed is no literal
+    explicit Message(char (&composed)[size], Parts&&... parts) = delete; // it is no literal
 
     // A label or a choice of a table whose texts `ripstop --table-texts` lists.
     static Message word(std::string_view english) { return {Kind::Sentence, std::string(english)}; }

@@ -26,8 +26,7 @@ struct Failure
         : message(english, std::forward<Parts>(parts)...)
     {}
     template <std::size_t size, typename... Parts>
-    explicit Failure(char (&composed)[size],
-                     Parts&&... parts) = delete; // a text that was composed is no literal
+    explicit Failure(char (&composed)[size], Parts&&... parts) = delete; // it is no literal
 
     Message message;
 };

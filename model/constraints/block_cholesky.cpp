@@ -41,8 +41,8 @@ std::vector<std::uint32_t> eliminationOrder(std::size_t nodes,
     return place;
 }
 
-// Lower Cholesky factor of a 3 x 3 block, in place, with the inverses of its diagonal; false when
-// it is not positive definite.
+// Puts the lower Cholesky factor of a 3 x 3 block in its place, with the inverses of its diagonal.
+// Returns false when the block is not positive definite.
 RIPSTOP_INLINE bool factorizeBlock(Block& a)
 {
     auto& [x, y, z] = a.column;

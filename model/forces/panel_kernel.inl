@@ -151,8 +151,7 @@ RIPSTOP_RARE void addPolarLoads(const PanelWork& work, const std::size_t (&panel
 {
     for (int lane = 0; lane < 4; ++lane) {
         const std::size_t i = panel[lane];
-        const bool again =
-            lane > 0 && i == panel[lane - 1]; // a repeated panel has its load already
+        const bool again = lane > 0 && i == panel[lane - 1]; // it has its load already
         if (byTable[lane] && !again)
             pack(work.load[i]) += all(0.25 * work.airDensity)
                                   * polarLoad(work.airs[work.panels[i].air], normal, wind, lane);

@@ -10,7 +10,7 @@
 
 namespace ripstop {
 
-// Force along the spring, N, positive when it pulls its ends together; 0 when torn or coincident.
+// Force along the spring, N, positive when it pulls its ends together; 0 when slack or coincident.
 double springTension(const Spring& spring, const Vec3& separation, const Vec3& velocityDifference);
 
 // Whether a link that resists so gives no force at this stretch, m.
