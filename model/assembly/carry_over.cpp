@@ -1,3 +1,11 @@
+// Carries a state over into another system, stage by stage.
+//
+// It begins with the start of the new system and what is of the run as a whole. Particles come
+// next, as all else depends on where they are: those of the same key, then twins beside the
+// particles that tears parted them from, then new particles along links from neighbours that have a
+// motion. Pins and guides take away motion that is not allowed any more. Links (torn or not, held,
+// doubled by tears), panels, inputs, gusts and canopies follow, each found by its key. Which fields
+// each of these has is said in system/fields.h alone.
 #include "assembly/carry_over.h"
 
 #include "base/key_index.h"
@@ -10,7 +18,7 @@
 namespace ripstop {
 namespace {
 
-// Place of each item by its key.
+// The places of items by their keys.
 template <typename Items, typename KeyOf>
 KeyIndex indexOf(const Items& items, KeyOf keyOf)
 {
@@ -20,7 +28,7 @@ KeyIndex indexOf(const Items& items, KeyOf keyOf)
     return index;
 }
 
-// What a state says of one particle, spring, ..., as another says of one.
+// Makes all that a state says of one particle, spring, ... what another state says of one.
 template <Per per>
 void carryEntry(const State& state, int from, State& carried, std::size_t to)
 {
@@ -58,7 +66,7 @@ void followNeighbours(const System& to, State& carried, std::vector<std::uint8_t
     }
 }
 
-// Twins that are new stand where the particles that they came from do.
+// Gives twins that are new the motion of the particles that they came from.
 void placeTwins(const System& to, State& carried, std::vector<std::uint8_t>& placed)
 {
     if (carried.splits.empty())
@@ -74,7 +82,7 @@ void placeTwins(const System& to, State& carried, std::vector<std::uint8_t>& pla
     }
 }
 
-// A second link that is new takes its share of what the first holds, and waits as that does.
+// Gives second links that are new their share of what the first link holds; they wait as that does.
 void carryTwinLinks(const System& from, const System& to, State& carried)
 {
     if (carried.splits.empty())
@@ -124,7 +132,7 @@ void carryLinks(const System& from, const State& state, const System& to, State&
             continue;
         const LinkPlace& old = from.links[std::size_t(match)];
         const auto at = std::size_t(link.index);
-        if (link.kind != old.kind) // has in common with it that it is torn
+        if (link.kind != old.kind) // a rod and a spring have in common only whether they are torn
             (link.kind == LinkKind::Rod ? carried.rodTorn : carried.springTorn)[at] =
                 isTorn(old, state);
         else if (link.kind == LinkKind::Rod)
@@ -152,7 +160,7 @@ State carryOver(const System& from, const State& state, const System& to, State 
     placeTwins(to, carried, placed);
     followNeighbours(to, carried, placed);
     for (std::size_t j = 0; j < to.key.size(); ++j) {
-        if (!placed[j]) // has no previous step to remember
+        if (!placed[j]) // this particle has no previous step to remember
             carried.drift[j] = carried.velocity[j];
         if (to.inverseMass[j] == 0.0) { // what has just been pinned stops, for the air as well
             carried.velocity[j].setZero();

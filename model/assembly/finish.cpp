@@ -1,5 +1,6 @@
-// In this order: names for what was made by hand, the order of rods, lists of what meets at each
-// particle, a start state of the right sizes, and what forces derive from all of that.
+// finish() goes in this order: names for what was made by hand, the order of rods, lists of what
+// meets at each particle, a start state of the right sizes, and what forces derive from all of
+// that. Each stage reads what the ones before have filled in.
 #include "assembly/finish.h"
 
 #include "forces/forces.h"
@@ -149,7 +150,7 @@ void listTearable(System& system)
 
 void touch(System& system, const Touched& changed)
 {
-    constexpr std::size_t most = 4096; // more of them are not found faster one by one
+    constexpr std::size_t most = 4096; // beyond this, looking at all is as fast as one by one
     Touched& touched = system.touched;
     if (touched.rods.size() + touched.particles.size() + changed.rods.size()
             + changed.particles.size()

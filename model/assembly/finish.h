@@ -11,9 +11,9 @@
 namespace ripstop {
 
 // Fills what follows from the rest: the order of `rods` (and of the indices that point into it),
-// incidence lists, the sizes of `start`. Call it once, last. Needs inverseMass, springs, rods,
-// panels and start.position. Keys and links that are left empty are numbered; masses that are left
-// empty follow from inverseMass; velocities are zero.
+// incidence lists, the sizes of `start`. It is called once and last. It needs inverseMass, springs,
+// rods, panels and start.position. Keys and links that are left empty are numbered; masses that are
+// left empty follow from inverseMass; velocities that are missing are zero.
 void finish(System& system);
 
 // finish() for a system whose rods stand in this order already, and whose links say so.

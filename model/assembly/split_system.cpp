@@ -1,3 +1,11 @@
+// Parts the particles of a compiled system, split after split.
+//
+// Divider::part() checks that a split still has something to part, adds the twin with its share of
+// the mass, hangs the panels, links and facets of canopies of its lip on it, doubles the links
+// along the tear, and passes a shifted weight on. Later splits may name twins of earlier ones, so
+// they go in order of time. addToProbes() and pins follow, as these look at the particles as they
+// are in the end. Then finish() puts the rods in order anew, which is why what the start says of
+// springs and rods is cleared before.
 #include "assembly/split_system.h"
 
 #include "assembly/finish.h"
@@ -54,7 +62,7 @@ public:
             m_system.inverseMass[std::size_t(particle)] = 0.0;
     }
 
-    // A probe of many has the twins of those that it has.
+    // Gives a probe of several particles or links the twins of those that it has.
     void addToProbes()
     {
         for (ProbeSpec& probe : m_system.probes) {
@@ -64,7 +72,7 @@ public:
     }
 
 private:
-    using Twins = std::vector<std::pair<int, int>>; // from whom, and which
+    using Twins = std::vector<std::pair<int, int>>; // the element, and its twin
 
     static void add(const Twins& twins, std::size_t count, std::vector<int>& list)
     {
@@ -202,7 +210,7 @@ private:
         move(s.links.back(), from, twin);
     }
 
-    // A rod that holds a shifted weight goes on doing so with the part of it that it holds.
+    // A rod that holds a shifted weight goes on doing so with the part of the weight that it holds.
     void moveWeight(int from, int twin)
     {
         bool moved = false;

@@ -23,14 +23,14 @@ namespace ripstop {
 std::shared_ptr<System> splitSystem(const System& compiled, std::span<const Split> splits,
                                     std::span<const Key> pins = {});
 
-// Whom twins came from, in the end: the elements that the author knows.
+// The particles and links that twins came from, in the end: the elements that the author knows.
 class TwinOrigins
 {
 public:
     explicit TwinOrigins(std::span<const Split> splits);
 
-    Key particle(Key key) const;
-    Key link(Key key) const;
+    Key particle(Key key) const; // of the author; any other than a twin is given back as it is
+    Key link(Key key) const;     // of the author; any other than a twin is given back as it is
 
 private:
     std::vector<Key> m_particle; // of each twin, in order

@@ -7,7 +7,7 @@
 //
 // U is the velocity at the reference height H. A jet leaves a nozzle of radius R; s is the distance
 // along its axis and d that from it; where it spreads it slows down such that its flux of momentum
-// stays the same (Schlichting 1933). Behind the nozzle and beyond r there is none of it.
+// stays the same (Schlichting 1933). Behind the nozzle and beyond r there is no jet.
 #pragma once
 
 #include "base/vec3.h"
@@ -29,7 +29,8 @@ struct Airflow
     friend bool operator==(const Airflow&, const Airflow&) = default;
 };
 
-// m/s; gusts have none, they are the same everywhere and depend on time.
+// Velocity of the air at a place, m/s. It is zero for gusts, which are the same everywhere and
+// depend on time (forces/gusts.h). Pure: any thread may call it.
 Vec3 velocityAt(const Airflow& flow, const Vec3& place);
 
 } // namespace ripstop

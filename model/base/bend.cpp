@@ -1,3 +1,12 @@
+// Finds the bends of a network as it was built, and what they ask of the step.
+//
+// Fabric cuts the panels that bend into triangles by their rest lengths, sorts the sides so that
+// the two panels of a side come together, makes a bend of each such pair, and couples the bends of
+// each panel. Spars sorts the ends of links by particle and material and joins those that go on
+// into each other, the straightest pair first. The sorting makes the order of the bends depend on
+// the network alone. bendSums() goes over the stiffness matrix of all bends one row at a time,
+// since bends that overlap share entries, whose sum may be smaller than the sum of their
+// magnitudes.
 #include "base/bend.h"
 
 #include <algorithm>
@@ -34,7 +43,7 @@ public:
         return (m_net.position[std::size_t(b)] - m_net.position[std::size_t(a)]).norm();
     }
 
-    // Of the first link between them; without one, the distance.
+    // The rest length of the first link between them; the distance where there is no link.
     double operator()(int a, int b) const
     {
         const auto found =
@@ -127,7 +136,7 @@ private:
             const auto [a, b, c] = m_net.panels[i].corner;
             Triangle& triangle = m_triangles[i];
             triangle = triangleOf({length(b, c), length(c, a), length(a, b)});
-            if (triangle.area == 0.0) // as rest lengths that no triangle has
+            if (triangle.area == 0.0) // no triangle has these rest lengths
                 triangle = triangleOf(
                     {length.distance(b, c), length.distance(c, a), length.distance(a, b)});
             if (triangle.area == 0.0)

@@ -58,7 +58,7 @@ struct Bend
     friend bool operator==(const Bend&, const Bend&) = default;
 };
 
-// What can bend, and what tells how.
+// The network that bends are found in: what can bend, and what tells how stiffly.
 struct BendingNet
 {
     struct Panel

@@ -4,8 +4,8 @@
 // Bytes of a version have the fields that there were then (Since); a field that came later is
 // neither written nor read, and keeps the value that it begins with.
 //
-// The bytes are those of the machine. Who reads them has checked that they are whole; a length that
-// cannot be is noticed all the same.
+// The bytes are those of the machine. Whoever reads them has checked that they are whole; a length
+// that cannot be is noticed all the same: ok() turns false and stays so.
 #pragma once
 
 #include "base/fields.h"
@@ -138,7 +138,7 @@ private:
         std::memcpy(data, m_left.data(), size);
         m_left.remove_prefix(size);
     }
-    // Nothing is made room for that the rest cannot hold.
+    // A damaged length must not ask for memory that the rest of the bytes cannot fill.
     std::size_t length(std::size_t bytesEach)
     {
         std::uint64_t count = 0;

@@ -12,7 +12,7 @@
 
 namespace ripstop {
 
-// Empty for what is no choice of a design.
+// The names of an enumeration; empty for one that no design chooses from.
 template <typename E>
 inline constexpr std::array<std::string_view, 0> choiceNames{};
 

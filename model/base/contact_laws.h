@@ -1,4 +1,8 @@
 // What colliders look like and what they do to a particle that meets them.
+//
+// The shape says which numbers of a collider count (shapes/solid.h); the response says how much of
+// its velocity a particle keeps (contact/contact.h has the formulas). The scene chooses both,
+// contact obeys them.
 #pragma once
 
 #include "base/choice_names.h"

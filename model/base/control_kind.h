@@ -1,4 +1,6 @@
-// What a control does: it moves particles, or shifts a weight between rods.
+// What a control does: it moves particles and colliders, or shifts a weight between rods.
+//
+// The scene chooses it for each control; Input (system/input.h) carries it into the step.
 #pragma once
 
 #include "base/choice_names.h"

@@ -55,7 +55,7 @@ struct StructField
         return record.*member;
     }
 
-    // The mark of this kind, or `otherwise`.
+    // The mark of this kind, or `otherwise` where the field has none.
     template <typename Mark>
     static constexpr Mark mark(Mark otherwise)
     {
@@ -124,11 +124,11 @@ struct FieldList
     }
 };
 
-// A list: of pointers to members, and of fields with marks.
+// A list is made of pointers to members, and of fields with marks.
 template <typename Struct, auto... members>
 inline constexpr FieldList<Struct, typename AsField<members>::Type...> fields;
 
-// The list of a struct; a specialization beside the struct says it. Nothing for what has none.
+// The list of a struct, which a specialization beside the struct says; null for one without a list.
 template <typename Struct>
 inline constexpr auto fieldsOf = nullptr;
 

@@ -1,4 +1,8 @@
 // The fields of what hands do (hands.h), said once; see fields.h.
+//
+// The bytes of a State need them, since hands are part of it (system/fields.h), and so does the
+// recording of what hands were told (io/hand_rows.cpp). A field that is added to one of these
+// structs needs its place in the list; without it nothing compiles.
 #pragma once
 
 #include "base/fields.h"

@@ -1,5 +1,8 @@
 // What a person does to a running simulation by hand, besides moving its controls: pull, pin, carry
-// colliders, blow. A state, not events: what is held now. Particles and colliders go by their keys.
+// colliders, blow. Hands say what is held now, and not what has happened, so that a value may be
+// skipped. Particles and colliders go by their keys, which outlive edits. All of it is plain
+// values: the window fills them, a mailbox takes them to the thread that steps, and State keeps
+// them.
 #pragma once
 
 #include "base/airflow.h"

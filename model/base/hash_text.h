@@ -1,4 +1,5 @@
-// How the hash of a state is written for people, in files and on the command line.
+// How the hash of a state is written for people, in files and on the command line: always as 16
+// hexadecimal digits in lower case, so that two hashes are equal when their texts are.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// From numbers to places in arrays.
+// Finds the places of numbers, such as ids of elements, in arrays.
 //
 // Ids count up from 1, so a plain table does what a hash would do, at the cost of one read: it is
 // filled and asked in about the order of memory. Numbers that are far above the count, as in a
@@ -20,7 +20,7 @@ public:
         : m_limit(8 * count + 1024)
     {}
 
-    // False, and the first place stays, when the key is there already.
+    // Returns false when the key is there already; its first place stays.
     bool add(std::uint32_t key, int place)
     {
         if (key >= m_limit)

@@ -8,12 +8,12 @@
 
 namespace ripstop {
 
-enum class LinkKind { Spring, Rod }; // a force; a constraint
+enum class LinkKind { Spring, Rod }; // a spring is a force, a rod a constraint
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<LinkKind>{"spring", "rod"};
 
 enum class LinkRole : std::uint8_t {
-    Line,   // one by itself
+    Line,   // a link by itself
     Thread, // of a woven fabric, along its threads
     Bias    // of a woven fabric, across its cells
 };

@@ -17,7 +17,7 @@ std::string Message::english() const
                            : said([](Kind, const std::string& english) { return english; });
 }
 
-// In one pass, so that a name with a "%1" in it stays as it is.
+// Fills the gaps in one pass, so that a name with a "%1" in it stays as it is.
 std::string Message::said(Lookup inOther) const
 {
     const std::string sentence = inOther(m_kind, m_text);

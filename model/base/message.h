@@ -41,7 +41,7 @@ public:
         , m_parts{part(std::forward<Parts>(parts))...}
     {}
     template <std::size_t size, typename... Parts>
-    explicit Message(char (&composed)[size], Parts&&... parts) = delete; // is no literal
+    explicit Message(char (&composed)[size], Parts&&... parts) = delete; // it is no literal
 
     // A label or a choice of a table whose texts `ripstop --table-texts` lists.
     static Message word(std::string_view english) { return {Kind::Sentence, std::string(english)}; }
@@ -49,7 +49,7 @@ public:
     static Message number(std::string printed) { return {Kind::Number, std::move(printed)}; }
     static Message number(const char* pattern, double value); // as printf() has them
 
-    // The same sentence, of a table for example, with these parts.
+    // This sentence, of a table for example, with these parts in its gaps.
     template <typename... Parts>
     Message with(Parts&&... parts) const
     {
@@ -62,8 +62,8 @@ public:
     bool empty() const { return m_text.empty(); }
     std::string english() const;
 
-    // In a language that `inOther` looks texts up in: of a sentence with its gaps, of a number, or
-    // of what is taken verbatim.
+    // The message in the language that `inOther` looks texts up in. It is asked for a sentence with
+    // its gaps, for a number, or for what is taken verbatim.
     using Lookup = std::string (*)(Kind kind, const std::string& english);
     std::string said(Lookup inOther) const;
 

@@ -1,10 +1,14 @@
+// A key of a collider's path: at this time it is at this place.
+//
+// Between two keys the collider moves straight and at constant speed; before the first and after
+// the last it stays there (contact/obstacle_motion.cpp). The keys of a path stand in ascending
+// order of time; scene/collider_path.h refuses others.
 #pragma once
 
 #include "base/vec3.h"
 
 namespace ripstop {
 
-// A thing that moves along a path is at this place at this time, and on a straight line between.
 struct PathKey
 {
     double time = 0.0;         // s

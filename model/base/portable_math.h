@@ -1,5 +1,6 @@
 // Logarithm, exponential and angle that have the same bits on every machine, unlike those of the
-// mathematical libraries; exact to two units in the last place. Sums and products only.
+// mathematical libraries; exact to two units in the last place. They use sums, products,
+// quotients, square roots and exact functions only, which every machine rounds alike.
 #pragma once
 
 #include <cmath>
@@ -41,8 +42,8 @@ inline double portableExp(double x)
     return std::ldexp(sum, int(n));
 }
 
-// Angle of (x, y) from the x axis, 0 to pi, for y >= 0. Halved four times, tan a/2 =
-// tan a / (1 + sqrt(1 + tan^2 a)), and then the series of the arc tangent.
+// Angle of (x, y) from the x axis, 0 to pi, for y >= 0. The angle is halved four times by
+// tan a/2 = tan a / (1 + sqrt(1 + tan^2 a)); then comes the series of the arc tangent.
 inline double portableAngle(double x, double y)
 {
     if (!(y > 0.0))

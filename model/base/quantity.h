@@ -38,7 +38,7 @@ enum class Quantity {
     Acceleration,
     Airspeed,
     MeanStrain,
-    HighStrain, // that 95 of 100 links stay below
+    HighStrain, // the strain that 95 of 100 links stay below
     Length,
     Area,
     Reaction,
@@ -46,7 +46,7 @@ enum class Quantity {
     Drag,
     LiftToDrag,
     DragArea,
-    PressureX, // centre of it
+    PressureX, // of the centre of pressure
     PressureY,
     PressureZ,
     AngleOfAttack,

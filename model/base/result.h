@@ -1,3 +1,9 @@
+// What functions return that may fail: a value, or the reason why there is none.
+//
+// Loading, compiling and exporting fail with a Failure and throw nothing out of a source file; a
+// step cannot fail and returns no Result. A Failure has one sentence for people and no code to
+// switch on: whoever calls shows the sentence or puts it into one of its own. [[nodiscard]] makes
+// the compiler complain where a Result is dropped.
 #pragma once
 
 #include "base/message.h"
@@ -20,7 +26,7 @@ struct Failure
         : message(english, std::forward<Parts>(parts)...)
     {}
     template <std::size_t size, typename... Parts>
-    explicit Failure(char (&composed)[size], Parts&&... parts) = delete; // is no literal
+    explicit Failure(char (&composed)[size], Parts&&... parts) = delete; // it is no literal
 
     Message message;
 };
@@ -44,7 +50,7 @@ public:
     T* operator->() { return &*m_value; }
     const T* operator->() const { return &*m_value; }
 
-    // Only when there is no value.
+    // Why there is no value; it is a mistake to ask while there is one.
     const Failure& failure() const
     {
         assert(!m_value);

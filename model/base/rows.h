@@ -1,4 +1,8 @@
-// Lists of lists in two arrays, as sparse matrices keep them.
+// Lists of lists in two arrays, as sparse matrices keep them (compressed rows).
+//
+// Two arrays take less memory than a vector for each row, and are gone through in order of memory.
+// The incidence lists of a System (springsAt, panelsAt, ...) are Rows, and a row in ascending order
+// is what gives sums over it the same bits in every run.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +20,8 @@ struct Rows
     friend bool operator==(const Rows&, const Rows&) = default;
 };
 
-// The items that name each of `count` targets, in ascending order of item.
+// Fills `rows` with the items that name each of `count` targets, in ascending order of item.
+//   targetsOf(item)  the targets, 0 .. count - 1, that an item names
 template <typename Items, typename TargetsOf>
 void fillIncidence(Rows& rows, std::size_t count, const Items& items, TargetsOf targetsOf)
 {

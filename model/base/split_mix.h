@@ -1,11 +1,14 @@
 // SplitMix64 (Steele, Lea and Flood 2014): spreads the bits of a number, the same on every machine.
+//
+// Gusts, generated terrain and the order of colours draw their random numbers from it, as a hash of
+// seed and step: it has no state of its own, so any thread may call it in any order.
 #pragma once
 
 #include <cstdint>
 
 namespace ripstop {
 
-// Its last stage: numbers that are near each other come far apart.
+// The last stage of SplitMix64 alone: numbers that are near each other come far apart.
 inline std::uint64_t mixBits(std::uint64_t x)
 {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

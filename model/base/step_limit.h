@@ -1,3 +1,13 @@
+// How long a substep with springs may be.
+//
+// The largest frequency at a particle of mass m is at most w^2 = 2 K / m and the largest rate of
+// damping c = 2 N / m (Gershgorin), K and N being the sums of stiffness (N/m) and damping (N s/m)
+// of the springs there. Semi-implicit Euler and Verlet are stable while (w h)^2 + 2 c h < 4, so
+//
+//     h < (sqrt(c^2 + 4 w^2) - c) / w^2,
+//
+// which is sqrt(2 m / K) without damping. The check of a scene, the watchdog and the choice of
+// substeps all ask here, so that they say the same.
 #pragma once
 
 #include <cmath>
@@ -5,11 +15,9 @@
 
 namespace ripstop {
 
-// The longest substep, s, at which the springs at a particle are sure to be stable with
-// semi-implicit Euler or Verlet. The largest frequency there is at most w^2 = 2 K / m and the
-// largest rate of damping c = 2 N / m (Gershgorin), K and N being the sums of stiffness (N/m) and
-// damping (N s/m) of the springs; stable is (w h)^2 + 2 c h < 4, so h < (sqrt(c^2 + 4 w^2) - c) /
-// w^2, written here in a way that holds for w = 0 too. Without damping that is sqrt(2 m / K).
+// The limit above for one particle, s; infinite where nothing bounds it. The formula is turned
+// around so that it holds for w = 0 too.
+//   mass, stiffness, damping  kg, N/m, N s/m
 inline double springStepLimit(double mass, double stiffness, double damping)
 {
     const double w2 = 2.0 * stiffness / mass;

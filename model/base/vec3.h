@@ -1,17 +1,20 @@
+// Vectors of three numbers: Vec3 for all of the program, PaddedVec3 for the arrays of the solver.
+//
+// Both are points, displacements, velocities or forces, in SI units; y is up. A Vec3 that is given
+// no value holds anything; a PaddedVec3 starts as zero.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace ripstop {
 
-// A point, a displacement or a force; y is up. 24 bytes without padding, so that the viewport can
-// show an array of them in place.
+// 24 bytes without padding, so that the viewport can show an array of them in place.
 using Vec3 = Eigen::Vector3d;
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
-// The same in the arrays that the solver works on: one vector register each. The fourth number is
-// zero and stays zero.
+// A Vec3 that fills one vector register, so that the solver loads and stores it at once. The fourth
+// number is zero and stays zero.
 struct alignas(32) PaddedVec3 : Vec3
 {
     PaddedVec3()

@@ -1,3 +1,14 @@
+// The loads of a wing in one state, in the order of fillWingLoads():
+//
+//   meetPanels, layLine, meetWind   the head-on wind of panels and strips, and the lifting line
+//   findCirculations                a linear system of one unknown for each strip
+//   stall                           circulation is taken from strips that meet the air too steeply
+//   addStripForces, addPanelForces  Kutta and Joukowski for strips, the moment of camber for panels
+//   keepPowerPositive               what the whole would gain from the air is taken out as drag
+//
+// It returns early, with loads of zero, where there is no wing to speak of: without wind or area,
+// in wind at a large angle to the chord, or when the system is singular. Panels then keep the loads
+// of plates. Elimination is written out here, so that every machine does the same operations.
 #include "base/vortex_wing.h"
 
 #include <Eigen/Geometry>
@@ -16,7 +27,8 @@ constexpr double camberSlope = 1.5 * pi; // 1/rad, for a moment of -pi h at camb
 using Row = std::array<double, N>;
 using Square = std::array<Row, N>;
 
-// In place, by elimination with pivots; the same operations on every machine. False when singular.
+// Solves in place, by elimination with pivots; the same operations on every machine. Returns false
+// when the matrix is singular.
 template <std::size_t rows>
 bool solve(std::array<std::array<double, rows>, rows>& matrix, std::array<double, rows>& value)
 {
@@ -55,8 +67,9 @@ double sineOf(std::size_t m)
     return second ? -value : value;
 }
 
-// Circulations to downwash times the span: as sines, whose coefficients are 2/N sum of G_i
-// sin(k t_i) but half of that for the last, and their downwash.
+// The matrix from circulations to downwash times the span. The circulations are taken as a sum of
+// sines, whose coefficients are 2/N sum of G_i sin(k t_i) but half of that for the last; Glauert
+// gives the downwash of each.
 Square downwashMatrix()
 {
     Square result{};
@@ -177,8 +190,8 @@ void meetWind(const WingStrips& wing, std::span<const WingPanel> panels, Line& l
     line.wind /= std::max(all, 1e-300);
 }
 
-// False when there is none. The wake leaves along the chord: so it does up to the trailing edge,
-// and neither incidence nor slip takes it over a place where the flow is checked.
+// Returns false when there are none. The wake leaves along the chord, as it does up to the trailing
+// edge: then neither incidence nor slip takes it over a place where the flow is checked.
 bool findCirculations(Line& line)
 {
     const Vec3 rearward = line.chord.normalized();

@@ -48,7 +48,7 @@ struct WingPanel
 
 Vec3 plateLoad(const WingPanel& panel, double airDensity); // N
 
-// Fills the loads of all panels of the wing.
+// Fills the loads of all panels of the wing; any thread may call it with panels of its own.
 //   front, rear  m, where the cuts leave the edges now
 //   panels       [wing.panels]
 void fillWingLoads(const WingStrips& wing, const WingRim& front, const WingRim& rear,

@@ -1,3 +1,11 @@
+// Cuts wings into strips, once for a system and not in a step.
+//
+// wingsOf() joins panels that hang together into wings. For each, Layout::cut() settles which way
+// the panels face (orient), lays the wing flat along its wind (turn), divides the span (measure),
+// finds the edges at each station (findRim) and samples how the area of each panel lies in strips
+// and along the chord (sample). addParts() then balances the weights of panels, so that the force
+// of a strip acts at a quarter of its chord. A wing that one of these stages cannot lay out is left
+// out, and its panels have the load of plates.
 #include "base/wing_strips.h"
 
 #include "base/joined_sets.h"
@@ -42,7 +50,7 @@ public:
         , m_position(position)
     {}
 
-    // False when there is no area to lay out.
+    // Returns false when the wing cannot be laid out, as when it has no area.
     bool cut(WingStrips& wing)
     {
         if (!orient(wing))
@@ -262,7 +270,7 @@ private:
         wing.parts.insert(wing.parts.end(), parts.begin(), parts.end());
     }
 
-    // What the strip has of its panels, and those of the strips up to `reach` beside it.
+    // The parts of the panels of a strip, and of the strips up to `reach` beside it.
     std::vector<StripPart> gather(int strip, int reach, std::vector<double>& ease) const
     {
         std::vector<StripPart> parts;
@@ -290,7 +298,7 @@ private:
         return parts;
     }
 
-    // False when no weights do, or only such that pull hard against each other.
+    // Returns false when no weights balance, or only such that pull hard against each other.
     bool balance(double StripPart::*weight, double target, std::vector<StripPart>& parts,
                  const std::vector<double>& ease) const
     {

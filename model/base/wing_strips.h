@@ -32,7 +32,7 @@ struct RimPoint
     friend bool operator==(const RimPoint&, const RimPoint&) = default;
 };
 
-// What a strip and a panel have to do with each other.
+// How much a strip and a panel have to do with each other.
 struct StripPart
 {
     int strip;
@@ -55,7 +55,8 @@ struct WingStrips
     friend bool operator==(const WingStrips&, const WingStrips&) = default;
 };
 
-// The wings among `corners`, in the order of their first panels; none that has no area.
+// The wings among `corners`, in the order of their first panels. Pieces that have no area, or
+// cannot be cut into strips, are left out.
 //   corners   [panels]     particle indices
 //   member    [panels]     whether the panel takes part
 //   position  [particles]  m, at the start
@@ -66,7 +67,7 @@ std::vector<WingStrips> wingsOf(std::span<const std::array<int, 3>> corners,
 
 using WingRim = std::array<Vec3, wingStations>; // m
 
-// Where the points of a rim are.
+// The places of the points of a rim, m.
 //   position  [particles]  m
 WingRim rimOf(const std::array<RimPoint, wingStations>& places,
               std::span<const PaddedVec3> position);

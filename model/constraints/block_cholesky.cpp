@@ -1,3 +1,11 @@
+// A sparse factorisation by 3 x 3 blocks, in three stages that are called at different rates.
+//
+// analyze() once for a pattern: the order of elimination, the rows of each column with its fill
+// (which a column hands on to its parent in the elimination tree), and the block that every product
+// goes to. factorize() in each iteration: column after column, it factorises the block on the
+// diagonal, divides the blocks below by it and subtracts their products along the list. solve()
+// goes forward through the columns and back again. Searching and memory are left to the first
+// stage, so that the others are plain loops in a fixed order.
 #include "constraints/block_cholesky.h"
 
 #include <Eigen/OrderingMethods>
@@ -33,8 +41,8 @@ std::vector<std::uint32_t> eliminationOrder(std::size_t nodes,
     return place;
 }
 
-// Lower Cholesky factor of a 3 x 3 block, in place, with the inverses of its diagonal; false when
-// it is not positive definite.
+// Puts the lower Cholesky factor of a 3 x 3 block in its place, with the inverses of its diagonal.
+// Returns false when the block is not positive definite.
 RIPSTOP_INLINE bool factorizeBlock(Block& a)
 {
     auto& [x, y, z] = a.column;
@@ -66,8 +74,8 @@ RIPSTOP_INLINE void divideByTransposed(Block& b, const Block& l)
     pack(b.column[2]) = z;
 }
 
-// Column `right` of a factor takes from every later block what it shares with it:
-// target -= left right^T.
+// The block `right` of a column takes its products with the blocks from itself on down the column
+// from later blocks: target -= left right^T.
 RIPSTOP_INLINE void subtractProducts(Block* left, std::size_t count, const Block& right,
                                      const std::uint32_t* target, Block* block)
 {

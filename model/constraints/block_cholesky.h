@@ -24,7 +24,8 @@ public:
         double column[3][4]; // the fourth row is zero
     };
 
-    // `pairs` are the places off the diagonal, in any order, each pair of nodes once or more.
+    // Analyses a pattern, which takes memory; nothing else does. `pairs` are the places off the
+    // diagonal, in any order, each pair of nodes once or more.
     void analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs);
 
     // Filling the matrix: set it to zero, then add symmetric blocks.
@@ -37,7 +38,8 @@ public:
     }
     Block& pair(std::size_t index) { return m_block[m_pair[index]]; }
 
-    // False when the matrix is not positive definite.
+    // Puts the factor in place of the matrix. Returns false when the matrix is not positive
+    // definite.
     [[nodiscard]] bool factorize();
 
     // Solves for `x`, [nodes], given the right-hand side in it.

@@ -1,3 +1,13 @@
+// Sweeps over rods in colours: project() for one substep, takeMultipliers() after the last.
+//
+// project() first brings the batches up to date, as little as is needed: batch() for another
+// system, renew() for numbers that changed in place, soften() for another substep, update() for
+// torn rods and shifted lengths. It then puts the classes of chunks and the colours in order,
+// shuffled where there is a single sweep, and sweeps: on one thread along a wavefront, or with the
+// scheduler where there is work enough for threads. Below stand, after the sweeps, how batches are
+// filled, and the order.
+//
+// The batches hold the numbers of rods in the order in which sweeps read them.
 #include "constraints/coloured_sweeps.h"
 
 #include "base/split_mix.h"
@@ -16,7 +26,7 @@ namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Handing a substep to threads costs about what these many projections take.
+// Handing a substep to threads costs about as much as so many projections.
 constexpr std::size_t worthThreads = 30000;
 
 void shuffleInts(std::span<int> values, std::uint64_t seed)
@@ -145,7 +155,7 @@ void ColouredSweeps::takeMultipliers(const System& system, double scale, ThreadP
                                      std::span<double> multiplier)
 {
     if (system.serial != m_serial)
-        return; // not one substep yet
+        return; // not one substep was made with this system
     pool.parallelFor(m_place.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t r = first; r < last; ++r)
             if (m_place[r].ours)
@@ -172,7 +182,7 @@ double ColouredSweeps::taken(std::size_t r) const
     return m_batches.evenStretch[place.batch].value[lane] * 2.0 * m_inverseWeight[r];
 }
 
-// --- cooking ------------------------------------------------------------------------------------
+// --- batches ------------------------------------------------------------------------------------
 
 ColouredSweeps::Kind ColouredSweeps::kindOf(const System& system, const Rod& rod)
 {
@@ -366,8 +376,8 @@ void ColouredSweeps::fillGuided(const RodTask& task, std::size_t r)
     held.torn = m_torn[r] != 0;
 }
 
-// Takes over numbers that changed in place. The order stays; a rod that needs more or less than
-// before changes the batches, though.
+// Takes over numbers that changed in place. The order stays. A rod that has become of another kind
+// belongs into another batch, and then all batches are filled anew.
 void ColouredSweeps::renew(const RodTask& task)
 {
     const System& system = task.system;

@@ -1,3 +1,13 @@
+// Gauss-Seidel in colours, four rods at a time: the sweeps of Solver::GaussSeidel and SmallSteps.
+//
+// The rods of a system are put once into batches of four that share no particle (rod_batches.h), in
+// the order of the system (rod_order.h); numbers that change in place are put into their lanes
+// again. The arithmetic is the same, to the bit, with and without vector instructions, and for any
+// number of threads.
+//
+// RodSolver has one and calls it from the thread that steps; project() spreads its work over the
+// pool. It takes memory when it meets a new system, or a rod that has become of another kind, and
+// none in other substeps.
 #pragma once
 
 #include "constraints/rod_batches.h"
@@ -13,17 +23,15 @@ namespace ripstop {
 
 struct RodTask;
 
-// Gauss-Seidel in colours, four rods at a time.
-//
-// The rods of a system are batched once into batches of four that share no particle. The arithmetic
-// is the same, to the bit, with and without vector instructions, and for any number of threads.
 class ColouredSweeps
 {
 public:
-    // All sweeps of one substep.
+    // Makes all sweeps of one substep: moves task.position [particles], m.
     void project(const RodTask& task, ThreadPool& pool);
 
-    // What each of its rods took since the last call, kg m, times `scale`.
+    // Fills in the sum of the multipliers that each of its rods took since the last call, kg m,
+    // times `scale`; entries of rods that another solver has stay as they are.
+    //   multiplier  [rods]
     void takeMultipliers(const System& system, double scale, ThreadPool& pool,
                          std::span<double> multiplier);
 
@@ -32,9 +40,9 @@ private:
 
     struct Place // of a rod among the batches
     {
-        bool ours = true;         // else another solver has it
+        bool ours = true;         // false when another solver has it
         Kind nature = Kind::Even; // the simplest kind that would do
-        Kind kind = Kind::Even;   // of its batch
+        Kind kind = Kind::Even;   // the kind of its batch
         std::uint8_t lanes = 0;   // the lanes that it has, one bit each
         std::uint32_t batch = 0;
     };
@@ -62,8 +70,8 @@ private:
 
     std::uint64_t m_serial = 0; // of the system that is batched
     std::uint64_t m_valuesSerial = 0;
-    std::vector<std::uint8_t> m_direct; // [rods] that another solver has, or empty
-    bool m_noting = true;               // in this substep
+    std::vector<std::uint8_t> m_direct; // [rods] 1 where another solver has it, or empty
+    bool m_noting = true;               // multipliers of this substep are summed
     bool m_anew = true;                 // nothing is noted yet
     double m_h = 0.0;                   // s, for which soft rods are batched
     RodBatches m_batches;
@@ -72,10 +80,10 @@ private:
     std::vector<double> m_inverseWeight; // [rods] kg; 0 when pinned at both ends
     std::vector<std::uint8_t> m_torn;    // [rods] as batched
     std::vector<int> m_colorOrder;       // [colours] within each chunk
-    std::vector<int> m_classRank;        // [classes] its turn
+    std::vector<int> m_classRank;        // [classes] the turn of each class
     Wavefront m_wave;
     ChunkScheduler m_scheduler;
-    std::uint64_t m_relaySerial = 0; // of the system that it is prepared for
+    std::uint64_t m_relaySerial = 0; // of the system that the scheduler is prepared for
 };
 
 } // namespace ripstop

@@ -1,3 +1,13 @@
+// Finds the rods for direct blocks, in the order of the header.
+//
+// riggings(): particlesOfLines() leaves out what is of a mesh or heavy; Groups joins the rest into
+// riggings and everything else into clusters; loads and numbers of particles give the sweeps that
+// each would need. frames(): Networks finds what rods join without passing a pin, and isSmall()
+// prepares a solver on trial to count the products of blocks. rodsForDirect() then takes
+// candidates, the slowest first, until there are enough particles. rodsOfSmallFabric() asks
+// Networks alone.
+//
+// All of it looks at the system and never at the clock, so that every machine chooses alike.
 #include "constraints/direct_choice.h"
 
 #include "constraints/direct_solver.h"
@@ -21,7 +31,7 @@ constexpr double straight = 0.99;   // twice the longest side over the circumfer
 struct Candidate
 {
     double sweeps;
-    int particles; // that are free
+    int particles; // how many of them are free
     std::vector<int> rods;
 };
 
@@ -72,7 +82,7 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-// Particles that rods tie to each, in ascending order.
+// The particles that rods tie to each particle, in ascending order.
 class Neighbours
 {
 public:
@@ -109,7 +119,7 @@ bool alike(const System& system, int a, int b)
     return u < alikeMasses * w && w < alikeMasses * u;
 }
 
-// m, of the rod between two particles that are tied.
+// Rest length, m, of the rod between two particles that are tied.
 double lengthBetween(const System& system, int a, int b)
 {
     for (int k = system.rodsAt.start[std::size_t(a)]; k < system.rodsAt.start[std::size_t(a) + 1];
@@ -287,7 +297,7 @@ public:
     const std::vector<int>& rods(std::size_t n) const { return m_rods[n]; }
     const std::vector<double>& masses(std::size_t n) const { return m_masses[n]; }
 
-    // Whether an iteration of all of it is worth its time.
+    // Whether an iteration of the direct solver over all of a network is worth its time.
     bool isSmall(std::size_t n) const
     {
         DirectSolver trial;
@@ -311,7 +321,7 @@ private:
     std::vector<std::vector<double>> m_masses; // [networks] kg, of what is free
 };
 
-// Those that are small enough and slow.
+// Networks that are small enough and slow; others have no sweeps here.
 std::vector<Candidate> frames(const System& system, std::span<const Candidate> rigged)
 {
     const Networks networks(system);

@@ -7,7 +7,7 @@
 //
 // passes until the pull is right (the slowest modes of J M^-1 J^T over its diagonal): 20 for a rope
 // of 14 equal particles, 13 million for 65 kg on 100 particles of 1 g. The block takes what would
-// need more than 200:
+// need more than 200 passes:
 //
 // - *Rigging*: particles that are not of a mesh (corners of a panel, or of a triangle or square of
 //   rods that are not all in a row, whose masses are alike within a factor of five) tied to
@@ -21,8 +21,8 @@
 //   particles that has such a rigging, or a particle 30 times as heavy as half of the others.
 //
 // A block of fabric soon costs more than its sweeps: a small frame is taken only if an iteration
-// has at most 20 000 products of blocks, about 60 us, and else only its rigging. All in all there
-// are at most 500 particles, the slowest first.
+// has at most 20 000 products of blocks, about 60 us, and else only its rigging. All blocks
+// together have at most 500 particles, and the slowest candidates come first.
 //
 // - *Small fabric*: all rods of a network of at most as many particles and products that has
 //   panels. What air does to a kite or a glider is many times its weight, and sweeps that hold it
@@ -35,7 +35,9 @@
 
 namespace ripstop {
 
-// Places in system.rods, ascending. The system must be finished.
+// Places in system.rods, ascending. The system must be finished. Both build arrays of the size of
+// the system: they are called when the automatic solver makes its plan (step/solver_plan.h), not in
+// each step.
 std::vector<int> rodsForDirect(const System& system);
 std::vector<int> rodsOfSmallFabric(const System& system);
 

@@ -1,3 +1,11 @@
+// Newton's method for a block of rods.
+//
+// prepare() numbers the particles (those that move first, then pins), analyses the pattern of the
+// matrix and finds islands that nothing holds; refresh() reads changed numbers and prepares anew
+// only where pins or guides have changed. project() makes iterations of four stages: measure()
+// lengths and directions, assemble() matrix and right-hand side, factorise and solve, then go()
+// along the move, halved while it does not bring the sum down. In the end keepCenters() takes back
+// what rounding moved the centres of islands, and positions and multipliers are handed back.
 #include "constraints/direct_solver.h"
 
 #include "constraints/guides.h"
@@ -101,7 +109,7 @@ void DirectSolver::findIslands()
     for (const Bar& bar : m_bars)
         if (bar.pair < 0)
             held[std::size_t(lowest(std::min(bar.a, bar.b)))] = 1;
-    for (std::size_t i = 0; i < m_guides.size(); ++i) // which push back across
+    for (std::size_t i = 0; i < m_guides.size(); ++i) // a guide holds across itself
         if (m_guides[i].guide != Guide::None)
             held[std::size_t(lowest(std::uint32_t(i)))] = 1;
 
@@ -221,7 +229,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
         assemble();
         const double before = merit();
-        if (!m_matrix.factorize()) // when something is not a number: the watchdog will see it
+        if (!m_matrix.factorize()) // something is not a number, which the watchdog will see
             break;
         m_matrix.solve(m_move);
         moveAlongGuides();
@@ -251,7 +259,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     return taken;
 }
 
-// Lengths and directions of now.
+// Measures the rods with their ends where they are now.
 RIPSTOP_CLONES
 void DirectSolver::measure()
 {
@@ -368,7 +376,7 @@ void DirectSolver::addOnGuides(const Bar& bar)
     }
 }
 
-// But for rounding errors, it does already.
+// The moves lead along the guides but for rounding errors, which are taken out here.
 void DirectSolver::moveAlongGuides()
 {
     for (std::size_t i = 0; i < std::min(m_guides.size(), nodes()); ++i) {
@@ -379,7 +387,7 @@ void DirectSolver::moveAlongGuides()
     }
 }
 
-// Multipliers at the end of the move, if rods were straight rails.
+// Foresees the multipliers at the end of the move, as if rods kept their directions.
 void DirectSolver::foresee()
 {
     for (Bar& bar : m_bars) {
@@ -405,7 +413,7 @@ void DirectSolver::go(double share)
     measure();
 }
 
-// What an idle line is too long, or an idle strut too short, m.
+// How much an idle line is too long, or an idle strut too short (negative), m.
 double DirectSolver::excess(const Bar& bar)
 {
     if (bar.torn)
@@ -418,7 +426,7 @@ double DirectSolver::excess(const Bar& bar)
     case Resists::Both:
         break;
     }
-    return 0.0; // coincident ends
+    return 0.0; // a rod that resists both ways is idle only with coincident ends
 }
 
 // The sum that is minimised, for the rods that are active now; kg m^2.

@@ -47,8 +47,8 @@ struct RodTask;
 class DirectSolver
 {
 public:
-    // Takes over `rods`, places in System::rods; others do not exist for it. The heap is used here
-    // and nowhere else.
+    // Takes over `rods`, places in System::rods; others do not exist for it. This takes memory, and
+    // so does refresh() when pins or guides have changed; nothing else does.
     void prepare(const System& system, std::span<const int> rods);
 
     // Reads the numbers of the rods and the masses again, after they changed in place.
@@ -65,7 +65,7 @@ public:
     int project(const RodTask& task, std::span<double> multiplier, int iterations,
                 double tolerance = 3e-4);
 
-    std::span<const int> rods() const { return m_rods; }         // that it was given
+    std::span<const int> rods() const { return m_rods; }         // as given to prepare()
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
     std::size_t products() const { return m_matrix.products(); } // of blocks, in an iteration
 
@@ -107,7 +107,7 @@ private:
     static bool acts(const Bar& bar);
     static double excess(const Bar& bar);
 
-    std::vector<int> m_rods; // that it was given
+    std::vector<int> m_rods; // as given to prepare()
     double m_h = 0.0;        // s, for which softness is right
     BlockCholesky m_matrix;
     std::vector<Bar> m_bars;

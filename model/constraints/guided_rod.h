@@ -26,10 +26,11 @@ struct GuidedRod
     double highest = 0.0;  // kg m
     bool torn = false;
     double multiplier = 0.0; // kg m, of this substep
-    double sum = 0.0;        // kg m, of the substeps that are noted
+    double sum = 0.0;        // kg m, over the substeps that are noted
 };
 
-// Moves the ends, once.
+// Projects the rod once: moves its ends and adds to its multiplier.
+//   position  [particles]  m
 void project(GuidedRod& rod, PaddedVec3* position);
 
 struct GuidedPull
@@ -42,7 +43,7 @@ struct GuidedPull
     double highest;     // kg m
 };
 
-// The multiplier after one projection, kg m; what it was when the rod can move nothing.
+// The multiplier after one projection, kg m; it stays what it was when the rod can move nothing.
 double multiplierAfter(const GuidedPull& pull, double multiplier);
 
 } // namespace ripstop

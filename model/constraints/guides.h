@@ -12,19 +12,23 @@
 
 namespace ripstop {
 
-// Null when the particle has no guide.
+// The guide of a particle; null when it has none.
 const GuidedParticle* guideOf(const System& system, int particle);
 
-// Gives particles these guides; Guide::None takes them away. In any order, each particle once.
+// Gives particles these guides; Guide::None takes a guide away. `guides` may stand in any order,
+// and name each particle once. For the single owner of a system, and not beside a step.
 void setGuides(System& system, std::vector<GuidedParticle> guides);
 
+// Takes what leads across a guide out of accelerations or the like.
 //   vector  [particles]
 void dropAcrossGuides(const System& system, std::span<PaddedVec3> vector);
 
+// Takes back what a substep has moved particles across their guides, and what is left of velocities
+// there.
 //   before  [particles]  m, at the start of the substep
 void keepOnGuides(const System& system, std::span<const PaddedVec3> before, State& state);
 
-// The motion of one particle, when it has just got its guide.
+// Turns the motion of one particle along its guide, as when it has just got it.
 void turnAlong(const GuidedParticle& guided, State& state);
 
 } // namespace ripstop

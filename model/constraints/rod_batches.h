@@ -1,4 +1,4 @@
-// Rods batched into batches of four that share no particle, and the loop that projects them.
+// Rods in batches of four that share no particle, and the loop that projects them.
 //
 // Projection is XPBD without damping (Macklin, Mueller and Chentanez 2016, equations 17 and 18).
 // There are three kinds of batch, because most rods need little: even ones join particles of equal
@@ -83,10 +83,12 @@ struct SweepHow
 {
     bool backwards = false;
     Note note = Note::More;
-    bool wide = false; // must not be asked of a machine that is not; the bits are the same
+    bool wide = false; // only on a wide machine (simd_pack.h); the bits are the same
 };
 
-// Projects the runs in `order`, or in the opposite order.
+// Projects the runs that `order` names, in that order or in the opposite one.
+//   order     indices of batches.runs
+//   position  [particles]  m, corrected in place
 void sweepRuns(RodBatches& batches, std::span<const int> order, const SweepHow& how,
                PaddedVec3* position);
 

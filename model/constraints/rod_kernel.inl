@@ -1,4 +1,7 @@
 // Projection of rods, four at a time; see rod_batches.h.
+//
+// First the gather and scatter of the ends of four rods, then one project() for each kind of batch,
+// then the loops over batches, runs and colours.
 
 RIPSTOP_INLINE Pack& row(PaddedVec3* position, std::uint32_t bytes)
 {
@@ -34,8 +37,8 @@ RIPSTOP_INLINE void move(Pack& position, Pack from, Pack separation, Pack share)
     position = fused(separation, share, from);
 }
 
-// How one number of four is spread over a register: by a load is less work, as separations need
-// many shuffles already; by a shuffle is sooner, where the next batch waits for this one.
+// How one number of four is spread over a register. A load is less work, as separations need many
+// shuffles already; a shuffle is done sooner, which counts where the next batch waits for this one.
 enum class Spread { ByLoad, ByShuffle };
 
 template <Spread way, int lane>
@@ -55,7 +58,7 @@ RIPSTOP_INLINE void pull(const Batch& batch, PaddedVec3* position, const Ends& e
     if constexpr (way == Spread::ByLoad) {
         pack(a) = shareA;
         pack(b) = backB;
-        asm("" : "+m"(a), "+m"(b)); // else the compiler makes shuffles of it
+        asm("" : "+m"(a), "+m"(b)); // without this the compiler makes shuffles of it
     }
     move(row(position, batch.a[0]), e.a0, e.d0, spreadOf<way, 0>(shareA, a));
     move(row(position, batch.a[1]), e.a1, e.d1, spreadOf<way, 1>(shareA, a));
@@ -67,7 +70,7 @@ RIPSTOP_INLINE void pull(const Batch& batch, PaddedVec3* position, const Ends& e
     move(row(position, batch.b[3]), e.b3, e.d3, spreadOf<way, 3>(backB, b));
 }
 
-// The same when both shares are equal.
+// Moves both ends of each rod by one share of their separation.
 RIPSTOP_INLINE void pullEvenly(const EvenBatch& batch, PaddedVec3* position, const Ends& e,
                                Pack share)
 {
@@ -83,7 +86,8 @@ RIPSTOP_INLINE void pullEvenly(const EvenBatch& batch, PaddedVec3* position, con
     move(row(position, batch.b[3]), e.b3, e.d3, -s3);
 }
 
-// Of shares: torn rods have no number for a length, and coincident ends no direction to move along.
+// Whether a share can move its rod: torn rods have no number for a length, and coincident ends no
+// direction to move along.
 RIPSTOP_INLINE auto canMove(Pack share)
 {
     return share > all(std::numeric_limits<double>::lowest());

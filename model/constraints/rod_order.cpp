@@ -1,3 +1,11 @@
+// The order of rods, in two passes over chunks.
+//
+// Rods are sorted by their higher ends and cut into chunks of one size. The first pass colours each
+// chunk: a rod takes the lowest colour that is free at both ends, fillFours() then moves rods
+// between colours so that few batches of four are left half empty, and the chunk takes the lowest
+// class that is free at all of its particles. The second pass sorts the rods of each chunk by
+// colour and writes the places down. Colours are bit sets, so that the lowest free one is found in
+// a few operations.
 #include "constraints/rod_order.h"
 
 #include <algorithm>
@@ -10,7 +18,7 @@
 namespace ripstop {
 namespace {
 
-// The colours that touch each thing, as bit sets, and the lowest colour that is free at some.
+// The colours that touch each thing, as bit sets; finds the lowest colour that is free at several.
 class ColorSets
 {
 public:
@@ -32,7 +40,7 @@ public:
         return bit;
     }
 
-    // Of colours below 64 only.
+    // Whether a colour is free at both things; for colours below 64 only, as is change().
     bool isFree(int color, std::array<int, 2> things) const
     {
         return ((m_low[std::size_t(things[0])] | m_low[std::size_t(things[1])]) >> color & 1) == 0;
@@ -83,7 +91,8 @@ private:
 std::size_t chunkSize(std::size_t rods)
 {
     constexpr std::size_t oneChunk = 3000; // below this, threads cost more than they bring
-    // Eight: few, as each boundary holds threads up, and as many for each of two or four threads.
+    // Eight chunks are few, as each boundary holds threads up, and make as many for each of two or
+    // four threads.
     return rods <= oneChunk ? rods : std::clamp<std::size_t>(rods / 8, 512, 2048);
 }
 
@@ -101,7 +110,7 @@ std::vector<int> sortedByHigherEnd(std::size_t particles, std::span<const RodEnd
 }
 
 // Rods are projected in fours. Where colours are small, as hubs make them, most would end with a
-// batch that is not full: moves rods to other colours where they may be, so that few do.
+// batch that is not full. This moves rods to other colours where they may be, so that few do.
 void fillFours(std::span<int> colorOf, std::span<const int> near, std::span<const RodEnds> rods,
                ColorSets& taken)
 {
@@ -132,7 +141,7 @@ void fillFours(std::span<int> colorOf, std::span<const int> near, std::span<cons
     for (std::size_t i = 0; i < colorOf.size(); ++i)
         if (size[std::size_t(colorOf[i])] > level)
             moveTo(i, [&](int, int to) { return size[std::size_t(to)] < level; });
-    // A rod more than full fours goes where it is one of a four.
+    // Rods beyond the full fours of their colour go to one where they fill a four.
     for (int turn = 0; turn < 3; ++turn)
         for (std::size_t i = 0; i < colorOf.size(); ++i)
             moveTo(i, [&](int from, int to) {
@@ -142,7 +151,7 @@ void fillFours(std::span<int> colorOf, std::span<const int> near, std::span<cons
             });
 }
 
-// Stable order of 0, 1, ... by small numbers.
+// Sorts 0, 1, ... by small numbers; equal ones keep their order.
 void sortByNumber(std::span<const int> number, std::vector<int>& start, std::vector<int>& sorted)
 {
     const int most = *std::max_element(number.begin(), number.end());

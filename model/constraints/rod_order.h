@@ -3,8 +3,10 @@
 // Rods near each other go into chunks that fit a core's cache. Within a chunk they are coloured: no
 // two rods of a colour share a particle, so four of them can be projected at once. Chunks are
 // coloured too, into classes: no two chunks of a class share a particle, so each can have a thread.
-// Chunks stand in the order of space; classes take turns as wavefront.h says.
-// The order depends on the network alone, never on the machine.
+// Chunks stand in the order of space; classes take turns as parallel/wavefront.h says.
+//
+// The order depends on the network alone, never on the machine, so that all machines come to the
+// same bits. It is made when a system is compiled or split, never in a step.
 #pragma once
 
 #include "system/system.h"
@@ -30,6 +32,7 @@ struct RodEnds // particle indices
     int b;
 };
 
+// The order of rods whose ends are particles 0 .. particles - 1.
 RodOrder orderRods(std::size_t particles, std::span<const RodEnds> rods);
 RodOrder orderRods(std::size_t particles, const std::vector<Rod>& rods);
 

@@ -1,3 +1,9 @@
+// Which solver holds the rods of a substep, and what their tensions are.
+//
+// start() prepares the direct solver for all rods, for those marked beside sweeps, or for none.
+// project() makes one substep: coloured sweeps and then the direct block, which has the last word
+// on its rods; or the direct solver alone; or averaged sweeps, which stand here. takeTensions()
+// makes newtons of the multipliers of all substeps.
 #include "constraints/rod_solver.h"
 
 #include "constraints/guided_rod.h"
@@ -22,9 +28,9 @@ double allowed(Resists resists, double multiplier)
     return multiplier;
 }
 
-// Of a direct solve, which ends as soon as it has converged. Two are enough for rods; lines that go
-// slack and tight again need more to find out which of them pull: with four, a load of 65 000 times
-// the mass of its line flew off.
+// The most iterations of a direct solve, which ends as soon as it has converged. Two are enough for
+// rods; lines that go slack and tight again need more to find out which of them pull: with four, a
+// load of 65 000 times the mass of its line flew off.
 constexpr int enoughIterations = 10;
 
 } // namespace

@@ -1,5 +1,9 @@
 // Rod solvers: they move particles until rods have their lengths. Every solver works on one
-// substep.
+// substep, after the forces have moved the particles and before contact.
+//
+// The Stepper has one RodSolver and calls start(), project() for each substep, then takeTensions(),
+// from the thread that steps. The solver keeps scratch and preparations of its own and nothing of
+// the run: what goes on from step to step is the tension of rods, which is part of the State.
 #pragma once
 
 #include "constraints/coloured_sweeps.h"
@@ -15,15 +19,15 @@ namespace ripstop {
 struct RodTask
 {
     const System& system;
-    Solver solver;                        // never Auto
-    int sweeps;                           // or iterations
-    std::span<const std::uint8_t> direct; // [rods] those of a direct block beside sweeps, or empty
-    std::span<const std::uint8_t> torn;   // [rods]
+    Solver solver;                        // any but Auto
+    int sweeps;                           // or iterations of the direct solver
+    std::span<const std::uint8_t> direct; // [rods] 1 in a direct block beside sweeps, or empty
+    std::span<const std::uint8_t> torn;   // [rods] 1 where it has torn
     std::span<const double> restLength;   // [rods] m, weight shifts included
     double h;                             // s
     std::uint64_t seed;                   // of the order of the colours; the number of the substep
     std::span<PaddedVec3> position;       // [particles] m, corrected in place
-    bool note = true;                     // what it takes counts for takeTensions()
+    bool note = true;                     // this substep counts for takeTensions()
     bool shifted = true; // rest lengths of shifted rods may differ from the substep before
 };
 
@@ -34,7 +38,7 @@ public:
     //   tension  [rods]  N
     void start(const RodTask& task, std::span<const double> tension);
 
-    // All sweeps of one substep, with the solver that the system asks for.
+    // Moves the particles of one substep, with the solver that the task asks for.
     void project(const RodTask& task, ThreadPool& pool);
 
     // Tension of each rod, N, multiplier / h^2, positive when the rod pulls; `h` is the substep.

@@ -1,3 +1,12 @@
+// Contact of particles with obstacles, in the order in which a particle meets it.
+//
+// The kernel compares the ways of four particles with the planes and the bounds of all obstacles,
+// and calls resolveContact() only for those that may touch one. That goes over the obstacles in
+// their order: touch() asks the row of the shape, in the frame of the obstacle, for the place and
+// the normal; touchOnGuide() turns these along a guide; rebound() says what is left of the
+// velocity. Then the particle is put on the surface, and what friction holds does not creep.
+//
+// A particle writes to itself alone, so particles are shared out to threads in any way.
 #include "contact/contact.h"
 
 #include "constraints/guides.h"
@@ -10,7 +19,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int lookInsideEvery = 16; // substeps: what an edit put into a closed mesh comes out
+constexpr int lookInsideEvery = 16; // substeps; lets out what an edit put into a closed mesh
 
 struct Passage // of a particle past an obstacle, as seen from the obstacle
 {
@@ -72,7 +81,8 @@ Rebound rebound(const Obstacle& obstacle, const Vec3& velocity, const Vec3& norm
 }
 
 // What a particle on a guide meets of a surface: the normal is that within the guide, and the way
-// out leads along it. None where the guide runs along the surface, as nothing could be done.
+// out leads along it. There is no touch where the guide runs along the surface, as nothing could be
+// done.
 std::optional<Touch> touchOnGuide(const GuidedParticle& guided, const Touch& touch, const Vec3& at)
 {
     constexpr double alongSurface = 0.02; // sine of the angle between guide and surface
@@ -97,8 +107,8 @@ struct ContactWork
     std::span<std::uint32_t> touches; // [particles]
 };
 
-// In the order of the obstacles: one may push a particle into the next. A particle is looked at
-// only if it may have touched one of them.
+// Goes over the obstacles in their order, as one may push a particle into the next. A particle is
+// looked at only if it may have touched one of them.
 void resolveContact(const ContactWork& work, std::size_t i)
 {
     const auto& [system, state, before, placed, h, restSpeed, planesOnly, touches] = work;
@@ -124,7 +134,7 @@ void resolveContact(const ContactWork& work, std::size_t i)
         state.drift[i] = lag.velocity + pace;
 
         // What holds a particle also takes back the way it went along the surface in this
-        // substep; else whatever sticks to a slope creeps down by g h sin(slope).
+        // substep; otherwise whatever sticks to a slope would creep down by g h sin(slope).
         const Vec3 way = found->surface - start;
         const double kept = verlet ? lag.kept : now.kept;
         state.position[i] = found->surface - (1.0 - kept) * (way - way.dot(n) * n);

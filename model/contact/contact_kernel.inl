@@ -1,6 +1,6 @@
 // Looks at four particles at a time for those that may touch something; see contact.h.
 
-// Lanes that are not above the plane. What is not a number is not above.
+// The lanes that are not above the plane. A position that is not a number is not above.
 RIPSTOP_INLINE Mask notAbove(const Obstacle& plane, const Vec3& position, const Coordinates& at)
 {
     const Coordinates offset = {at.x - all(position.x()), at.y - all(position.y()),
@@ -10,7 +10,7 @@ RIPSTOP_INLINE Mask notAbove(const Obstacle& plane, const Vec3& position, const 
     return ~(dot(offset, normal) >= all(plane.thickness));
 }
 
-// Lanes whose way, between `low` and `high`, does not keep out of the bounds of the obstacle.
+// The lanes whose way, between `low` and `high`, does not keep out of the bounds of the obstacle.
 RIPSTOP_INLINE Mask mayMeet(const PlacedObstacle& placed, const Coordinates& low,
                             const Coordinates& high)
 {

@@ -1,3 +1,13 @@
+// Fabric against fabric: pairs of particle and panel are found once in each step and resolved in
+// each substep.
+//
+// find() sizes the cells of a grid by the panels and by how far things move in a step (travel),
+// sorts particles into hashed cells (sortParticles), and for each panel looks at the cells around
+// it (findNear); consider() keeps the pairs that may come within a thickness of each other, and
+// notes on which side the particle is. resolve() goes through the pairs in their order: it pushes
+// the two apart and stops what closes the gap. All of it is on one thread, as pairs share
+// particles; the list of pairs may take memory in a step when more come near each other than
+// before.
 #include "contact/fabric_contact.h"
 
 #include "shapes/triangle_point.h"
@@ -11,7 +21,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double mostCells = 16.0;   // that a panel may span and be looked up by cells
+constexpr double mostCells = 16.0;   // cells across; wider panels are compared with all particles
 constexpr double tornOut = 4.0;      // times the size at the start: the motion has blown up
 constexpr double gravityReach = 1.5; // of the way at the speed of now: speeds change in a step
 
@@ -57,7 +67,7 @@ struct Meeting
         return share[0] * v[who[0]] + share[1] * v[who[1]] + share[2] * v[who[2]]
                + share[3] * v[who[3]];
     }
-    // Changes what is relative by `change`.
+    // Changes the relative value by `change`, shared out by inverse masses.
     void push(const std::vector<double>& inverseMass, const Vec3& change,
               std::vector<PaddedVec3>& v) const
     {
@@ -66,7 +76,7 @@ struct Meeting
     }
 };
 
-// Takes what closes the gap, and friction from the rest.
+// Takes away the velocity that closes the gap, and lets friction take from the rest.
 void stopClosing(const Meeting& meeting, const std::vector<double>& inverseMass, const Vec3& normal,
                  double friction, std::vector<PaddedVec3>& velocity)
 {
@@ -99,7 +109,7 @@ void FabricContact::find(const System& system, const State& state)
         count += 1.0;
     }
     const double edge = count > 0.0 ? widest / count : 0.0;
-    // What diverges would look for partners everywhere.
+    // The reach is bounded, as fabric whose motion diverges would look for partners everywhere.
     const double reach =
         2.0 * thickest + std::min(travel(system, state), std::max(4.0 * edge, 8.0 * thickest));
     m_cell = std::max(edge, reach);
@@ -160,9 +170,9 @@ void FabricContact::sortParticles(const System& system, const State& state)
             m_cellOf[i] = cellOf(state.position[i]);
             ++m_start[bucketOf(m_cellOf[i])];
         }
-    for (std::size_t b = 0; b <= buckets; ++b) // where each list ends
+    for (std::size_t b = 0; b <= buckets; ++b) // m_start says where each list ends
         m_start[b] = last += m_start[b];
-    for (std::size_t i = n; i-- > 0;) // filled from behind, until it is where each list starts
+    for (std::size_t i = n; i-- > 0;) // filling from behind, it comes to say where each list starts
         if (takesPart(i))
             m_sorted[std::size_t(--m_start[bucketOf(m_cellOf[i])])] = int(i);
 }
@@ -232,7 +242,7 @@ void FabricContact::consider(const System& system, const State& state, int parti
 void FabricContact::resolve(const System& system, State& state) const
 {
     for (const Pair& pair : m_pairs) {
-        if (state.panelGone[std::size_t(pair.panel)]) // since they were found
+        if (state.panelGone[std::size_t(pair.panel)]) // it has gone since the pair was found
             continue;
         const auto& corner = system.panels[std::size_t(pair.panel)].corner;
         const auto p = std::size_t(pair.particle);

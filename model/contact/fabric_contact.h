@@ -8,6 +8,8 @@
 // as the first pass of Bridson, Fedkiw and Anderson 2002 does. What starts closer than the
 // thickness, such as the neighbours of a particle in a fine mesh, keeps nine tenths of the distance
 // that it starts with. Where two panels cross with no particle near, nothing is found.
+//
+// The Stepper has one, for systems with a fabricLayer, and calls it from the thread that steps.
 #pragma once
 
 #include "system/system.h"
@@ -20,10 +22,11 @@ namespace ripstop {
 class FabricContact
 {
 public:
-    // The pairs that may touch within the next time step.
+    // Finds the pairs that may touch within the next time step; to be called once before it.
     void find(const System& system, const State& state);
 
-    // After the rods: positions and velocities of one substep.
+    // Pushes the pairs apart, after the rods of each substep: changes positions, velocities and
+    // drift.
     void resolve(const System& system, State& state) const;
 
 private:
@@ -33,7 +36,7 @@ private:
         int panel;
         double side;      // 1 or -1, of the panel's normal
         double thickness; // m
-        double friction;
+        double friction;  // 1
     };
     struct Cell
     {

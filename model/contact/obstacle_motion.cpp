@@ -19,8 +19,9 @@ Vec3 placeOnPath(const std::vector<PathKey>& path, double time)
     return last.place + share * (next->place - last.place);
 }
 
-// What touches is within the margin, and a mesh has some always (see touchMesh); a thousandth of
-// the size more covers both and all rounding. What has no end may be met everywhere.
+// Fills in the bounds. What touches is within the margin, and a mesh always has some (see
+// touchMesh); a thousandth of the size more covers both and all rounding. A shape without end may
+// be met everywhere.
 void findBounds(const Obstacle& obstacle, PlacedObstacle& placed)
 {
     const ShapeRow& row = rowOf(obstacle.shape);

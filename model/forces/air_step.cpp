@@ -13,7 +13,8 @@ namespace {
 constexpr double nudge = 0.01;     // of the apparent wind
 constexpr double leastWind = 0.01; // m/s
 
-// N s/m, at least 0: past the stall the air gives way to what moves.
+// Damping of a panel, N s/m, by a difference of loads. It is at least 0: past the stall the load
+// falls as the panel meets the air faster, and damps nothing.
 double dampingOf(const System& system, const State& state, const FabricPanel& panel)
 {
     const auto place = [&](int corner) -> const Vec3& {

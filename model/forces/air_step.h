@@ -11,6 +11,8 @@
 
 namespace ripstop {
 
+// Adds the rate of each particle that is a corner of a panel. It computes two loads for each panel,
+// and is meant for the choice of substeps and not for each of them.
 //   rate  [particles]  1/s, added to
 void addAirDampingRates(const System& system, const State& state, std::span<double> rate);
 

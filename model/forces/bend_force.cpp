@@ -1,3 +1,11 @@
+// Bending of the fabric and spars of a system.
+//
+// BendForce::list() describes a finished system as a network of panels and links and lets bendsOf()
+// (base/bend.h) find the bends. prepare() sizes the arrays and notes, beside the rows of bends at
+// each particle, with which weight the particle takes part in each. fill() goes over the bends
+// twice: the turns come first and then the moments, as a moment needs the turns of the bends beside
+// it; the sums at particles are the lane's. bendingEnergy() is the energy whose slope these forces
+// are.
 #include "forces/bend_force.h"
 
 #include "base/key_index.h"
@@ -44,7 +52,7 @@ void fillTurns(const System& system, const State& state, PaddedVec3* turn, std::
     }
 }
 
-// What the bend's own turn gives, N per m of it.
+// What the bend's own turn adds to its moment, N per m of the turn.
 double ownMoment(const Bend& bend, const Vec3& turn)
 {
     const double size = bend.restTurn > 0.0 ? turn.norm() : 0.0;

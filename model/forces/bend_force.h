@@ -10,7 +10,8 @@
 
 namespace ripstop {
 
-// Fills `turn`, m, and `moment`, N; zero where a panel or link of the bend is gone.
+// Fills `turn`, m, and `moment`, N, for all bends; both are zero where a panel or link of the bend
+// is gone.
 //   turn, moment  [bends]
 void fillBends(const System& system, const State& state, ThreadPool& pool,
                std::span<PaddedVec3> turn, std::span<PaddedVec3> moment);

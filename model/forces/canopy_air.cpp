@@ -1,3 +1,11 @@
+// The air of canopies, in two stages.
+//
+// CanopyFiller::advance() moves the air of each canopy on by a substep, before the forces: Former
+// measures the canopy as it stands (volume, mouth, holes, how fast the volume grows and how readily
+// it yields to pressure), fillWithAir() lets air in and out and finds the pressure, and takeAlong()
+// exchanges momentum with the added mass. addCanopyLoads() then turns the loads of panels into
+// those with this air; it is called for each filling of forces and leaves the State alone, so that
+// measurements may ask as well.
 #include "forces/canopy_air.h"
 
 #include "forces/wind.h"
@@ -17,7 +25,7 @@ constexpr double follows = 0.03;     // s, until added mass has the velocity of 
 constexpr double leastMouth = 2e-3;  // of the area of the cloth, so that a shut mouth opens again
 constexpr double leastVolume = 2e-4; // over the 3/2 power of that area; a full one has 0.11
 
-// Positions or velocities of one canopy.
+// Positions or velocities of the particles of one canopy, by their places in it.
 class Rows3
 {
 public:
@@ -105,7 +113,7 @@ private:
         }
     }
 
-    // A fan over a loop, facing out. Gives its area.
+    // Adds a fan of triangles over a loop, facing out. Returns its area, m^2.
     Vec3 addLid(const std::vector<int>& loop, const Vec3& middle, const Vec3& velocity)
     {
         Vec3 sum = Vec3::Zero();
@@ -119,7 +127,8 @@ private:
         return sum;
     }
 
-    // Adds the cone over it to the volume. Gives its area.
+    // Adds the cone from the middle of the mouth to a triangle to the volume. Returns the area of
+    // the triangle, m^2.
     Vec3 addTriangle(const Vec3& a, const Vec3& b, const Vec3& c)
     {
         const Vec3 area = 0.5 * (b - a).cross(c - a);
@@ -188,7 +197,7 @@ void takeAlong(const Canopy& canopy, const Form& form, double speed, double dens
         canopy.addedMass * density * 2.0 / 3.0 * std::numbers::pi * radius * radius * radius;
     if (!air.started)
         air.momentum = mass * speed;
-    else if (mass < air.addedMass) // some of it stays behind
+    else if (mass < air.addedMass) // some of the air stays behind
         air.momentum *= mass / air.addedMass;
     air.addedMass = mass;
     air.push.setZero();

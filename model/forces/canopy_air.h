@@ -49,10 +49,11 @@ namespace ripstop {
 struct CanopyCorner
 {
     Vec3 area = Vec3::Zero(); // m^2, along the outward normals
-    double share = 0.0;       // of the cloth
+    double share = 0.0;       // 1, of the area of the cloth
 };
 
-// Advances the air of all canopies by a substep. It holds scratch arrays only.
+// Advances the air of all canopies by a substep. It holds scratch arrays only, and belongs to one
+// thread.
 class CanopyFiller
 {
 public:

@@ -34,7 +34,7 @@ enum class ForceKind {
     Hand     // work of hands: workSince() tells it
 };
 
-// What of a finished system an edit has changed.
+// What an edit has changed in a finished system.
 struct Edited
 {
     bool materials = false;
@@ -57,7 +57,7 @@ class Force
 public:
     virtual ~Force() = default;
 
-    // For people: "bending needs at least 12", where it bounds the substep.
+    // A name for people, as in "bending needs at least 12", where it bounds the substep.
     virtual Message name() const = 0;
     virtual ForceKind kind() const = 0;
     virtual bool acts(const System& system, const State& state) const = 0;
@@ -82,26 +82,26 @@ public:
     // What every particle gets alike, m/s^2.
     virtual Vec3 acceleration(const System&) const { return Vec3::Zero(); }
 
-    // For what acts on a few particles and hangs on the substep of h, s: adds to the sum of all
-    // else. No elements are needed for that.
+    // A force that acts on a few particles, or depends on the substep of h, s, adds its
+    // accelerations here to the sum of all others; it needs no elements.
     //   acceleration  [particles]  m/s^2
     virtual void addToFew(const System&, const State&, double, std::span<PaddedVec3>) {}
 
     // --- energy and work ----------------------------------------------------------------------
     virtual double energy(const System&, const State&) const { return 0.0; } // J, that it holds
 
-    // W, at most 0: what a force that holds energy takes besides.
+    // Power, W, at most 0, that a force which holds energy takes by damping.
     virtual double dampingPower(const System&, const State&, ThreadPool&) { return 0.0; }
 
-    // J, put into the force by pinned ends that have moved since `before`, all else being where it
-    // was.
+    // Work, J, that pinned ends have put into the force by moving since `before`, all else being
+    // where it was.
     virtual double workOfPins(const System&, const State&, const MotionBefore&) const
     {
         return 0.0;
     }
 
-    // J, done since the call before or since startWork(), which is called before a step with
-    // substeps of h, s; for what knows the way that its point of attack goes.
+    // Work, J, done since the call before or since startWork(), which is called before a step with
+    // substeps of h, s. It is for a force that knows the way that its point of attack goes.
     virtual void startWork(const System&, const State&, double) {}
     virtual double workSince(const System&, const State&, double) { return 0.0; }
 
@@ -118,7 +118,7 @@ public:
     //   rate  [particles]  1/s
     virtual void addDampingRates(const System&, const State&, std::span<double>) const {}
 
-    // An implicit solver will ask here for the stiffness between particles; none does yet.
+    // No solver asks for the stiffness between particles; an implicit one would ask for it here.
 };
 
 // The force that a type of ForceLists stands for; each stands in the source of its force.

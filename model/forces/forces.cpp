@@ -62,7 +62,7 @@ double stiffStepLimit(const System& system)
 {
     std::vector<double> stiffness(system.inverseMass.size(), 0.0);
     std::vector<double> damping(system.inverseMass.size(), 0.0);
-    // first what bounds the substep, then what stands beside it
+    // what bounds the substep comes first; other forces count only beside some that do
     bool some = false;
     for (const bool bounds : {true, false})
         for (const auto& force : knownForces())

@@ -1,7 +1,8 @@
 // All forces, and what is asked of all of them at once.
 //
-// Their order is that of ForceLists (system/force_lists.h). Who steps or keeps a ledger has Forces
-// of its own, as they hold scratch; who only asks uses knownForces().
+// Their order is that of ForceLists (system/force_lists.h). Whoever steps or keeps a ledger has
+// Forces of its own, as they hold scratch and belong to one thread; whoever only asks uses
+// knownForces().
 #pragma once
 
 #include "forces/force.h"
@@ -31,21 +32,22 @@ public:
 
 private:
     std::vector<std::unique_ptr<Force>> m_all;
-    const SpringForce* m_springs; // of them
+    const SpringForce* m_springs; // the one among m_all that is of springs
 };
 
-// For functions that are const.
+// One set for all, for functions that are const; any thread may ask it.
 const Forces& knownForces();
 
-// Fills anew what forces derive from what was edited, and where gusts begin. Returns whether the
-// longest substep may be another one now.
+// Fills anew what forces derive from what was edited, and what gusts begin with. Returns whether
+// the longest substep may be another one now. Only the single owner of a system may call it, and
+// not beside a step.
 bool listForces(System& system, const Edited& edited);
 
 // The longest substep, s, at which all that is stiff is sure to be stable (base/step_limit.h);
 // infinite where nothing bounds the substep.
 double stiffStepLimit(const System& system);
 
-// What bounds it, as "bending"; empty without.
+// The names of the forces that bound it, such as "bending"; empty where nothing does.
 Message boundingForces(const System& system);
 
 // The longest substep, s, that is sure to be stable for what forces take from motion, as that is in

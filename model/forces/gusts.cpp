@@ -1,3 +1,10 @@
+// Gusts: drydenGusts() makes lengths and strengths of height and wind, firstGust() draws the states
+// that a run begins with, advanceGust() steps them by the exact solution over the way that the air
+// goes in a time step, and velocityOf() makes the wind of them.
+//
+// Numbers are drawn by a hash of seed, step and axis, so that a replay needs no generator and no
+// memory of how many were drawn before. Logarithm and exponential are the portable ones
+// (base/portable_math.h), so that the same seed gives the same bits on every machine.
 #include "forces/gusts.h"
 
 #include "base/portable_math.h"

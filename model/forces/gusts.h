@@ -1,9 +1,9 @@
 // Gusts after Dryden, by the low-altitude model of MIL-F-8785C (1980), 10 to 1000 ft.
 //
 // Turbulence is taken as frozen and carried past by the mean wind V (Taylor's hypothesis): in a
-// time step dt a distance s = V dt of it goes by. All of it is the same everywhere in space: right
-// for things much smaller than the lengths L, some 70 m and more. With h the height in feet and W
-// the wind 20 ft above the ground:
+// time step dt a distance s = V dt of it goes by. A gust is the same everywhere in space, which is
+// right for things much smaller than the lengths L, some 70 m and more. With h the height in feet
+// and W the wind 20 ft above the ground:
 //
 //     up              L = h                              sigma = 0.1 W
 //     along, across   L = h / (0.177 + 0.000823 h)^1.2   sigma = 0.1 W / (0.177 + 0.000823 h)^0.4

@@ -1,3 +1,11 @@
+// The pull of a hand on a few particles.
+//
+// findGrip() looks up the particles of a grip, once for a system. handForce() finds the point, the
+// velocity and the mass in the grip, lowers the stiffness to what the springs there leave of the
+// limit of the step (roomAt, largestPhase), adds damping and keeps the force below what the hand
+// can give. addHandPull() shares it out. HandPullForce at the end makes a Force of this: as it acts
+// on three particles at most it adds to the sum of the others, and its work is the mean of the
+// forces at both ends of the way times that way.
 #include "forces/hand_pull.h"
 
 #include "forces/force.h"

@@ -22,14 +22,14 @@ namespace ripstop {
 struct HeldGrip
 {
     Grip grip;
-    std::array<int, 3> particle{-1, -1, -1}; // -1 without a share
+    std::array<int, 3> particle{-1, -1, -1}; // indices, -1 without a share
     std::uint64_t serial = 0;                // of the system
 
     bool isOf(const System& system, const Grip& other) const
     {
         return serial == system.serial && grip == other;
     }
-    bool holds() const; // all of it is there
+    bool holds() const; // whether all particles of the grip are there
 };
 
 HeldGrip findGrip(const System& system, const Grip& grip);
@@ -41,10 +41,12 @@ struct HandForce
     double stiffness = 0.0;    // N/m, that the time step allows
 };
 
+// The force of the hand as it is in a state; zero when particles of the grip are not there.
 //   h  s, of a substep
 HandForce handForce(const System& system, const State& state, const HandPull& pull,
                     const HeldGrip& held, double h);
 
+// Adds the pull of state.hands, which must have one, to the particles of its grip.
 //   acceleration  [particles]  m/s^2
 void addHandPull(const System& system, const State& state, const HeldGrip& held, double h,
                  std::span<PaddedVec3> acceleration);

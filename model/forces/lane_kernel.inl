@@ -3,7 +3,7 @@
 // Lane after lane goes over a block of particles whose sums stay in the fastest cache, so that each
 // loop has one kind of lane and nothing to ask.
 
-struct ParticleBlock // of particles
+struct ParticleBlock // particles first .. last - 1
 {
     std::size_t first;
     std::size_t last;
@@ -17,7 +17,7 @@ RIPSTOP_INLINE void gatherEnds(const Lane& lane, const ParticleBlock& stretch, P
     for (std::size_t i = stretch.first; i < stretch.last; ++i) {
         Pack force = pack(sum[i]);
         for (int k = start[i]; k < start[i + 1]; ++k) {
-            const double sign = signs[lane.minus[k]]; // which a branch would guess wrong
+            const double sign = signs[lane.minus[k]]; // processors would mispredict a branch
             force += all(sign) * pack(lane.load[items[k]]);
         }
         pack(sum[i]) = force;

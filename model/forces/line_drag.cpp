@@ -1,3 +1,9 @@
+// Wind on the lines of a system.
+//
+// LineDragForce::list() finds the links whose material has a width for the wind, and the rows of
+// lines at each particle. fillLineDrags() goes over the lines in parallel: a torn line has no drag,
+// any other gets that of the wind at its middle less the mean velocity of its ends. Each end then
+// takes half, as the lane says.
 #include "forces/line_drag.h"
 
 #include "base/key_index.h"

@@ -6,7 +6,7 @@
 //     linear normal  F = 1/4 rho C |c| |w| r c
 //     blended        |c| |w| becomes (|c| |w|)^2 / (|c| |w| + k |c.w|)
 //     skin friction  F = 1/4 rho Cs |c| |t| t,  t = w - r c
-// What a panel gets does not depend on the three beside it.
+// What a panel gets does not depend on the three beside it, so threads may cut the panels anywhere.
 
 struct FourAirs
 {
@@ -15,7 +15,7 @@ struct FourAirs
     Pack saturation;
     Pack friction;
     Pack porosity;
-    bool plain; // neither blended nor porous nor by table, as mostly
+    bool plain; // as most are: neither blended nor porous nor by table
 };
 
 RIPSTOP_INLINE bool isPlain(const MaterialAir& air)
@@ -26,7 +26,7 @@ RIPSTOP_INLINE bool isPlain(const MaterialAir& air)
 RIPSTOP_INLINE FourAirs fourAirs(const MaterialAir* airs, int i0, int i1, int i2, int i3)
 {
     const MaterialAir& a0 = airs[i0];
-    if (i0 == i1 && i0 == i2 && i0 == i3) // mostly
+    if (i0 == i1 && i0 == i2 && i0 == i3) // neighbours mostly share their material
         return {Mask{} + std::int64_t(a0.law), all(a0.normalCoefficient), all(a0.saturation),
                 all(a0.skinFriction),          all(a0.porosity),          isPlain(a0)};
     const MaterialAir& a1 = airs[i1];
@@ -42,10 +42,11 @@ RIPSTOP_INLINE FourAirs fourAirs(const MaterialAir* airs, int i0, int i1, int i2
             isPlain(a0) && isPlain(a1) && isPlain(a2) && isPlain(a3)};
 }
 
-// Kept out of line, as what else is rare, so that it costs nothing where it is not called.
+// What is rare is kept out of line, so that it costs nothing where it is not called.
 #define RIPSTOP_RARE __attribute__((noinline))
 
-// What is left of the pace |c| |w| when the law is blended, and of that when the cloth is porous.
+// Lowers the pace |c| |w| to what is left of it when the law is blended, and of that when the cloth
+// is porous.
 RIPSTOP_RARE void blendAndLeak(const FourAirs& air, const Pack& through, Pack& pace)
 {
     const Pack blend = pace * pace / (pace + air.saturation * magnitude(through));
@@ -55,7 +56,7 @@ RIPSTOP_RARE void blendAndLeak(const FourAirs& air, const Pack& through, Pack& p
     pace = (air.porosity > all(0.0)) & (through != all(0.0)) ? pace * left * left : pace;
 }
 
-// Zero where there is no law, no area or no panel any more.
+// Loads by the formulas above, N; zero where there is no law, no area or no panel any more.
 RIPSTOP_INLINE Coordinates panelLoads(const Coordinates& normal, const Coordinates& wind,
                                       const FourAirs& air, Pack quarterDensity)
 {
@@ -150,7 +151,7 @@ RIPSTOP_RARE void addPolarLoads(const PanelWork& work, const std::size_t (&panel
 {
     for (int lane = 0; lane < 4; ++lane) {
         const std::size_t i = panel[lane];
-        const bool again = lane > 0 && i == panel[lane - 1]; // repeated, has its load already
+        const bool again = lane > 0 && i == panel[lane - 1]; // it has its load already
         if (byTable[lane] && !again)
             pack(work.load[i]) += all(0.25 * work.airDensity)
                                   * polarLoad(work.airs[work.panels[i].air], normal, wind, lane);
@@ -218,7 +219,7 @@ void fillPanels(const PanelWork& work, std::size_t first, std::size_t last)
     std::size_t i = first;
     for (; i + 4 <= last; i += 4)
         fillFour(work, i, i + 1, i + 2, i + 3);
-    if (i < last) // the last one is repeated, and written again
+    if (i < last) // the last panel is repeated, and its load written again
         fillFour(work, i, std::min(i + 1, last - 1), std::min(i + 2, last - 1), last - 1);
 }
 

@@ -21,8 +21,8 @@
 //     dp = dp0 / (1 + c u0 / |n.w|)^2,  u0 = sqrt(2 dp0 / rho)
 // and the leak never exceeds the head-on wind.
 //
-// All laws add skin friction, 1/2 rho Cs A |t| t along t = w - (n.w) n. None minds which side
-// the normal points to. The three corners carry a third of F each.
+// All laws add skin friction, 1/2 rho Cs A |t| t along t = w - (n.w) n. No law depends on
+// which side the normal points to. The three corners carry a third of F each.
 #pragma once
 
 #include "parallel/thread_pool.h"
@@ -41,8 +41,8 @@ Vec3 panelLoad(const MaterialAir& air, const Vec3& a, const Vec3& b, const Vec3&
 void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,
                     std::span<PaddedVec3> load);
 
-// The same, told whether the machine is wide (simd_pack.h), which must not be said of one that is
-// not; both ways give the same bits.
+// fillPanelLoads() that is told whether to use the kernel for wide machines (simd_pack.h), which
+// must not be asked of another machine. Both ways give the same bits, which tests compare.
 void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,
                     std::span<PaddedVec3> load, bool wide);
 

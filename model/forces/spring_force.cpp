@@ -1,3 +1,10 @@
+// Springs: the kernel that computes four at a time, and all that is asked of the force.
+//
+// The kernel (spring_kernel.inl) is compiled once for any machine and once for wide ones.
+// fillSpringForces() runs it in parallel over the springs; SpringForce::prepare() notes at which of
+// its particles a spring has its end `b`, which takes the opposite of the force. What follows
+// (energy, power of dampers, work of pins) is asked for by measurements and goes over the springs
+// one by one, in their order.
 #include "forces/spring_force.h"
 
 #include "parallel/simd_pack.h"
@@ -98,7 +105,7 @@ double SpringForce::energy(const System& system, const State& state) const
     return energy;
 }
 
-// What the tension is beyond that of the stretch.
+// Dampers take what the tension is beyond that of the stretch.
 double SpringForce::dampingPower(const System& system, const State& state, ThreadPool& pool)
 {
     fillSpringForces(system, state, pool, m_load);
@@ -120,8 +127,8 @@ double SpringForce::dampingPower(const System& system, const State& state, Threa
     return power;
 }
 
-// Against the springs as the substep has them: the pins are there, and all else is where it was at
-// its start.
+// Pins work against the springs as the substep has them: the pins have arrived, and all else is
+// where it was at its start.
 double SpringForce::workOfPins(const System& system, const State& state,
                                const MotionBefore& before) const
 {

@@ -10,25 +10,26 @@
 
 namespace ripstop {
 
-// Force along the spring, N, positive when it pulls its ends together; 0 when torn or coincident.
+// Force along the spring, N, positive when it pulls its ends together; 0 when slack or coincident.
 double springTension(const Spring& spring, const Vec3& separation, const Vec3& velocityDifference);
 
-// Whether what resists this does not resist this stretch, m.
+// Whether a link that resists so gives no force at this stretch, m.
 bool isSlack(Resists resists, double stretch);
 
-// J. A spring, or a rod that gives way, stores energy only where it resists.
+// Energy of a spring, or of a rod that gives way, J: it stores some only where it resists.
 double elasticEnergy(double stiffness, Resists resists, double stretch);
 
+// Force of every spring, zero where it is torn.
 //   force  [springs]  N, on end `a`
 void fillSpringForces(const System& system, const State& state, ThreadPool& pool,
                       std::span<PaddedVec3> force);
 
-// The same, told whether the machine is wide (simd_pack.h), which must not be said of one that is
-// not; both ways give the same bits.
+// fillSpringForces() that is told whether to use the kernel for wide machines (simd_pack.h), which
+// must not be asked of another machine. Both ways give the same bits, which tests compare.
 void fillSpringForces(const System& system, const State& state, ThreadPool& pool,
                       std::span<PaddedVec3> force, bool wide);
 
-// The force of all springs of a system. Tearing looks at what it was.
+// The force of all springs of a system. Tearing looks at what it was at the last fill().
 class SpringForce final : public Force
 {
 public:

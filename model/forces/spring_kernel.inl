@@ -1,6 +1,7 @@
 // Forces of springs, four at a time; see spring_force.h.
 //
-// What a spring gets does not depend on the three beside it.
+// What a spring gets does not depend on the three beside it, so threads may cut the springs
+// anywhere.
 
 struct SpringNumbers
 {
@@ -94,6 +95,6 @@ void fillSprings(const SpringWork& work, std::size_t first, std::size_t last)
     std::size_t i = first;
     for (; i + 4 <= last; i += 4)
         fillFour(work, i, i + 1, i + 2, i + 3);
-    if (i < last) // the last one is repeated, and written again
+    if (i < last) // the last spring is repeated, and its force written again
         fillFour(work, i, std::min(i + 1, last - 1), std::min(i + 2, last - 1), last - 1);
 }

@@ -1,4 +1,4 @@
-// Weight: the one force that is an acceleration from the first, and so has no elements.
+// Weight: the one force that is an acceleration to begin with, and so has no elements to gather.
 #include "forces/force.h"
 
 namespace ripstop {
@@ -14,7 +14,7 @@ public:
     Vec3 acceleration(const System& system) const override { return system.gravity; }
     double energy(const System& system, const State& state) const override
     {
-        double energy = 0.0; // zero at the origin; of free particles
+        double energy = 0.0; // of free particles, zero at the origin
         for (std::size_t i = 0; i < state.position.size(); ++i)
             if (system.inverseMass[i] > 0.0)
                 energy -= system.mass[i] * system.gravity.dot(state.position[i]);

@@ -1,4 +1,8 @@
-// The wind of a system: what is the same everywhere, and what depends on the place. All add up.
+// The wind of a system: what is the same everywhere, and what depends on the place.
+//
+// Uniform winds and gusts are found once for all places; profiles over height, jets and the fan in
+// a hand (base/airflow.h) are asked for at each place, and only where hasLocalWind() says that
+// there are any. All of them add up. The functions change nothing, so threads share them in a step.
 #pragma once
 
 #include "system/system.h"

@@ -1,4 +1,9 @@
 // Wings of a system: fabric with the vortex law (base/vortex_wing.h).
+//
+// A wing is found when forces list what they derive (system/force_lists.h): its strips depend on
+// where particles start. In a step WingLoads gathers what each panel of a wing is and meets, lets
+// the vortex law find the loads of the wing as a whole, and adds them to those that the panels have
+// as plates.
 #pragma once
 
 #include "base/vortex_wing.h"
@@ -9,10 +14,11 @@
 
 namespace ripstop {
 
-// Finds the wings anew, from where the particles start and the wind there, gusts apart.
+// Finds the wings of a system anew, from where its particles start and the wind there without
+// gusts. For the single owner of the system, and not beside a step.
 void listWings(System& system);
 
-// Holds scratch memory only.
+// The loads of wings. It holds scratch memory only, and belongs to one thread.
 class WingLoads
 {
 public:

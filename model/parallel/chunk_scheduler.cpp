@@ -5,7 +5,8 @@
 namespace ripstop {
 namespace {
 
-// Some microseconds: about what a chunk takes. Then let others have the core.
+// How often a thread looks before it lets others have the core: some microseconds, about what a
+// chunk takes.
 constexpr int patience = 200;
 
 // Waiting for another thread, `waited` times so far. That thread may need this core.
@@ -58,7 +59,7 @@ void ChunkScheduler::takePart(int thread, Call call, const void* work)
             finishRounds(wave[round % 2 == 0 ? i : wave.size() - 1 - i], round + 1, call, work);
 }
 
-// Does the next round of `chunk` unless that many are begun.
+// Does rounds of `chunk` until so many are begun, by this thread or another.
 void ChunkScheduler::finishRounds(int chunk, int rounds, Call call, const void* work)
 {
     Progress& progress = m_progress[std::size_t(chunk)];
@@ -67,7 +68,7 @@ void ChunkScheduler::finishRounds(int chunk, int rounds, Call call, const void* 
         if (!progress.begun.compare_exchange_strong(round, round + 1, std::memory_order_acq_rel))
             continue;
         for (int waited = 0; progress.done.load(std::memory_order_acquire) < round; ++waited)
-            pause(waited); // another thread is at it
+            pause(waited); // another thread is still in the round before
         const int own = turn(round, chunk);
         for (int i = m_touching.start[std::size_t(chunk)];
              i < m_touching.start[std::size_t(chunk) + 1]; ++i) {
@@ -80,7 +81,7 @@ void ChunkScheduler::finishRounds(int chunk, int rounds, Call call, const void* 
     }
 }
 
-// Waits until so many rounds of `chunk` are done; does what nobody has begun.
+// Waits until so many rounds of `chunk` are done, and does those that nobody has begun.
 void ChunkScheduler::await(int chunk, int rounds, Call call, const void* work)
 {
     Progress& progress = m_progress[std::size_t(chunk)];

@@ -1,5 +1,5 @@
 // Includes the kernel RIPSTOP_KERNEL twice: in namespace `anywhere` for every machine, and in
-// `wide` for those with AVX2 and FMA. No include guard: each kernel's source uses it once.
+// `wide` for those with AVX2 and FMA. It has no include guard: each kernel's source uses it once.
 #include "parallel/simd_pack.h"
 
 #define RIPSTOP_WIDE 0

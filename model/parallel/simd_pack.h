@@ -1,9 +1,10 @@
-// Pack numbers in one vector register, for the loops where the time goes.
+// SIMD packs: four numbers in one vector register, for the loops where the time goes.
 //
-// One source for every machine, compiled once for any of them and once for AVX2 with FMA. Kernels
-// stand in files of their own, *_kernel.inl, which `parallel/for_each_machine.inl` includes once
-// for each way; `wideMachine` says which one to take. Products and sums are fused where the source
-// says `fused`, and nowhere else, so that every machine rounds alike. Internal to sim/.
+// There is one source for every machine, compiled once for any of them and once for AVX2 with FMA.
+// Kernels stand in files of their own, *_kernel.inl, which `parallel/for_each_machine.inl` includes
+// once for each way; `wideMachine` says which one to take. Products and sums are fused where the
+// source says `fused`, and nowhere else, so that every machine rounds alike. Only the
+// rooms that hold such loops include this.
 #pragma once
 
 #include "base/vec3.h"
@@ -14,7 +15,8 @@
 #define RIPSTOP_HAS_WIDE 0
 #endif
 
-// For functions outside of kernels, without `fused`: GCC picks the widest when the program starts.
+// For functions outside of kernels that do not use `fused`: GCC compiles them for both kinds of
+// machine, and picks one when the program starts.
 #if RIPSTOP_HAS_WIDE && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define RIPSTOP_CLONES __attribute__((target_clones("avx2", "default")))
 #else
@@ -33,7 +35,7 @@ struct alignas(32) Row
     double v[4];
 };
 
-// By reference: passed by value, vectors would differ between functions with and without AVX.
+// Packs go by reference, as functions with and without AVX pass vectors by value in different ways.
 RIPSTOP_INLINE Pack& pack(double* p) { return *reinterpret_cast<Pack*>(p); }
 RIPSTOP_INLINE const Pack& pack(const double* p) { return *reinterpret_cast<const Pack*>(p); }
 RIPSTOP_INLINE Pack& pack(PaddedVec3& v) { return pack(v.data()); }

@@ -1,4 +1,5 @@
-// What kernels are made of; see simd_pack.h. Included once for each way, inside its namespace.
+// What kernels are made of; see simd_pack.h. for_each_machine.inl includes it once for each way,
+// inside the namespace of that way.
 
 RIPSTOP_INLINE Pack all(double x) { return Pack{x, x, x, x}; }
 
@@ -69,7 +70,7 @@ RIPSTOP_INLINE Coordinates operator*(Pack s, const Coordinates& a)
     return {s * a.x, s * a.y, s * a.z};
 }
 
-// Not fused, so that parallel vectors have none to the last bit.
+// Nothing is fused here, so that the product of parallel vectors is zero to the last bit.
 RIPSTOP_INLINE Coordinates cross(const Coordinates& a, const Coordinates& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -80,7 +81,7 @@ RIPSTOP_INLINE Coordinates select(Mask m, const Coordinates& a, const Coordinate
     return {m ? a.x : b.x, m ? a.y : b.y, m ? a.z : b.z};
 }
 
-// Rows of x, y, z and a zero; the way back from coordinates().
+// Stores rows of x, y, z and a zero; the way back from coordinates().
 RIPSTOP_INLINE void store(const Coordinates& a, PaddedVec3& v0, PaddedVec3& v1, PaddedVec3& v2,
                           PaddedVec3& v3)
 {

@@ -1,3 +1,12 @@
+// A pool of threads that loops are split over (parallel for).
+//
+// A loop body gets a range of indices and writes only what belongs to that range, so the result has
+// the same bits whatever the number of threads; a sum is never split. Small loops stay on the
+// calling thread, as handing out work takes some microseconds. A call returns when all of its work
+// is done.
+//
+// The stepper has the pool and lends it to forces, rods and contact; verification and tests make
+// their own. TBB runs the threads and is not named outside of the source.
 #pragma once
 
 #include <cstddef>
@@ -5,9 +14,6 @@
 
 namespace ripstop {
 
-// Splits loops over threads. A loop body gets a range and writes only what belongs to that range,
-// so the result has the same bits whatever the number of threads. Small loops stay on the calling
-// thread.
 class ThreadPool
 {
 public:
@@ -16,7 +22,8 @@ public:
     ThreadPool(ThreadPool&&) noexcept;
     ThreadPool& operator=(ThreadPool&&) noexcept;
 
-    template <typename Body> // body(first, last)
+    // Calls body(first, last) for ranges that together are 0 .. count - 1.
+    template <typename Body>
     void parallelFor(std::size_t count, Body body)
     {
         if (!m_arena || count < 2 * grain)

@@ -4,7 +4,8 @@
 
 namespace ripstop {
 
-// Of two chunks that touch, the numbers differ by less than the distance between two classes.
+// Each class lags behind the one before by more than the numbers of two chunks that touch can
+// differ, so of two such chunks that of the earlier class comes first.
 void Wavefront::arrange(std::span<const int> classOf, int reach, std::span<const int> rank,
                         int first, int last)
 {

@@ -1,3 +1,14 @@
+// The order in which one thread goes over chunks of work.
+//
+// Chunks that touch are in different classes, and classes take turns: a chunk comes after those
+// that it touches and whose class is earlier. Going class by class would obey that too, but would
+// take the whole network through the cache once for each class. A wavefront goes over the network
+// once, and each class follows the one before at just the distance that it must keep. The result
+// has the same bits either way.
+//
+// The scheduler (chunk_scheduler.h) has one for each thread, and sweeps on one thread have one for
+// all chunks. It belongs to one caller; arrange() takes memory only when there are more chunks than
+// before.
 #pragma once
 
 #include <cstdint>
@@ -6,18 +17,12 @@
 
 namespace ripstop {
 
-// The order in which one thread goes over chunks of work.
-//
-// Chunks that touch are in different classes, and classes take turns: a chunk comes after those
-// that it touches and whose class is earlier. Class by class would do, but takes the whole network
-// through the cache once for each class. A wave goes over the network instead, and each class
-// follows the one before at just the distance that it must keep. The outcome has the same bits.
 class Wavefront
 {
 public:
-    // Sorts chunks `first` to `last`.
+    // Puts chunks first .. last - 1 in order.
     //   classOf  [chunks]   chunks that touch are numbered at most `reach` apart
-    //   rank     [classes]  its turn
+    //   rank     [classes]  the turn of each class
     void arrange(std::span<const int> classOf, int reach, std::span<const int> rank, int first,
                  int last);
 

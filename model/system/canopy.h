@@ -1,4 +1,9 @@
-// Fabric that holds air, and that air. canopy_air.h moves it.
+// Fabric that holds air, and the air that it holds.
+//
+// Canopy is part of a System: which panels enclose the air, and the numbers of its laws; compile()
+// finds it. CanopyAir is part of a State: how much air there is and how it moves. Equations,
+// sources and the meaning of the numbers stand in forces/canopy_air.h, which alone moves the air
+// on.
 #pragma once
 
 #include "base/vec3.h"
@@ -15,7 +20,7 @@ struct Canopy
     {
         int panel;
         std::array<int, 3> corner; // places in `particles`; normal (b - a) x (c - a) points out
-        double share;              // of the cloth
+        double share;              // 1, of the area of the cloth
 
         friend bool operator==(const Facet&, const Facet&) = default;
     };
@@ -28,12 +33,12 @@ struct Canopy
     std::vector<int> particles;       // particle indices
     std::vector<Facet> facets;
     std::vector<int> mouth;              // places in `particles`, once around
-    std::vector<std::vector<int>> vents; // the same, wound as the mouth is
+    std::vector<std::vector<int>> vents; // places in `particles`, wound as the mouth is
 
     friend bool operator==(const Canopy&, const Canopy&) = default;
 };
 
-// The air of a canopy.
+// The air of a canopy at an instant.
 struct CanopyAir
 {
     bool started = false;

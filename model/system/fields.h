@@ -1,6 +1,6 @@
 // The fields of System and State, said once (base/fields.h). Equality, clearing, bytes, the hash,
 // what goes over into another system and what sizes arrays have follow from these lists; a new
-// field needs its line here and nothing else.
+// field needs its line here and nothing else. Lists that name too few fields do not compile.
 #pragma once
 
 #include "base/fields.h"
@@ -12,14 +12,14 @@
 namespace ripstop {
 
 // What a field of a State is about. Arrays have an entry for each of the particles, springs, ... of
-// the system and go over into another one entry by entry, with what they are about; what is of the
-// run goes over as it is.
+// the system and go over into another system entry by entry, with the particle or spring that the
+// entry is of; what is of the run goes over as it is.
 enum class Per { Run, Particle, Spring, Rod, Panel, Input, Gusts, Canopy };
 
-// Whether stateHash() takes it.
+// Whether stateHash() takes the field in.
 enum class Hash { Out, In };
 
-// How many of them the system has: the size of an array of a State.
+// How many of these the system has: the size of an array of a State.
 inline std::size_t count(const System& system, Per per)
 {
     switch (per) {
@@ -75,7 +75,7 @@ template <>
 inline constexpr auto fieldsOf<Work> = fields<Work, &Work::air, &Work::hands, &Work::damping,
                                               &Work::contact, &Work::tearing, &Work::residual>;
 
-// Bytes: run_chunk.cpp puts what came since version 3 after all else.
+// In the bytes of a recording, run_chunk.cpp puts what came since version 3 after all else.
 // clang-format off
 template <>
 inline constexpr auto fieldsOf<State> = fields<State,

@@ -4,7 +4,8 @@
 // the force itself, and a program that lacks one does not link. What the author's own arrays say
 // already (springs, panels, weights) is not repeated here.
 //
-// Whoever changes a finished system in place has the lists filled anew (forces/forces.h).
+// Whoever changes a finished system in place has the lists filled anew by listForces()
+// (forces/forces.h).
 #pragma once
 
 #include "base/bend.h"
@@ -55,7 +56,8 @@ struct HandLists
     friend bool operator==(const HandLists&, const HandLists&) = default;
 };
 
-// In the order in which forces are added up at a particle: another order gives other bits.
+// Forces stand in the order in which they are added up at a particle; another order gives other
+// bits.
 using ForceLists =
     std::tuple<SpringLists, FabricLists, LineLists, BendLists, WeightLists, HandLists>;
 

@@ -1,4 +1,6 @@
-// Gusts after Dryden: what they are like and what they remember. gusts.h draws them.
+// Gusts after Dryden: what they are like (GustSpec, part of a System) and what they remember
+// (GustState, part of a State). forces/gusts.h has the model and its sources, makes the numbers and
+// draws the gusts once in each time step.
 #pragma once
 
 #include "base/vec3.h"
@@ -23,7 +25,7 @@ struct GustSpec
     friend bool operator==(const GustSpec&, const GustSpec&) = default;
 };
 
-// In standard deviations, so that it goes on when the gusts become stronger.
+// The memory of gusts, in standard deviations, so that it goes on when the gusts become stronger.
 struct GustState
 {
     double along = 0.0;

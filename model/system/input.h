@@ -1,4 +1,7 @@
-// What controls move.
+// What controls move: particles, colliders, or weights that rods hold.
+//
+// An Input is a control made ready to run. Its command and its value, both in m, stand in the State
+// ([inputs]) and are moved on at the start of each substep (step/inputs.h).
 #pragma once
 
 #include "base/control_kind.h"
@@ -9,7 +12,7 @@
 
 namespace ripstop {
 
-// One scalar input.
+// One input, a length along an axis.
 struct Input
 {
     Key key;

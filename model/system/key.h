@@ -1,5 +1,6 @@
-// Keys are the ids of the scene's elements, opaque here: they tell which particle of an edited
-// system is which.
+// Keys are the ids of the scene's elements, opaque to the engine: they tell which particle of an
+// edited system is which. Twins that tears make have keys above those of any scene
+// (assembly/split_system.h).
 #pragma once
 
 #include <cstdint>

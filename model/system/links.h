@@ -1,4 +1,8 @@
 // Springs and rods, and the links that the author knows them by.
+//
+// A link of the scene becomes a spring (a force, forces/spring_force.h) or a rod (a constraint,
+// constraints/rod_solver.h). Rods stand in the order of the sweeps; LinkPlace says which spring or
+// rod a link became. What tears is told by tearing/tearing.h.
 #pragma once
 
 #include "base/link_laws.h"
@@ -8,10 +12,11 @@
 
 namespace ripstop {
 
+// When a link tears; the rule says what the limit is of.
 struct TearLimit
 {
     TearRule rule = TearRule::Never;
-    double limit = 0.0; // m, 1 or N
+    double limit = 0.0; // m of length, 1 of strain or N of force
 
     friend bool operator==(const TearLimit&, const TearLimit&) = default;
 };

@@ -1,4 +1,9 @@
-// What stops particles.
+// What stops particles: the colliders of a scene, made ready to run.
+//
+// All shapes share one struct; the table of shapes (shapes/solid.h) says which of its numbers a
+// shape uses. Grids and meshes are immutable and shared, between obstacles and between systems.
+// Where an obstacle is at a time is told by contact/obstacle_motion.h, what it does by
+// contact/contact.h.
 #pragma once
 
 #include "base/contact_laws.h"
@@ -12,7 +17,8 @@
 
 namespace ripstop {
 
-// What an obstacle shares with others of the same shape; equal when what it points at is.
+// A pointer to what an obstacle shares with others of the same shape. Two are equal when what they
+// point at is equal.
 template <typename T>
 struct Shared : std::shared_ptr<const T>
 {
@@ -28,7 +34,6 @@ struct Shared : std::shared_ptr<const T>
 };
 
 // In its own frame a shape lies around the origin; a point p of that frame is at position + turn p.
-// The shape says which numbers count (shapes/solid.h).
 struct Obstacle
 {
     ColliderShape shape;
@@ -50,7 +55,8 @@ struct Obstacle
     friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
 
-// What its row in the table of shapes is asked about. It points into the obstacle.
+// What the row of its shape in the table is asked about. It points into the obstacle, which must
+// live as long.
 inline Solid solidOf(const Obstacle& obstacle)
 {
     return {.normal = obstacle.normal,

@@ -1,4 +1,8 @@
 // Fabric: its panels, what the air does to them, and what keeps them apart.
+//
+// Panels hold no numbers but their corners and the place of their air in System::materialAir, so
+// that panels of one material share them. The laws stand in forces/panel_load.h and
+// base/vortex_wing.h, the distances in contact/fabric_contact.h.
 #pragma once
 
 #include "base/air_laws.h"
@@ -9,7 +13,7 @@
 
 namespace ripstop {
 
-inline constexpr int polarCells = 256;
+inline constexpr int polarCells = 256; // of a table of lift and drag
 
 struct PolarPoint
 {

@@ -1,4 +1,9 @@
 // What changes while a system runs: time, motion, and whatever a step must remember.
+//
+// A State belongs to one System, which gives its arrays their sizes; copying it is a checkpoint,
+// from which a run goes on with the same bits. The State of a run is changed by the thread that
+// steps alone. A new field needs its line in system/fields.h, which says whether it is hashed and
+// how it goes over into another system.
 #pragma once
 
 #include "base/hands.h"
@@ -13,8 +18,8 @@
 
 namespace ripstop {
 
-// A particle that a tear has parted (tear_opening.h). All by keys, so that it outlives edits: what
-// it names and is no longer there is passed over.
+// A particle that a tear has parted (tearing/tear_opening.h). It names all by keys, so that it
+// outlives edits: what it names and is no longer there is passed over.
 struct Split
 {
     struct Cut // a link along the tear: each lip has one afterwards
@@ -29,7 +34,7 @@ struct Split
     Key twin;                // particle; new, at the same place with the same velocity
     double share;            // 1, of the mass, that the twin takes
     std::vector<Key> panels; // whose corner is the twin from now on
-    std::vector<Key> links;  // whose end is
+    std::vector<Key> links;  // whose end is the twin from now on
     std::vector<Cut> cut;
 
     friend bool operator==(const Split&, const Split&) = default;
@@ -49,16 +54,15 @@ struct TearHold
 struct Work
 {
     double air = 0.0;
-    double hands = 0.0;    // of hands and controls
+    double hands = 0.0;    // of hands and of controls
     double damping = 0.0;  // of dampers and viscosity
     double contact = 0.0;  // with obstacles and of fabric with itself
     double tearing = 0.0;  // what torn links held
-    double residual = 0.0; // that the solver made
+    double residual = 0.0; // what the solver made
 
     friend bool operator==(const Work&, const Work&) = default;
 };
 
-// What changes while a system runs. Copying a State is a checkpoint.
 struct State
 {
     double time = 0.0;         // s

@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace {
 
-// Arrays are emptied and keep their memory; anything else starts as `fresh` does.
+// Arrays are emptied and keep their memory; anything else becomes what it is in `fresh`.
 template <typename T>
 void renew(std::vector<T>& values, const std::vector<T>&)
 {

@@ -29,6 +29,7 @@
 
 namespace ripstop {
 
+// A probe made ready to run: what it measures, and on what (base/quantity.h).
 struct ProbeSpec
 {
     Key key;
@@ -38,7 +39,7 @@ struct ProbeSpec
     std::vector<int> links;     // indices into System::links
     std::vector<int> panels;
     int from = -1; // particle index
-    int side = -1; // the same
+    int side = -1; // particle index
     bool plotted = true;
     std::string unit;
     std::string formula; // of other probes, when the quantity is one
@@ -55,9 +56,9 @@ struct PartPlace
     friend bool operator==(const PartPlace&, const PartPlace&) = default;
 };
 
-// What changed in place lately, for solvers that keep something of their own about each rod: who
-// has seen valuesSerial at `since` or later has to look at no more than these again. Who has not,
-// looks at all.
+// What changed in place lately, for solvers that keep something of their own about each rod. A
+// solver that has seen valuesSerial at `since` or later has to look at no more than these again;
+// any other has to look at all rods.
 struct Touched
 {
     std::uint64_t since = 0;
@@ -65,6 +66,8 @@ struct Touched
     std::vector<int> rods;      // whose numbers may have changed
 };
 
+// What stays while a simulation runs. Arrays of particles, springs, panels and links keep the order
+// of the author; rods stand in that of the sweeps.
 struct System
 {
     std::uint64_t generation = 0;   // counts compiles; copied into every Frame
@@ -116,8 +119,8 @@ struct System
     std::vector<int> tearableRods;    // indices into rods, ascending
 
     Rows springsAt;    // [particles] springs that end there
-    Rows rodsAt;       // [particles]
-    Rows panelsAt;     // [particles]
+    Rows rodsAt;       // [particles] rods that end there
+    Rows panelsAt;     // [particles] panels that have it as a corner
     Rows panelsBeside; // [links] panels that have both ends as corners
 
     std::vector<Obstacle> obstacles;
@@ -129,7 +132,7 @@ struct System
 
     State start;
 
-    // What one force derives, by the type of it: of<BendLists>().
+    // What one force derives, asked by its type: of<BendLists>().
     template <typename Lists>
     Lists& of()
     {
@@ -142,10 +145,10 @@ struct System
     }
 };
 
-// As a system starts, with the memory of its arrays kept.
+// Makes the system what System() is, and keeps the memory of its arrays.
 void clear(System& system);
 
-// Equal in all that a simulation reads; the serials are passed over.
+// Whether two systems are equal in all that a simulation reads; the serials are passed over.
 bool operator==(const System& a, const System& b);
 
 } // namespace ripstop
