@@ -1,3 +1,8 @@
+// The sampler finds the samples inside the window by bisection, keeps one beyond either end, and
+// then either puts each sample (each) or, where there are more than two for a column, the extremes
+// of blocks (inBlocks). A block without any number becomes one point that is not a number, which
+// the plot draws as a gap. The lowest and highest values are noted on the way, because the axis is
+// fitted to all samples and not only to those drawn.
 #include "plots/drawn_curve.h"
 
 #include <algorithm>

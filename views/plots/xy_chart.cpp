@@ -1,3 +1,7 @@
+// The constructor puts the legend above the axes, where it hides no curve, and notes when a user
+// rather than the program changes a range. show() replaces all curves, earlier runs first so that
+// the present one lies above them. fitNames() names as many as have room, and fit() sets the axes
+// unless the user has chosen what is in sight; on a logarithmic axis only positive values count.
 #include "plots/xy_chart.h"
 
 #include "plots/chart_style.h"
