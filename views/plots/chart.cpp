@@ -1,7 +1,7 @@
 // Stages, in the order of the sections below:
 //   strips    layOut() makes one strip for each unit, with axes, legend, graphs and impulses for
-//             marks; it runs only when the curves themselves change, because it loses the user's
-//             zoom
+//             marks; it runs only when the curves themselves change, because it loses a zoom
+//             of the value axes
 //   drawing   draw() chooses the time to show, fill() reduces each curve to what the pixels can
 //             tell, and fitValues() moves an axis only when its values leave it or fill too little
 //             of it

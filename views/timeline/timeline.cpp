@@ -248,8 +248,8 @@ void Timeline::askWhatToCompare() { m_compare->showMenu(); }
 
 void Timeline::plotDifference()
 {
-    auto* dialog = new DifferenceDialog(m_recordings.current(), m_recordings.ghost(),
-                                        window()); // frees itself
+    // the dialog deletes itself when it is closed
+    auto* dialog = new DifferenceDialog(m_recordings.current(), m_recordings.ghost(), window());
     connect(dialog, &DifferenceDialog::picked, &m_recordings, &Recordings::seekTime);
     dialog->show();
 }
