@@ -1,3 +1,7 @@
+// A judge looks up rows of the races by their values and holds their figures against limits. Then
+// come the targets themselves, by race: cost of a projection and of whole steps, time to quality,
+// growth with size. Targets whose race has not been run have no row and are left out, so that they
+// are neither met nor missed.
 #include "bench/targets.h"
 
 #include "bench/report.h"
@@ -85,7 +89,7 @@ void judgeProjections(Judge& judge)
                        "steps_per_second"));
 }
 
-// The fastest solver counts.
+// Of the solvers that reach the limit, the fastest one is judged.
 void judgeQuality(Judge& judge, const Json& results)
 {
     const std::pair<const char*, double> limits[]{

@@ -6,7 +6,7 @@
 //
 //     what it does      Paused --play()--> Playing          by the clock
 //                              --playUntil()--> Racing      as fast as it can, to a time
-//                              --settle()--> Settling       the same, until all is still
+//                              --settle()--> Settling       as fast as it can, until all is still
 //                       all of them --halt()--> Paused: pause(), the time, rest, trouble, a problem
 //     the run           AtDesign --leaveDesign()--> UnderWay    orders, a cut or a pin, a moment
 //                       UnderWay --takeFrame()--> Stuck         the next step would be broken
@@ -62,7 +62,7 @@ public:
     void playUntil(double time); // s; as fast as it can, then pauses exactly there
 
     // Shows an instant of a recording instead of the run, which pauses; null goes back to the run.
-    // So does all that makes the run go on.
+    // Whatever makes the run go on goes back to it, too.
     void lookAt(std::shared_ptr<const Frame> past);
     bool isLookingBack() const { return m_past != nullptr; }
 
