@@ -55,7 +55,7 @@ Edit setLink(const Scene& scene, const Property& property, double value)
     return set(property, {links[links.size() / 2].id}, value);
 }
 
-// Of what all links are made of.
+// Edits the material that all links are made of.
 Edit setMaterial(const Scene& scene, const Property& property, double value)
 {
     return set(property, {sheet(scene).links.front().material}, value);

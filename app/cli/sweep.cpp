@@ -1,4 +1,10 @@
 // ripstop-cli sweep: one table of many runs.
+//
+// In order: one run, with what each probe read; the table, whose columns are the axes and the
+// probes of all scenes; and many runs, as many at a time as there are jobs, each on one place of
+// the list of orders. The file is replaced by a whole one at most once a second, so that a sweep
+// that is interrupted leaves all runs that were done. prepare() refuses what it can before the
+// first run.
 #include "base/hash_text.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
@@ -89,7 +95,7 @@ struct Sweep
     std::vector<Order> orders;
 };
 
-// Nothing when it was interrupted.
+// Flies one run of the sweep. Returns nothing when it was interrupted.
 std::optional<Row> fly(const Sweep& sweep, const Order& order)
 {
     Row row;

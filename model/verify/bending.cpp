@@ -1,4 +1,8 @@
 // Strips of fabric and spars that bend by their own weight or under a load.
+//
+// In order: strips of fabric clamped at one or both ends, which come to rest under their weight or
+// an end load; the angle that a tester after Peirce looks for; spars, with their sag and their
+// lowest vibration; and what must not be there, forces that are left over within a crumpled strip.
 #include "assembly/finish.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -162,7 +166,7 @@ struct Spar
 
 int tipOf(const Spar& spar) { return spar.links + 1; } // particle
 
-// Along x, with one link before it that is pinned.
+// A spar along x, clamped by one link before it whose ends are pinned.
 System clamped(const Spar& spar)
 {
     System system = emptySystem(1.0);
