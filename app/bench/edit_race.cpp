@@ -168,7 +168,7 @@ public:
         m_simulation.step(); // between two edits there are steps
     }
 
-    // As it was done before: a copy of the scene, compiled from nothing.
+    // The way without any live system, for comparison: a copy of the scene, compiled from nothing.
     double sendWhole()
     {
         const auto start = Clock::now();

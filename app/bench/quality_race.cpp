@@ -49,7 +49,7 @@ struct Finding // a row
     Quality quality; // the best strain only when no effort was enough
 };
 
-// Where searches start; it saves time and decides nothing.
+// The effort at which a search starts. It saves time and does not change what is found.
 int guessFor(const std::string& network, const std::string& solver, double limit)
 {
     const int fine = limit < 0.005 ? 4 : 1;

@@ -57,7 +57,7 @@ struct Options
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
-// What happened, for a run that is not recorded as well.
+// The events of a run that is not recorded; a recorder has its own.
 class EventList
 {
 public:

@@ -146,7 +146,8 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
 
 using Rows = std::vector<std::optional<Row>>; // [orders], those that are done
 
-// By name and unit: probes of several scenes that are called alike share their columns.
+// Probes are compared by name and unit, so that those of several scenes which are called alike
+// share their columns.
 bool isSame(const Layout::Probe& a, const Layout::Probe& b)
 {
     return a.name == b.name && a.unit == b.unit;

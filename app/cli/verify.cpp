@@ -99,7 +99,7 @@ void listCases(const std::vector<Case>& cases)
     printTable(rows);
 }
 
-// What runs of `all`, or as much of it as there is time for until Ctrl-C.
+// Runs all, or as many as there is time for until Ctrl-C, and returns their results.
 template <typename Result, typename One>
 std::vector<Result> runAll(const std::vector<One>& all)
 {

@@ -87,7 +87,7 @@ System strung(const Strip& strip)
     return system;
 }
 
-// Where things come to rest. `slowest` is the lowest angular frequency, 1/s.
+// The state in which things have come to rest. `slowest` is the lowest angular frequency, 1/s.
 State settled(System& system, double slowest)
 {
     finish(system);
@@ -261,7 +261,7 @@ Vibration vibration()
 
 enum class Leftover { Force, Torque };
 
-// Of a crumpled strip: internal forces over the sum of their sizes.
+// The sum of the internal forces of a crumpled strip, or of their moments, over their sizes.
 double leftover(Leftover what)
 {
     System system = strung({6, 4});

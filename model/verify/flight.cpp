@@ -69,7 +69,7 @@ Polar lawPolar(double a)
             normal * std::sin(a) + tangent * std::cos(a)};
 }
 
-// Of 90 kg on 18 m^2 over all angles of attack, m/s.
+// The least sink rate of 90 kg on 18 m^2 over all angles of attack, m/s.
 template <typename PolarAt>
 double leastSink(const PolarAt& polarAt)
 {

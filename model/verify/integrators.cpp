@@ -125,7 +125,7 @@ void addBands(std::vector<Case>& cases)
     }
 }
 
-// What the recurrence keeps exactly.
+// The quantity that the recurrence of the scheme keeps exactly.
 double invariantOf(Scheme scheme, const OscillatorTrace& motion, std::size_t i)
 {
     const double h = omega * 0.01;

@@ -74,7 +74,7 @@ System patch(Integrator integrator, const Ties& ties, bool pinned)
 // --- C5 to C7: another frame
 // ------------------------------------------------------------------------
 
-// The same patch seen otherwise; place() is where a particle should be at a time.
+// The patch of patch() seen from another frame; place() is where a particle should be at a time.
 struct OtherFrame
 {
     const char* id;
@@ -284,7 +284,7 @@ void addFree(std::vector<Case>& cases)
 // --- C8: order of the whole step
 // ------------------------------------------------------------------------
 
-// From the differences between runs of 0.2 s with dt, dt/2 and dt/4.
+// The order of convergence, from the differences between runs of 0.2 s with dt, dt/2 and dt/4.
 double orderOf(Integrator integrator, const Ties& ties)
 {
     std::vector<State> runs;

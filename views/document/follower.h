@@ -24,7 +24,7 @@ namespace ripstop {
 class Document;
 class LiveSystem;
 
-// What a compile came to.
+// The outcome of a compile.
 struct Compiled
 {
     std::uint64_t generation;

@@ -75,7 +75,8 @@ public:
     // Simulated seconds per second of the clock; 0 is as fast as it can.
     void setSpeed(double ratio);
 
-    // Where a control is told to go, m, within its limit; nudge() moves that by whole steps.
+    // The command of a control, m, is where it is told to go, within its limit; nudge() moves it by
+    // whole steps.
     double commandOf(Id control) const;
     void steer(Id control, double command);
     void nudge(Id control, int steps);
@@ -89,7 +90,7 @@ public:
     bool isSettling() const { return m_activity == Activity::Settling; }
 
 signals:
-    // Of the run that is shown, before the frame that comes after it.
+    // Samples of the present run; each is emitted before the frame that comes after it.
     void sampled(const ripstop::ProbeSample& sample);
     void frameReady(const std::shared_ptr<const ripstop::Frame>& frame);
     void stateChanged();                               // playing, speed or problem

@@ -298,7 +298,7 @@ void Chart::setHover(std::optional<double> time)
         drawCursors();
 }
 
-// Over the curves, which are not drawn again for it.
+// Draws the cursors over the curves, which are not drawn again for that.
 void Chart::drawCursors()
 {
     for (const Strip& strip : m_strips)

@@ -39,7 +39,7 @@ public:
             put(first - 1);
         if (count <= 2 * columns)
             each(first, end);
-        else // the same samples share a column, wherever the sight begins: nothing flickers
+        else // blocks do not depend on where the window begins: nothing flickers
             inBlocks(first, end, count / columns + 1);
         if (end < m_time.size())
             put(end);

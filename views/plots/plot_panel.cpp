@@ -370,7 +370,7 @@ void PlotPanel::giveMarks()
         view->chart().setMarks(marks);
 }
 
-// What the probes read at the time under the mouse, or now.
+// Shows in the list what the probes read at the time under the mouse, or now.
 void PlotPanel::showValues()
 {
     const bool past = m_hovered && !m_history.time().empty();
@@ -406,7 +406,8 @@ void PlotPanel::tick(QTreeWidgetItem* item)
     const bool wanted = item->checkState(0) == Qt::Checked;
     if (wanted == isDrawn(entry))
         return;
-    // Not at once: the edit makes the list anew, and with it the item that is still speaking.
+    // The edit is pushed later, because it makes the list anew, and with it the item whose signal
+    // is being handled.
     const auto push = [this, id = entry.id, wanted] {
         Plot plot = plotOf(m_current);
         if (!plot.probes.empty()) {

@@ -34,8 +34,8 @@ bool isSwitch(const Parameter& parameter)
            && parameter.choices.empty();
 }
 
-// Where a value stands on its slider, from 0 to 1, and back. Wide ranges are logarithmic; those
-// from zero rise with the cube, so that small values have room, too.
+// The share of its slider, from 0 to 1, at which a value stands, and the way back. Wide ranges are
+// logarithmic; those from zero rise with the cube, so that small values have room, too.
 double shareOf(const Parameter& parameter, double value)
 {
     const double low = parameter.low;
