@@ -78,7 +78,7 @@ void judgeProjections(Judge& judge)
         const bool large = std::string_view(network).starts_with("cloth_")
                            && network != std::string_view("cloth_10");
         judge.add(std::string("two threads against one, ") + network, Wanted::AtLeast,
-                  large ? 1.7 : 0.97, // 3 % is what the clock cannot tell
+                  large ? 1.7 : 0.97, // 3 % is lost in the noise of the clock
                   part(judge.row("projection", {{"network", network}, {"threads", 2}}),
                        "times_one_thread"));
     }

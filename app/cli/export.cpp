@@ -75,7 +75,7 @@ int exportRecording(const Options& options)
     const int lastDesign = int(opened.recording->designCount()) - 1;
     if (auto failure = write(source, opened.recording->design(lastDesign).scene(), options))
         return fail(interrupted() ? Interrupted : BadInput, failure->message);
-    return opened.damage.empty() ? Done : BadInput; // the damage has been told
+    return opened.damage.empty() ? Done : BadInput; // openOrSay() has printed the damage
 }
 
 bool isFilm(const std::filesystem::path& target)

@@ -82,8 +82,8 @@ struct Row
     std::string hash;
     std::size_t torn = 0;
     std::string stopped;               // why it ended early; empty when it did not
-    std::vector<Layout::Probe> probes; // as many as
-    std::vector<Reading> readings;
+    std::vector<Layout::Probe> probes; // [probes]
+    std::vector<Reading> readings;     // [probes]
 };
 
 struct Sweep

@@ -308,7 +308,7 @@ void Player::takeCompiled(const Compiled& outcome)
         m_runner.load(std::move(update));
     }
     if (outcome.run != m_run)
-        return; // of a design that has changed since; a newer one is under way
+        return; // the design has changed since; a newer compile is under way
     m_compiled = outcome.generation;
     if (m_compile == Compile::UnderWay && m_compiled == m_generation)
         m_compile = Compile::Done;

@@ -132,7 +132,7 @@ private:
     std::shared_ptr<Recording> m_current;
     std::shared_ptr<Recording> m_ghost;
     std::size_t m_frame = 0;
-    std::size_t m_seen = 0;   // frames, when last told of
+    std::size_t m_seen = 0;   // frames when grew() was last emitted
     int m_count = 0;          // of runs so far
     bool m_wantsPast = false; // a past frame is asked for or shown
     bool m_showsPast = false;

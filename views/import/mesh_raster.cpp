@@ -88,7 +88,7 @@ QRgb shaded(const QColor& color, double light)
 void drawSurface(Canvas& canvas, const RepairedMesh& surface, const MeshCamera& camera,
                  const QSize& size, const MeshLook& look)
 {
-    std::vector<Vec3> at; // x right and y down, px; z towards the eye, px
+    std::vector<Vec3> at; // px; x to the right, y down, z towards the camera
     at.reserve(surface.mesh.points.size());
     for (const Vec3& point : surface.mesh.points)
         at.push_back(camera.project(point, size));

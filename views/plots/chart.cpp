@@ -470,7 +470,7 @@ void Chart::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     fitLegends();
     const QScopedValueRollback setting(m_setting, true);
-    fill(); // for as many columns
+    fill(); // the number of pixel columns has changed
 }
 
 QSize Chart::minimumSizeHint() const

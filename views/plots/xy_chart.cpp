@@ -28,7 +28,7 @@ XyChart::XyChart(QWidget* parent)
     m_plot->setAutoAddPlottableToLegend(false); // fitLegend() does, as many as have room
     m_plot->axisRect()->insetLayout()->take(m_plot->legend);
     m_plot->plotLayout()->insertRow(0);
-    m_plot->plotLayout()->addElement(0, 0, m_plot->legend); // where it hides no curve
+    m_plot->plotLayout()->addElement(0, 0, m_plot->legend); // there it hides no curve
     m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
     m_plot->plotLayout()->setRowSpacing(0);
     m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
