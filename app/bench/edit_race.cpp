@@ -55,7 +55,7 @@ Edit setLink(const Scene& scene, const Property& property, double value)
     return set(property, {links[links.size() / 2].id}, value);
 }
 
-// Of what all links are made of.
+// Edits the material that all links are made of.
 Edit setMaterial(const Scene& scene, const Property& property, double value)
 {
     return set(property, {sheet(scene).links.front().material}, value);
@@ -168,7 +168,7 @@ public:
         m_simulation.step(); // between two edits there are steps
     }
 
-    // As it was done before: a copy of the scene, compiled from nothing.
+    // The way without any live system, for comparison: a copy of the scene, compiled from nothing.
     double sendWhole()
     {
         const auto start = Clock::now();

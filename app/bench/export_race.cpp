@@ -24,7 +24,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int frames = 600;
 constexpr double framesPerSecond = 60.0;
 
-// Disks and other programs have their share of the time; what the processor worked is ours.
+// Time of the processor is taken, because wall time has the shares of disks and other programs in
+// it.
 struct Cost
 {
     double seconds;

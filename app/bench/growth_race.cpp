@@ -1,4 +1,7 @@
 // How the cost of a sweep grows with the number of particles.
+//
+// Each solver is timed at a fixed effort on cloths of growing size; the exponent is the slope of a
+// line through the logarithms of time over those of the number of particles.
 #include "bench/races.h"
 #include "bench/report.h"
 #include "bench/search.h"

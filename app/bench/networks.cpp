@@ -1,3 +1,7 @@
+// Cloths and ropes are put together as systems by hand, because their figures are about the solver
+// alone; glider and kite are built and compiled as scenes, as a user gets them, and lose panels and
+// ground when they are wanted without air. Every network has the same step and viscosity.
+// largestStrain() at the end is what the race for quality judges by.
 #include "bench/networks.h"
 
 #include "assembly/finish.h"

@@ -45,7 +45,7 @@ enum class Air { Without, With };
 Result<BenchNetwork> craftNetwork(std::string_view name, Air air,
                                   Solver solver = Solver::GaussSeidel); // glider or kite
 
-// By its name: glider, glider_air, kite, kite_air, rope_pilot, cloth_N.
+// The network with that name: glider, glider_air, kite, kite_air, rope_pilot, cloth_N.
 BenchNetwork networkCalled(const std::string& name, Solver solver = Solver::GaussSeidel);
 
 // The largest strain, 1, of rods that resist it, over the judged links.

@@ -1,4 +1,8 @@
 // Race 1: what the visit of a solver to a rod costs, with the whole step around it.
+//
+// In order: the networks of the race; memory above what the process had before; projections with
+// one thread and with more in the same rounds, so that their ratio is fair; and whole steps of
+// designs with air, ground and controls.
 #include "bench/races.h"
 #include "bench/report.h"
 #include "run/simulation.h"

@@ -32,7 +32,7 @@ struct Quality
 // Frames of 10 ms that strain is taken from: 200, or 120 for cloths of 100 a side and more.
 int qualityFrames(const BenchNetwork& network);
 
-// Nothing when interrupted.
+// Runs the network with the setup and judges it. Returns nothing when interrupted.
 std::optional<Quality> qualityOf(const BenchNetwork& network, const Setup& setup,
                                  const Path& reference);
 

@@ -1,5 +1,9 @@
 // Race 2: what a user feels. The time of one core for 10 ms of simulated time with the largest
 // strain below a limit and the right trajectory.
+//
+// For each network and solver the least efforts are searched for first, one after the other; what
+// was found is then timed together, in the same rounds, because times that are compared must see
+// the same disturbances. Guesses only save time.
 #include "bench/races.h"
 #include "bench/report.h"
 #include "bench/search.h"
@@ -45,7 +49,7 @@ struct Finding // a row
     Quality quality; // the best strain only when no effort was enough
 };
 
-// Where searches start; it saves time and decides nothing.
+// The effort at which a search starts. It saves time and does not change what is found.
 int guessFor(const std::string& network, const std::string& solver, double limit)
 {
     const int fine = limit < 0.005 ? 4 : 1;

@@ -1,3 +1,7 @@
+// A table prints its titles with the first row, so that a race without rows prints nothing. Then
+// come the formats of numbers, which print something readable for figures that are not finite; the
+// machine, read from /proc, with what the build says about the compiler; and the memory of this
+// process.
 #include "bench/report.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
-// What the races share in print: tables, the machine, and the figures of a list of times.
+// What the races share in print: tables, the machine, and the figures of a list of times. Tables go
+// to standard output row by row, as soon as each is known. Where a file of the system cannot be
+// read, as on systems without /proc, the machine says "unknown".
 #pragma once
 
 #include "bench/timing.h"

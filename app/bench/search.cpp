@@ -1,3 +1,7 @@
+// The table says for each solver what its effort is. at() tries one effort, unless what the last
+// trial took says that it would exceed the budget. leastEffort() first goes up or down by factors
+// of 1.5 until one effort is enough and a smaller one is not, then halves the interval; it relies
+// on more effort never being worse.
 #include "bench/search.h"
 
 #include "terminal/terminal.h"

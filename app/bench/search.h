@@ -1,4 +1,7 @@
-// The least effort with which a solver keeps a network's strain below a limit.
+// The least effort with which a solver keeps the strain of a network below a limit. The race for
+// quality compares solvers by it, because a comparison at equal effort would compare numbers of
+// sweeps with numbers of substeps, which cost differently. Each effort is tried once and kept for
+// all limits.
 #pragma once
 
 #include "bench/quality.h"

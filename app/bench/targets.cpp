@@ -1,3 +1,7 @@
+// A judge looks up rows of the races by their values and holds their figures against limits. Then
+// come the targets themselves, by race: cost of a projection and of whole steps, time to quality,
+// growth with size. Targets whose race has not been run have no row and are left out, so that they
+// are neither met nor missed.
 #include "bench/targets.h"
 
 #include "bench/report.h"
@@ -74,7 +78,7 @@ void judgeProjections(Judge& judge)
         const bool large = std::string_view(network).starts_with("cloth_")
                            && network != std::string_view("cloth_10");
         judge.add(std::string("two threads against one, ") + network, Wanted::AtLeast,
-                  large ? 1.7 : 0.97, // 3 % is what the clock cannot tell
+                  large ? 1.7 : 0.97, // 3 % is lost in the noise of the clock
                   part(judge.row("projection", {{"network", network}, {"threads", 2}}),
                        "times_one_thread"));
     }
@@ -85,7 +89,7 @@ void judgeProjections(Judge& judge)
                        "steps_per_second"));
 }
 
-// The fastest solver counts.
+// Of the solvers that reach the limit, the fastest one is judged.
 void judgeQuality(Judge& judge, const Json& results)
 {
     const std::pair<const char*, double> limits[]{

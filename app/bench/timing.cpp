@@ -1,3 +1,7 @@
+// stepsInBlock() finds how many steps take about 3 ms; timeInRounds() then runs one block of each
+// runner in turn, round after round, so that a disturbance of the machine hits neighbours alike.
+// The runners at the end put their setup into the shared system before each block and begin each
+// block from the same state, so that all blocks do the same work.
 #include "bench/timing.h"
 
 #include "step/stepper.h"

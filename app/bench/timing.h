@@ -25,8 +25,9 @@ struct TimingSummary
 
 TimingSummary timingSummaryOf(std::vector<double> values);
 
-TimingSummary scaled(TimingSummary times, double factor); // the same in another unit
-TimingSummary rates(const TimingSummary& times);          // 1 / time
+TimingSummary scaled(TimingSummary times,
+                     double factor);             // in another unit: all three times the factor
+TimingSummary rates(const TimingSummary& times); // 1 / time
 
 // One thing that is timed.
 struct BenchRunner

@@ -1,4 +1,7 @@
 // ripstop-cli bench: how fast the engine is on this machine.
+//
+// bench() runs the races that are wanted one after the other, or the single one that was named;
+// addBench() has the options.
 #include "bench/quality.h"
 #include "bench/races.h"
 #include "bench/report.h"
@@ -56,8 +59,7 @@ void addBench(CLI::App& app, Command& chosen)
     const auto make = std::make_shared<bool>(false);
     options->threads = std::clamp(int(std::thread::hardware_concurrency()), 1, 2);
     options->references = REFERENCE_FOLDER;
-    command
-        ->add_option("--race", *only, "Only this race; all of them without")
+    command->add_option("--race", *only, "Only this race; all of them without")
         ->check(CLI::IsMember(raceNames()))
         ->type_name("NAME");
     command->add_option("--filter", options->filter, "Only networks with this in their name")

@@ -1,4 +1,8 @@
 // ripstop-cli build and builders: designs from parameters.
+//
+// In order: the builder and its parameters are read from the arguments, tables from a file where an
+// argument says so; buildScene() makes the design and writes it; and listBuilders() prints what
+// builders there are, as a text or as JSON.
 #include "builders/builder.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
@@ -21,7 +25,7 @@ std::string names(std::string_view separator)
     return list;
 }
 
-// The builder, or nothing after a message.
+// The builder of that name, or null after a message has been printed.
 const Builder* chooseBuilder(const std::string& name)
 {
     if (const Builder* builder = findBuilder(name))

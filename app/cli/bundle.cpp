@@ -1,4 +1,7 @@
 // ripstop-cli bundle: all of a run for a paper, in one folder or zip; and what run does with one.
+//
+// In order: what became of the writing is reported; a bundle is made of a recording that there is,
+// or of a scene; and flyBundle() computes the run of a bundle once more, for the command run.
 #include "bundle/bundle.h"
 
 #include "cli/commands.h"

@@ -1,4 +1,8 @@
 // ripstop-cli export: meshes, series and tables for other programs.
+//
+// The source of the frames is either a recording or a scene that is flown for it; the format
+// follows from the ending of the target. A target of one moment needs no range of time; a film or a
+// table gets one.
 #include "export/export_run.h"
 
 #include "cli/commands.h"
@@ -37,7 +41,7 @@ bool isOneMoment(const std::filesystem::path& target)
     return format && format->of == ExportFormat::Of::Moment;
 }
 
-// What was asked for, in the time of the source.
+// The range that was asked for, in the time of the source.
 ExportRange rangeOf(const Options& options, const FrameSource& source)
 {
     const double from = options.from.value_or(source.begin());
@@ -71,7 +75,7 @@ int exportRecording(const Options& options)
     const int lastDesign = int(opened.recording->designCount()) - 1;
     if (auto failure = write(source, opened.recording->design(lastDesign).scene(), options))
         return fail(interrupted() ? Interrupted : BadInput, failure->message);
-    return opened.damage.empty() ? Done : BadInput; // the damage has been told
+    return opened.damage.empty() ? Done : BadInput; // openOrSay() has printed the damage
 }
 
 bool isFilm(const std::filesystem::path& target)

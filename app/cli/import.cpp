@@ -1,4 +1,9 @@
 // ripstop-cli import: meshes of other programs as fabric.
+//
+// In order, by section: options become the shape and the fabric that the model takes; what was
+// found and made becomes a text or JSON; and the command sorts its arguments into files and
+// options, imports one file after the other into one scene, fits the substeps to the springs, and
+// writes the scene.
 #include "author/mesh_import.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
@@ -172,7 +177,7 @@ void describe(const std::string& file, const PreparedMesh& mesh, const MeshImpor
     }
 }
 
-// Springs of stiff or light fabric need short substeps; a fifth to spare.
+// Springs of stiff or light fabric need short substeps. A fifth is left to spare.
 void fitSubsteps(Scene& scene)
 {
     const std::optional<StepLimit> limit = stepLimit(scene);
@@ -183,7 +188,7 @@ void fitSubsteps(Scene& scene)
 
 // --- the command -------------------------------------------------------------------------------
 
-// Adds one file to the scene. Nothing, or the exit code after a message.
+// Adds one file to the scene. Returns nothing, or the exit code after a message has been printed.
 std::optional<int> importOne(const ImportOptions& options, const std::string& file, Scene& scene,
                              MeshFabric& fabric, Json& list)
 {

@@ -1,4 +1,7 @@
 // ripstop-cli info: what is in a scene, and what is wrong with it.
+//
+// Sums of mass, moment and area are taken over each part; describe() collects all that is said in
+// JSON, which printTable() prints for people, so that both outputs say the same.
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"

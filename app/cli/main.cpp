@@ -7,7 +7,7 @@
 namespace ripstop {
 namespace {
 
-// CLI11 says "A subcommand is required" to a misspelt one.
+// Names a command that is misspelt, because CLI11 says only "A subcommand is required".
 std::optional<std::string> unknownCommand(const CLI::App& app, const std::string& word)
 {
     std::vector<std::string_view> names;

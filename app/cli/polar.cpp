@@ -1,4 +1,7 @@
 // ripstop-cli polar: what an air law does to a flat plate, beside published curves.
+//
+// The subject is the name of a law, for which a scene with one material is made, or a scene file
+// with a material in it. The rows of the polar are then printed as JSON, as CSV or as a table.
 #include "measure/polar.h"
 
 #include "cli/commands.h"

@@ -1,4 +1,7 @@
 // ripstop-cli presets: materials that one can buy, and what they make of a scene's.
+//
+// In order: the list of presets as JSON or as a text; the notes on what a preset leaves for the
+// user to look at; and applyPreset(), which changes the materials of a scene.
 #include "scene/presets.h"
 
 #include "cli/commands.h"

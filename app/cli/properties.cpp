@@ -1,4 +1,8 @@
 // ripstop-cli properties: the manual of all properties, made from their table.
+//
+// In order: the cells of one property (type, range, default, when it takes effect), the sections by
+// kind of thing, the list of quantities of probes, the whole manual as Markdown, and the table as
+// JSON. All of it is read from the table of properties, so that the manual cannot lag behind it.
 #include "base/quantity.h"
 #include "scene/property.h"
 

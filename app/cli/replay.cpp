@@ -1,3 +1,7 @@
+// In order: the small printers of rows, sentences and events; opening a file with a line of
+// progress; the replay, which Ctrl-C may end early; what a replay has shown (tellReplay), which the
+// command for bundles uses too; and the description of a recording, which is collected as JSON
+// first so that both outputs say the same.
 #include "cli/replay.h"
 
 #include "io/event_table.h"
@@ -51,7 +55,7 @@ std::string plural(std::size_t count, const std::string& noun)
 
 std::string megabytes(std::size_t bytes) { return shortNumber(double(bytes) / 1e6) + " MB"; }
 
-// The first of them; --json and run --events have all.
+// Prints the first events; --json and run --events have all of them.
 void printEvents(const Json& events)
 {
     constexpr std::size_t most = 30;

@@ -1,4 +1,6 @@
-// What run and info do with recordings and bundles.
+// What the commands run and info do with recordings and bundles: they describe them, compute them
+// once more, and say whether that comes to the same bits. Each function prints for itself and
+// returns the exit code of the command; a file that cannot be opened is reported on standard error.
 #pragma once
 
 #include "io/recording_file.h"
@@ -8,19 +10,21 @@
 
 namespace ripstop {
 
-// Computes the recording once more and says whether it comes to the same bits. Returns the exit
-// code.
+// Computes a recording once more and says whether it comes to the same bits. The exit code is
+// Done when it does and Differs when it does not.
 int replayFile(const std::string& file, int threads, bool json);
 
-// The same of a bundle.
+// Computes the run of a bundle once more and says whether it comes to the same bits.
 int flyBundle(const std::string& file, int threads, bool json);
 
 // Prints what a replay has shown. Returns the exit code.
 int tellReplay(const ReplayOutcome& outcome, bool json);
 
-// Without a recording after a message. Damage is told here, and what comes before it is used.
+// Opens a recording. When that fails, the reason has been printed and there is no recording; when
+// the file is damaged, that has been printed and the recording ends before the damage.
 OpenedRecording openOrSay(const std::string& file);
 
+// Prints what is in a recording: its run, its frames, its events, its bookmarks.
 int describeRecording(const std::string& file, bool json);
 
 } // namespace ripstop

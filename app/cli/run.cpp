@@ -1,4 +1,10 @@
 // ripstop-cli run: flies a scene and says what came of it.
+//
+// In order: the steps of the run, as Simulation::runUntil() takes them, so that the window gets the
+// same bits; the report as JSON, which the table is printed from, too; flyAndReport(), which opens
+// what is to be written before the run and reports what was flown even when a file cannot be
+// written; and run(), which refuses wrong options and files that cannot be written before the first
+// step.
 #include "base/hash_text.h"
 #include "bundle/bundle.h"
 #include "cli/commands.h"
@@ -51,7 +57,7 @@ struct Options
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
-// What happened, for a run that is not recorded as well.
+// The events of a run that is not recorded; a recorder has its own.
 class EventList
 {
 public:
@@ -316,7 +322,8 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     return Done;
 }
 
-// Wrong usage is told in words.
+// The goal of a settling run, if one was asked for; wrong usage is a failure that says what is
+// wrong.
 Result<std::optional<SettleGoal>> settleGoal(const Options& options)
 {
     if (!options.settles && !options.seconds)

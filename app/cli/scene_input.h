@@ -1,4 +1,6 @@
-// The scene of a command, with what --set changes in it.
+// The scene of a command, with what --set changes in it. The commands that take a scene share its
+// options and its messages: a file that cannot be read ends in BadInput, an assignment that does
+// not fit in WrongUsage.
 #pragma once
 
 #include "base/result.h"
@@ -11,6 +13,7 @@
 
 namespace ripstop {
 
+// What the user has given.
 struct SceneInput
 {
     std::string file;
@@ -19,12 +22,12 @@ struct SceneInput
 
 void addSceneOption(CLI::App& command, SceneInput& input);
 
-// A finite number in a range; CLI::Range lets "nan" through.
+// Accepts a finite number in the range. CLI::Range is not used because it lets "nan" through.
 CLI::Validator numberBetween(double low, double high);
 
 void addSetOption(CLI::App& command, std::vector<std::string>& assignments);
 
-// The scene, or the exit code after a message.
+// The scene; or none and the exit code, after a message has been printed.
 struct SceneOutcome
 {
     std::optional<Scene> scene;

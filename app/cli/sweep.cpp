@@ -1,4 +1,10 @@
 // ripstop-cli sweep: one table of many runs.
+//
+// In order: one run, with what each probe read; the table, whose columns are the axes and the
+// probes of all scenes; and many runs, as many at a time as there are jobs, each on one place of
+// the list of orders. The file is replaced by a whole one at most once a second, so that a sweep
+// that is interrupted leaves all runs that were done. prepare() refuses what it can before the
+// first run.
 #include "base/hash_text.h"
 #include "cli/commands.h"
 #include "cli/scene_input.h"
@@ -76,8 +82,8 @@ struct Row
     std::string hash;
     std::size_t torn = 0;
     std::string stopped;               // why it ended early; empty when it did not
-    std::vector<Layout::Probe> probes; // as many as
-    std::vector<Reading> readings;
+    std::vector<Layout::Probe> probes; // [probes]
+    std::vector<Reading> readings;     // [probes]
 };
 
 struct Sweep
@@ -89,7 +95,7 @@ struct Sweep
     std::vector<Order> orders;
 };
 
-// Nothing when it was interrupted.
+// Flies one run of the sweep. Returns nothing when it was interrupted.
 std::optional<Row> fly(const Sweep& sweep, const Order& order)
 {
     Row row;
@@ -140,7 +146,8 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
 
 using Rows = std::vector<std::optional<Row>>; // [orders], those that are done
 
-// By name and unit: probes of several scenes that are called alike share their columns.
+// Probes are compared by name and unit, so that those of several scenes which are called alike
+// share their columns.
 bool isSame(const Layout::Probe& a, const Layout::Probe& b)
 {
     return a.name == b.name && a.unit == b.unit;

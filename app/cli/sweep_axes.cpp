@@ -1,3 +1,7 @@
+// sweepAxis() splits the text at its first "=", tries it as a range FROM:STEP:TO, and else takes it
+// as a list; a semicolon separates values that have commas themselves. Every failure says what to
+// write instead. combinations() extends what it has by one axis after the other, so that the last
+// one changes fastest.
 #include "cli/sweep_axes.h"
 
 #include <charconv>

@@ -1,4 +1,6 @@
-// What a sweep varies: "PATH=VALUES" as a list of values.
+// What the command sweep varies: a text "PATH=VALUES" becomes a property and a list of values, and
+// several of them become all combinations. Values stay texts, as --set takes them, so that a sweep
+// can vary whatever --set can change.
 #pragma once
 
 #include "base/result.h"
@@ -15,8 +17,8 @@ struct SweepAxis
     std::vector<std::string> values; // as --set takes them
 };
 
-// VALUES is "100,200,400", or "FROM:STEP:TO" with both ends, or "8,0,0; 6,0,0" where values have
-// commas themselves.
+// Reads an axis. VALUES is "100,200,400", or "FROM:STEP:TO" with both ends, or "8,0,0; 6,0,0" where
+// values have commas themselves.
 Result<SweepAxis> sweepAxis(std::string_view text);
 
 // The values of each axis in all combinations, the last one changing fastest; one empty combination

@@ -1,5 +1,9 @@
 // ripstop-cli verify: every case whose answer is known, got beside expected; and what designs do
 // beside what was measured of real ones.
+//
+// In order: tables and JSON of results; runAll(), which ends at Ctrl-C with what it has; the
+// comparisons with measured data, where nothing can fail; and the cases, whose failures decide the
+// exit code.
 #include "cli/commands.h"
 #include "terminal/terminal.h"
 #include "verify/case.h"
@@ -22,7 +26,7 @@ struct VerifyOptions
 
 using Row = std::vector<std::string>;
 
-// The last column is left as it is.
+// Pads all columns but the last one to the width of their widest cell.
 void printTable(const std::vector<Row>& rows)
 {
     std::vector<std::size_t> width(rows.front().size(), 0);
@@ -95,7 +99,7 @@ void listCases(const std::vector<Case>& cases)
     printTable(rows);
 }
 
-// What runs of `all`, or as much of it as there is time for until Ctrl-C.
+// Runs all, or as many as there is time for until Ctrl-C, and returns their results.
 template <typename Result, typename One>
 std::vector<Result> runAll(const std::vector<One>& all)
 {

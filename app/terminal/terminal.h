@@ -1,4 +1,6 @@
-// What every command shares: how it ends, what it prints, how it is interrupted.
+// What every command of ripstop-cli shares: how it ends, what it prints, and how it is interrupted.
+// Results go to standard output; messages and progress go to standard error, so that results can be
+// piped. Long work calls catchInterrupt() first and asks interrupted() between its steps.
 #pragma once
 
 #include "base/message.h"
@@ -11,6 +13,7 @@
 
 namespace ripstop {
 
+// How a command ends; scripts tell results apart by these.
 enum ExitCode {
     Done = 0,
     BadInput = 1,

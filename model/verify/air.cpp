@@ -1,4 +1,9 @@
 // Air on fabric of fixed shape: plates, caps, spheres, cylinders, cones.
+//
+// In order: terminal velocities of a triangle that falls flat (A1); bodies of revolution and
+// cylinders made of many panels, against integrals of the law over their surface (A3); plates at
+// other angles (A4); and the descent of a hemispherical canopy. Fabric is held or falls without
+// turning, so that only the law of the air is judged.
 #include "assembly/finish.h"
 #include "forces/panel_load.h"
 #include "verify/sections.h"

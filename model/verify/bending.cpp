@@ -1,4 +1,8 @@
 // Strips of fabric and spars that bend by their own weight or under a load.
+//
+// In order: strips of fabric clamped at one or both ends, which come to rest under their weight or
+// an end load; the angle that a tester after Peirce looks for; spars, with their sag and their
+// lowest vibration; and what must not be there, forces that are left over within a crumpled strip.
 #include "assembly/finish.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -83,7 +87,7 @@ System strung(const Strip& strip)
     return system;
 }
 
-// Where things come to rest. `slowest` is the lowest angular frequency, 1/s.
+// The state in which things have come to rest. `slowest` is the lowest angular frequency, 1/s.
 State settled(System& system, double slowest)
 {
     finish(system);
@@ -162,7 +166,7 @@ struct Spar
 
 int tipOf(const Spar& spar) { return spar.links + 1; } // particle
 
-// Along x, with one link before it that is pinned.
+// A spar along x, clamped by one link before it whose ends are pinned.
 System clamped(const Spar& spar)
 {
     System system = emptySystem(1.0);
@@ -257,7 +261,7 @@ Vibration vibration()
 
 enum class Leftover { Force, Torque };
 
-// Of a crumpled strip: internal forces over the sum of their sizes.
+// The sum of the internal forces of a crumpled strip, or of their moments, over their sizes.
 double leftover(Leftover what)
 {
     System system = strung({6, 4});

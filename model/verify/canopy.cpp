@@ -1,5 +1,9 @@
 // Fabric that holds air: exact values of a rigid cup, the shape under uniform pressure, and how a
 // round parachute of the size of a C-9 opens.
+//
+// In order: a rigid cup of four panels, whose pressure, drag and added mass follow from its shape;
+// parachutes of the builder under uniform pressure, whose shape is that of a mylar balloon; the
+// opening of a C-9 (verify/opening.h); and the descent of porous canopies.
 #include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/opening.h"

@@ -58,11 +58,12 @@ struct CaseResult
     double seconds = 0.0; // that it took
 };
 
-// All there are, in the order of the sections. Results of experiments that several rows share are
+// All cases, in the order of the sections. Results of experiments that several rows share are
 // kept as long as the list.
 std::vector<Case> allCases();
 
-// Those that have the text in id, title, section or source; small and capital letters are alike.
+// The cases that have the text in id, title, section or source; small and capital letters are
+// alike.
 std::vector<Case> casesWith(std::string_view text);
 
 CaseResult run(const Case& one);

@@ -1,4 +1,8 @@
 // Particles on planes, spheres and cylinders: falling, resting, bouncing, sliding.
+//
+// In order: a fall of 1 m with and without rebounds (B1), ten seconds of rest on the ground (B2),
+// slopes with friction (B3), and what each response leaves of a velocity, on planes, spheres and
+// cylinders.
 #include "assembly/finish.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
@@ -38,7 +42,7 @@ Obstacle ball(Response response, double radius, double friction = 0.0)
     return obstacle;
 }
 
-// It lies along z.
+// A cylinder that lies along z.
 Obstacle drum(Response response, double radius, double length)
 {
     Obstacle obstacle = ball(response, radius, 0.4);

@@ -1,4 +1,7 @@
 // Counts of lattices and designs against the formulas and the papers' tables.
+//
+// First lattices of fabric by their formulas, then the designs of the builders by the numbers of
+// particles, links and panels that are published.
 #include "builders/builder.h"
 #include "builders/network.h"
 #include "verify/sections.h"

@@ -1,4 +1,8 @@
 // The damped oscillator, the damper alone, and the longest time step of springs.
+//
+// In order: turning points of the damped oscillator and its step limits; a damper alone between two
+// masses, which must keep momentum; and the longest stable step of a chain of springs, against the
+// rule of the endless chain.
 #include "assembly/finish.h"
 #include "base/step_limit.h"
 #include "measure/diagnostics.h"

@@ -1,4 +1,7 @@
 // Steady flight: what plates do in theory, and whether flying designs balance their forces.
+//
+// First plates by themselves, whose polars and glides follow from the law of the air; then a kite,
+// a glider and a parachute of the builders in trim, whose forces must balance.
 #include "assembly/finish.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
@@ -66,7 +69,7 @@ Polar lawPolar(double a)
             normal * std::sin(a) + tangent * std::cos(a)};
 }
 
-// Of 90 kg on 18 m^2 over all angles of attack, m/s.
+// The least sink rate of 90 kg on 18 m^2 over all angles of attack, m/s.
 template <typename PolarAt>
 double leastSink(const PolarAt& polarAt)
 {
@@ -212,7 +215,7 @@ struct Glider
     double loads = 0.0;   // 1, lift over drag
 };
 
-// Means from 15 to 20 s.
+// Means over the flight from 15 to 20 s.
 Glider gliderInTrim()
 {
     Simulation simulation = flying("hang_glider");

@@ -1,4 +1,7 @@
 // Particles that are free along a line only: a bead, a pendulum on a trolley, an ellipse trammel.
+//
+// In order: a bead on a wire that leans (K8), a pendulum whose pivot rolls on a rail (K9), and a
+// rod between beads on crossed wires, whose loss of energy is that of projection (K10).
 #include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
@@ -57,7 +60,8 @@ double trolleyPeriod(Solver solver, double bobOverTrolley)
     return 0.0;
 }
 
-// What once round takes from the energy of two beads on crossed wires, joined by a rod of 0.5 m.
+// The share of their energy that one turn takes from two beads on crossed wires, joined by a rod of
+// 0.5 m.
 double trammelLoss(double h)
 {
     const double rate = 2.0 * pi, length = 0.5;

@@ -1,4 +1,7 @@
 // Weights that hang on rods: how far they come down and what the rods carry.
+//
+// First the elongation of ropes of many rods under the solvers, in percent, beside what is
+// published; then the tensions that rods report, which must carry the weight below them.
 #include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"

@@ -3,6 +3,10 @@
 // Of the schemes on the list the engine offers explicit Euler (I1), semi-implicit Euler (I3),
 // Verlet (I4), Verlet with a naive start (I5) and velocity Verlet (I6). Implicit Euler (I2),
 // implicit midpoint and RK4 (I7) are not offered, so they have no row.
+//
+// In order: energies after many steps, from the recurrences of the schemes; bands in which the
+// energy stays; quantities that a scheme keeps exactly; period, order and stability limit; and
+// places: a particle at rest stays there, and a system moved by a kilometre moves alike.
 #include "assembly/finish.h"
 #include "verify/oscillator.h"
 
@@ -121,7 +125,7 @@ void addBands(std::vector<Case>& cases)
     }
 }
 
-// What the recurrence keeps exactly.
+// The quantity that the recurrence of the scheme keeps exactly.
 double invariantOf(Scheme scheme, const OscillatorTrace& motion, std::size_t i)
 {
     const double h = omega * 0.01;

@@ -1,4 +1,7 @@
 // What no choice of frame, mirror or winding may change, and what a free object keeps.
+//
+// In order: the same patch in another frame (C5 to C7), forces inside a network, which must cancel
+// (C1), momentum and angular momentum of a free object (C2), and the order of the whole step (C8).
 #include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
@@ -16,7 +19,7 @@ namespace {
 constexpr std::array integrators{Integrator::ExplicitEuler, Integrator::SemiImplicitEuler,
                                  Integrator::Verlet, Integrator::VelocityVerlet};
 
-// No solver: springs.
+// How the patch is held together: by rods and their solver, or by springs where there is no solver.
 using Ties = std::optional<Solver>;
 const std::array<Ties, 4> allTies{Ties(), Ties(Solver::AveragedJacobi), Ties(Solver::GaussSeidel),
                                   Ties(Solver::Direct)};
@@ -71,7 +74,7 @@ System patch(Integrator integrator, const Ties& ties, bool pinned)
 // --- C5 to C7: another frame
 // ------------------------------------------------------------------------
 
-// The same patch seen otherwise; place() is where a particle should be at a time.
+// The patch of patch() seen from another frame; place() is where a particle should be at a time.
 struct OtherFrame
 {
     const char* id;
@@ -169,7 +172,7 @@ void addFrames(std::vector<Case>& cases)
 struct Inside
 {
     double force;  // 1, of the sum of sizes
-    double moment; // m, the same
+    double moment; // m, of the sum of sizes of forces
 };
 
 // Springs and dampers on a random network, read from one explicit step of a second.
@@ -281,7 +284,7 @@ void addFree(std::vector<Case>& cases)
 // --- C8: order of the whole step
 // ------------------------------------------------------------------------
 
-// From the differences between runs of 0.2 s with dt, dt/2 and dt/4.
+// The order of convergence, from the differences between runs of 0.2 s with dt, dt/2 and dt/4.
 double orderOf(Integrator integrator, const Ties& ties)
 {
     std::vector<State> runs;

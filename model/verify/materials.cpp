@@ -1,5 +1,8 @@
 // Sheets and ropes whose links follow from numbers of their material: the same at every
 // resolution.
+//
+// A sheet and a rope are compiled at several resolutions from the same material, and modulus, mass,
+// sag and growth are measured: each must be that of the material, whatever the number of cells.
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "measure/diagnostics.h"

@@ -1,3 +1,8 @@
+// made() builds the scene of the parachute builder, with its payload pinned where it is held in the
+// wind. fly() runs it and notes the drag area, m^2, and the speed after each step; both drag and
+// pull are means over 1/40 s. The canopy at the end gives its size, and fitFilling() the way to the
+// full drag area and the exponent of its growth, by least squares on logarithmic scales along lines
+// through the point where it is full.
 #include "verify/opening.h"
 
 #include "compile/compile.h"

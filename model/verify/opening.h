@@ -14,11 +14,11 @@ inline constexpr double noResult = std::numeric_limits<double>::quiet_NaN();
 
 struct Flight
 {
-    double width = noResult;   // of the canopy over the nominal diameter
-    double height = noResult;  // of the same, from the widest place to the crown
-    double drag = noResult;    // 1, CD0 at the end
-    double filled = noResult;  // n, nominal diameters that go by until the drag area is full
-    double growth = noResult;  // j of (CD S)(t) = CD S (t / tf)^j
+    double width = noResult;  // of the canopy over the nominal diameter
+    double height = noResult; // of the canopy over the nominal diameter, from widest place to crown
+    double drag = noResult;   // 1, CD0 at the end
+    double filled = noResult; // n, nominal diameters that go by until the drag area is full
+    double growth = noResult; // j of (CD S)(t) = CD S (t / tf)^j
     double highest = noResult; // N, pull on the payload, mean over 1/40 s
     double volume = noResult;  // over the cube of the nominal diameter
 };
@@ -27,22 +27,23 @@ struct Chute
 {
     Parameters parameters;
     double speed = 0.0;     // m/s
-    bool held = false;      // the payload is, in wind of that speed; otherwise it flies
+    bool held = false;      // whether the payload is pinned in wind of that speed, or falls
     double until = 1.0;     // s
     double gravity = 0.0;   // m/s^2
     double viscosity = 0.0; // 1/s
 };
 
-// At the start of its flight.
+// The parachute at the start of its flight.
 std::unique_ptr<Simulation> made(const Chute& chute);
 
-// No results when it cannot be flown so far.
+// Flies it until `until`. All results are noResult when the simulation stops before that.
 Flight fly(const Chute& chute);
 
-// D0 8.53 m, 28 gores, lines of 7.3 m, 100 kg; a mouth of 5 % of D0 at the start.
+// The size of the C-9 parachute: D0 8.53 m, 28 gores, lines of 7.3 m, 100 kg; a mouth of 5 % of D0
+// at the start.
 Parameters sizeOfC9();
 
-// The same in wind of that speed, m/s, with its payload held, for twelve diameters to go by.
+// The C-9 with its payload held in wind of that speed, m/s, until twelve diameters have gone by.
 Chute heldC9(double speed);
 
 } // namespace ripstop

@@ -1,4 +1,7 @@
 // Single particles and flat plates against closed forms: weight, drag, wind.
+//
+// In order: projectiles and constant forces, where the schemes have known errors; plates that fall
+// to their terminal velocity; plates that are braked by drag; and plates that drift with the wind.
 #include "assembly/finish.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

@@ -1,4 +1,8 @@
 // A weight on one rod of 1 m: its period at any amplitude, and what projection takes from it.
+//
+// In order: the period from many amplitudes, as four times the time of the fall, against the
+// elliptic integral; the period of many swings; and the decay that projection causes, which is that
+// of implicit Euler.
 #include "assembly/finish.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"

@@ -41,7 +41,8 @@ struct ReferenceResult
 
 std::vector<Reference> allReferences();
 
-// Those that have the text in section, title, source or note, whatever the case of its letters.
+// The comparisons that have the text in section, title, source or note, whatever the case of its
+// letters.
 std::vector<Reference> referencesWith(std::string_view text);
 
 ReferenceResult run(const Reference& reference);

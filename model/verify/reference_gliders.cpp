@@ -1,4 +1,8 @@
 // Hang gliders: glide ratio and sink of three generations.
+//
+// Each wing is flown at nine trims, which gives a polar of speed and sink; best glide, least sink
+// and the sink at a speed are then read from the polar. A polar is flown once for all rows of its
+// wing.
 #include "verify/reference_sections.h"
 #include "verify/sections.h"
 

@@ -1,4 +1,8 @@
 // Descent rates and the shape of round canopies.
+//
+// In order: descent rates of canopies with a hoop, the width of the skirt over the nominal
+// diameter, and the opening of a C-9 (verify/opening.h). Canopy and lines weigh as the builder has
+// them, and the payload is what is left of the published mass.
 #include "verify/reference_sections.h"
 
 #include "measure/diagnostics.h"

@@ -1,4 +1,5 @@
-// The sections of comparisons, and how designs are flown for them.
+// The sections of comparisons with measured data (reference.h), and how designs are built and flown
+// for them. Adding a section is a function here and its name in the list of allReferences().
 #pragma once
 
 #include "builders/builder.h"

@@ -1,4 +1,7 @@
 // Plates, cups and flags in the wind.
+//
+// In order: plates head on, a hemispherical cup with air pressing from one side, and flags. Drag
+// coefficients are those of a new material, as a user gets them, with nothing changed to fit.
 #include "verify/reference_sections.h"
 
 #include "compile/resolve.h"

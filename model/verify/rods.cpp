@@ -1,4 +1,7 @@
 // One projection of rods, with nothing else done.
+//
+// In order: averaging as diffusion, mode by mode (K1); what a projection does to momentum and to
+// the mass centre (K3 to K6); the order of rods; and degenerate rods, whose motion must be zero.
 #include "assembly/finish.h"
 #include "constraints/rod_solver.h"
 #include "measure/diagnostics.h"

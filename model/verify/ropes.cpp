@@ -1,5 +1,8 @@
 // Ropes: the catenary, the rope that stretches under its weight, its longitudinal mode, and lines
 // that carry no compression.
+//
+// In order: the catenary between two pins (R1), the rope that stretches under its own weight (R2),
+// its longitudinal mode (R5), and lines that go slack rather than push (R6).
 #include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"

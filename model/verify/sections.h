@@ -1,4 +1,6 @@
-// The sections of cases; each stands in a file of its own.
+// The sections of cases (case.h), each of which stands in a file of its own, and what they share:
+// names of choices, experiments that several rows read from, and the search for a limit. Adding a
+// section is a function here and a row in registry.cpp.
 #pragma once
 
 #include "base/choice_names.h"
@@ -41,7 +43,8 @@ std::string nameOf(E choice)
     return std::string(choiceNames<E>[std::size_t(choice)]);
 }
 
-// An experiment that several rows read from: made by the first of them, held for all.
+// An experiment that several rows read from. The first row that asks runs it; the result is kept
+// for all copies of the function. One thread at a time may ask.
 template <typename Make>
 auto shared(Make make)
 {
@@ -53,8 +56,8 @@ auto shared(Make make)
     };
 }
 
-// The largest value between `low` and `high` up to which something is `sound`, by halving; sound
-// at `low` and not at `high`.
+// The largest value between `low` and `high` up to which something is `sound`, found by halving. It
+// has to be sound at `low` and not at `high`.
 template <typename Sound>
 double limitOf(const Sound& sound, double low, double high, int halvings = 14)
 {

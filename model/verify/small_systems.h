@@ -24,7 +24,7 @@ inline System emptySystem(double timeStep, Integrator integrator = Integrator::S
     return system;
 }
 
-// The same, with weight.
+// An empty system with standard gravity along -y.
 inline System heavySystem(double timeStep, Integrator integrator = Integrator::SemiImplicitEuler)
 {
     System system = emptySystem(timeStep, integrator);

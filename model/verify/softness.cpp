@@ -63,7 +63,7 @@ double ratioInSteps(double hw, Solver solver, int sweeps)
     return naturalLength() / mean;
 }
 
-// The same with the solver alone, told the same order in each substep.
+// The softness with the solver alone, which is told one and the same order in each substep.
 double ratioInOneOrder(double hw)
 {
     const System system = elasticRope(hw, Solver::GaussSeidel, 1);

@@ -1,3 +1,8 @@
+// tearSheet() makes particles of unequal mass, then the links and panels, of which only those of
+// one row can break. piecesOf() joins particles by whole links and panels and counts what is left
+// apart. changesAtPartings() steps the sheet; whenever the mesh opens, it compares the state
+// before, as if nothing had let go in that step, with the state after, carried over to the split
+// system.
 #include "verify/tear_sheets.h"
 
 #include "assembly/carry_over.h"

@@ -1,4 +1,6 @@
-// Sheets that tear, for cases and tests: what a mesh that splits must keep.
+// Sheets that tear along one row, and what a mesh that splits must keep: mass, its centre,
+// momentum, spin and energy. The cases of tearing and their tests judge the splitting of a mesh by
+// them.
 #pragma once
 
 #include "run/simulation.h"

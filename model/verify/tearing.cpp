@@ -1,4 +1,8 @@
 // Links that break: when, at what length and force, and what is left.
+//
+// In order: one link that is drawn out until it breaks; rows and meshes, of which one link must
+// break first; the bookkeeping of momentum and of what is left; rods, which break by the weight
+// that they carry; and meshes that split (verify/tear_sheets.h).
 #include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"

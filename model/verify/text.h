@@ -1,3 +1,5 @@
+// Numbers and results as text, for the reports of cases and comparisons, and the search for text
+// that their filters use. Pure functions; any thread may call them.
 #pragma once
 
 #include <string>
@@ -18,7 +20,7 @@ std::string publishedText(double low, double high);
 std::string gotText(const ReferenceResult& result);
 std::string ratioText(const ReferenceResult& result);
 
-// Small and capital letters are alike.
+// Whether `part` occurs in `text`; small and capital letters of ASCII are alike.
 bool containsText(std::string_view text, std::string_view part);
 
 } // namespace ripstop

@@ -1,4 +1,8 @@
 // Wings with the vortex law: lift slope, induced drag, camber, symmetry, power.
+//
+// In order: lift slope and induced drag of plan forms, camber, symmetry and rest, power, and stall.
+// Wings are panels of fixed shape whose places and velocities are given; nothing is stepped, so
+// that only the law of the air is judged.
 #include "assembly/finish.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
@@ -198,7 +202,7 @@ void addPlanforms(std::vector<Case>& cases)
 
 // --- camber
 
-// Parabolic, of this height over the chord.
+// A wing with a parabolic camber line of this height over the chord.
 Sail cambered(double height)
 {
     return sheet(

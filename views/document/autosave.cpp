@@ -1,3 +1,7 @@
+// A change starts the timer (follow); when it fires, the follower is asked for a copy of its scene;
+// the copy comes to post(), which takes the lock and hands it to the writer; and collect() hears
+// what came of it. Every stage carries the number m_state, which grows when the work is saved or
+// given up, so that a copy which is still under way then is thrown away rather than left behind.
 #include "document/autosave.h"
 
 #include "document/document.h"
@@ -78,7 +82,8 @@ void Autosave::forget()
     m_place.name.clear();
 }
 
-// False when another program holds the place, or the folder cannot be written.
+// Takes the lock of the place. It returns false when another program holds that, or the folder
+// cannot be written.
 bool Autosave::hold()
 {
     if (m_lock)
@@ -97,7 +102,7 @@ bool Autosave::hold()
 void Autosave::post(std::uint64_t state, const std::shared_ptr<const Scene>& scene)
 {
     if (state != m_state)
-        return; // saved or given up meanwhile
+        return; // the work has been saved or given up meanwhile
     if (hold())
         return m_writer->post({state, scene, m_place, m_document.file(), m_document.displayName()});
     if (!std::exchange(m_hasFailed, true))
@@ -123,7 +128,7 @@ void Autosave::collect()
     if (!outcome)
         return;
     if (outcome->state != m_state)
-        return outcome->place.remove(); // written while it was given up
+        return outcome->place.remove(); // the work was saved or given up while this was written
     if (!outcome->failure) {
         m_hasFailed = false;
         emit kept(outcome->place.scene());

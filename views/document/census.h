@@ -1,4 +1,6 @@
-// What a set of ids is made of.
+// Which things of a scene a list of ids stands for, sorted by kind, because an id alone does not
+// say whether it is an item, a particle, a link or a panel. It takes one pass over the items of the
+// scene and copies none of them. The texts about a selection begin with it (document/words.h).
 #pragma once
 
 #include "scene/property.h"
@@ -7,14 +9,14 @@
 
 namespace ripstop {
 
-// The things behind a list of ids, sorted by kind. The references hold until the scene changes.
+// The things that were found. The references hold until the scene changes.
 struct Census
 {
     struct Found
     {
         Id id;
         ConstRef ref;
-        Id part; // of an element; noId for an item
+        Id part; // the part that an element belongs to; noId for an item
     };
     std::array<std::vector<Found>, kindCount> found; // by kind, ascending ids
 
@@ -22,7 +24,8 @@ struct Census
     std::vector<Found> operator[](Kind kind) && { return std::move(found[std::size_t(kind)]); }
 };
 
-// `ids` in ascending order; ids of nothing are left out. Fast for many elements of few parts.
+// Looks up `ids`, which are in ascending order; ids that stand for nothing are left out. It is fast
+// for many elements of few parts.
 Census census(const Scene& scene, const std::vector<Id>& ids);
 
 } // namespace ripstop

@@ -1,3 +1,7 @@
+// Edits come through push() and drag() into the undo stack, whose commands call applyNow(): the
+// only place where an edit reaches the scene, and so the only one that emits changed(). Whole
+// scenes come through show(), which clears the history, because its commands belong to the scene
+// that is gone; replace() and recover() then mark the new scene as unsaved.
 #include "document/document.h"
 
 #include "document/edit_command.h"

@@ -37,7 +37,8 @@ public:
     [[nodiscard]] std::optional<Failure> open(const QString& file);
     [[nodiscard]] std::optional<Failure> save(const QString& file);
 
-    // What was kept of unsaved work, as a later state of `file` (empty: of none).
+    // Opens a copy that was kept of unsaved work, as a later state of `file`, which is empty when
+    // the work was never saved. The scene counts as modified.
     [[nodiscard]] std::optional<Failure> recover(const QString& copy, const QString& file,
                                                  const QString& name);
 

@@ -15,7 +15,7 @@ struct EventWords
     Q_DECLARE_TR_FUNCTIONS(EventWords)
 };
 
-// A single line is named by its first link.
+// The words for one event or for several at once, which name the first of their links.
 QString lines(const RunEvent& event, const QString& one, const QString& many)
 {
     return event.count == 1 ? one.arg(event.what) : many.arg(event.count).arg(event.what);
@@ -61,7 +61,7 @@ QString describe(const RunEvent& event, const Scene& scene, int more)
 
 QColor eventColor(RunEvent::Kind kind, const QPalette& palette)
 {
-    // what begins and what ends it have one colour
+    // by RunEvent::Kind; contact and lift-off have one colour, slack and taut have another
     static constexpr std::array light{0xc62828, 0x1565c0, 0x6a1b9a, 0x2e7d32, 0x8d4b00,
                                       0x00796b, 0x00796b, 0xad1457, 0xad1457};
     static constexpr std::array dark{0xff6b60, 0x64b5f6, 0xce93d8, 0x81c784, 0xffb74d,

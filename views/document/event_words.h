@@ -1,4 +1,6 @@
-// Events of a run, as views show them.
+// Events of a run in words and colours, the same in plots, in the timeline and in the status bar.
+// The texts are in the language of the window and call things by their names in a scene; the
+// colours suit the palette. Both are pure functions, called from the window's thread.
 #pragma once
 
 #include "run/run_event.h"
@@ -10,10 +12,11 @@
 
 namespace ripstop {
 
-// "3.204 s: canopy touches ground", "..., and 3 more in this step"; the scene is the one that names
-// are looked up in.
+// "3.204 s: canopy touches ground". With `more` it goes on: ", and 3 more in this step". Names are
+// looked up in the scene; what it does not have is called by its number.
 QString describe(const RunEvent& event, const Scene& scene, int more = 0);
 
+// The colour of the marks of such events; what begins and what ends it have the same one.
 QColor eventColor(RunEvent::Kind kind, const QPalette& palette);
 
 } // namespace ripstop

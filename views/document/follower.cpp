@@ -1,3 +1,8 @@
+// The window's thread writes requests and edits into the inbox (post) and reads the outbox when it
+// is woken (deliver); the thread of the follower takes the whole inbox at once (run) and works
+// through it in a fixed order: the scene or the edits first, then compile, check and copy, all of
+// which are about the scene as it is after those edits. Only exchanges of the boxes are done under
+// the lock, so that neither thread waits while the other works.
 #include "document/follower.h"
 
 #include "compile/live_system.h"

@@ -1,9 +1,9 @@
-// The scene once more, on a thread of its own, where what takes time is done: finding what an edit
-// means to a running simulation, and the check.
+// A copy of the scene on a thread of its own, where what takes time is done: finding what an edit
+// means to a running simulation, the check, and copies for saving unsaved work.
 //
-// It follows the document edit by edit, so that the window never copies a scene, however large, but
-// when another one is opened. Made and asked by the window's thread, which also gets all signals;
-// the thread of the follower sees nothing but inbox and outbox.
+// It follows the document edit by edit, so that the window copies a whole scene only when another
+// one is opened, however large it is. Made and asked by the window's thread, which also gets all
+// signals; the thread of the follower sees nothing but inbox and outbox.
 #pragma once
 
 #include "author/stability.h"
@@ -24,7 +24,7 @@ namespace ripstop {
 class Document;
 class LiveSystem;
 
-// What a compile came to.
+// The outcome of a compile.
 struct Compiled
 {
     std::uint64_t generation;
@@ -41,8 +41,8 @@ class Follower final : public QObject
 public:
     explicit Follower(Document& document, QObject* parent = nullptr);
 
-    // Both are about the scene as it is now. Of two requests that wait, the newer one counts; each
-    // outcome comes with a signal, in the order of the requests.
+    // All three are about the scene as it is now. Of two requests that wait, the newer one counts;
+    // each outcome comes with a signal, in the order of the requests.
     void compile(std::uint64_t generation, std::uint64_t run);
     void check();
     void copy(std::uint64_t tag); // the tag comes back with the copy
@@ -61,7 +61,7 @@ private:
     };
     struct Inbox
     {
-        std::optional<Scene> scene; // instead of all before
+        std::optional<Scene> scene; // replaces the scene and all edits before it
         std::vector<Edit> edits;
         std::optional<Request> compile;
         bool check = false;

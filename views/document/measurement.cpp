@@ -1,3 +1,8 @@
+// In order: the table of what can be measured, of which kinds of elements; the value of one element
+// (valueOf), which the two uses below share so that a condition and a label never disagree; a list
+// of all elements of a kind for conditions (read); and the text about one element (readingOf).
+// Links that are torn and panels that have lost an edge are left out everywhere, because they are
+// no longer part of the design.
 #include "document/measurement.h"
 
 #include "document/words.h"
@@ -82,7 +87,7 @@ struct Place
     Row row;
 };
 
-// Nothing for what is torn, or gone with its edges.
+// Finds nothing for a link that is torn or a panel that is gone with its edges.
 std::optional<Place> find(const Frame& frame, Id element)
 {
     const Layout& layout = *frame.layout;

@@ -11,7 +11,7 @@
 
 namespace ripstop {
 
-// For conditions. The measurement keeps the frame; without one it measures nothing.
+// The measurement that conditions read. It keeps the frame; without one it measures nothing.
 Measurement measurementOf(std::shared_ptr<const Frame> frame);
 
 // What an element does at this instant, in three digits: the speed of a particle, tension and

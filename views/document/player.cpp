@@ -1,3 +1,10 @@
+// Stages, in the order of the source: what the user asks for (play, step, settle, hands, controls)
+// becomes a change of state or Orders; compileSoon() to giveOrders() have the scene compiled and
+// pass orders on once the runner has that system; halt() and the questions about where the run
+// stands; takeCompiled() with what the follower answers; and takeFrame(), which the timer calls
+// about 60 times a second, with what the runner has done. Each answer is held against the present
+// run first, because it may be about a design that has changed since. The header has the states and
+// their transitions.
 #include "document/player.h"
 
 #include "document/document.h"
@@ -301,7 +308,7 @@ void Player::takeCompiled(const Compiled& outcome)
         m_runner.load(std::move(update));
     }
     if (outcome.run != m_run)
-        return; // of a design that has changed since; a newer one is under way
+        return; // the design has changed since; a newer compile is under way
     m_compiled = outcome.generation;
     if (m_compile == Compile::UnderWay && m_compiled == m_generation)
         m_compile = Compile::Done;
@@ -324,7 +331,8 @@ void Player::takeCompiled(const Compiled& outcome)
     giveOrders();
 }
 
-// Those that came after the frame was made wait for the next one; its own it tells itself.
+// Samples that came after the frame was made wait for the next frame. The sample of the same
+// instant is left out, because the frame says what the probes read then.
 void Player::passSamples(const Frame& frame)
 {
     const auto isLater = [&](const ProbeSample& sample) {
@@ -346,7 +354,7 @@ void Player::takeFrame()
     auto frame = m_runner.takeFrame();
     std::ranges::move(m_runner.takeSamples(), std::back_inserter(m_samples));
     if (!frame || frame->run != m_run)
-        return; // of a run that is over
+        return; // it belongs to a run that is over
     passSamples(*frame);
     m_frame = std::move(frame);
 

@@ -6,7 +6,7 @@
 //
 //     what it does      Paused --play()--> Playing          by the clock
 //                              --playUntil()--> Racing      as fast as it can, to a time
-//                              --settle()--> Settling       the same, until all is still
+//                              --settle()--> Settling       as fast as it can, until all is still
 //                       all of them --halt()--> Paused: pause(), the time, rest, trouble, a problem
 //     the run           AtDesign --leaveDesign()--> UnderWay    orders, a cut or a pin, a moment
 //                       UnderWay --takeFrame()--> Stuck         the next step would be broken
@@ -62,7 +62,7 @@ public:
     void playUntil(double time); // s; as fast as it can, then pauses exactly there
 
     // Shows an instant of a recording instead of the run, which pauses; null goes back to the run.
-    // So does all that makes the run go on.
+    // Whatever makes the run go on goes back to it, too.
     void lookAt(std::shared_ptr<const Frame> past);
     bool isLookingBack() const { return m_past != nullptr; }
 
@@ -75,7 +75,8 @@ public:
     // Simulated seconds per second of the clock; 0 is as fast as it can.
     void setSpeed(double ratio);
 
-    // Where a control is told to go, m, within its limit; nudge() moves that by whole steps.
+    // The command of a control, m, is where it is told to go, within its limit; nudge() moves it by
+    // whole steps.
     double commandOf(Id control) const;
     void steer(Id control, double command);
     void nudge(Id control, int steps);
@@ -89,7 +90,7 @@ public:
     bool isSettling() const { return m_activity == Activity::Settling; }
 
 signals:
-    // Of the run that is shown, before the frame that comes after it.
+    // Samples of the present run; each is emitted before the frame that comes after it.
     void sampled(const ripstop::ProbeSample& sample);
     void frameReady(const std::shared_ptr<const ripstop::Frame>& frame);
     void stateChanged();                               // playing, speed or problem

@@ -1,3 +1,8 @@
+// Stages, in the order of the sections: the list of runs, which grows with each run of the player;
+// looking back, where seek() asks the fetcher for a frame and take() shows it, so that dragging
+// along the timeline never waits for frames to be unpacked; playing back, by the clock rather than
+// by frames, because ticks are late where drawing is slow; bookmarks; and branches, whose first
+// moment is computed on a thread and then begins a new run of the player.
 #include "document/recordings.h"
 
 #include "document/words.h"
@@ -63,7 +68,7 @@ void Recordings::setCurrent(const std::shared_ptr<Recording>& recording)
     if (!m_current || m_current == m_live)
         backToLive();
     else
-        seek(0); // there is no run to show
+        seek(0); // it was opened from a file or is over, so there is no live run to show
 }
 
 void Recordings::makeCurrent(const std::shared_ptr<Recording>& recording)
@@ -104,7 +109,7 @@ void Recordings::remove(std::shared_ptr<Recording> recording)
     emit listChanged();
 }
 
-// A run that goes on has more frames each time.
+// Called by a timer, because a run that goes on has more frames each time.
 void Recordings::watch()
 {
     const std::size_t count = m_current ? m_current->frameCount() : 0;
@@ -232,7 +237,7 @@ void Recordings::take()
 {
     const auto shown = m_fetcher.take();
     if (!shown || !m_wantsPast)
-        return; // back to live meanwhile
+        return; // the user has gone back to the live run meanwhile
     if (!shown->frame) {
         pause();
         emit failed(translated(shown->failure));

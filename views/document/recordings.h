@@ -50,8 +50,8 @@ public:
     void backToLive();
 
     enum class Way { Back, Forward };
-    bool toEvent(Way way);    // false when there is none
-    bool toBookmark(Way way); // the same
+    bool toEvent(Way way);    // false when there is no event that way
+    bool toBookmark(Way way); // false when there is no bookmark that way
 
     // --- playing back ---
     bool isPlaying() const { return m_tick.isActive(); }
@@ -82,13 +82,13 @@ public:
     void setGhost(std::shared_ptr<Recording> recording);
 
 signals:
-    void listChanged();  // or which is the current one, or what they are called
-    void grew();         // the current one, or its bookmarks
+    void listChanged();  // the list, which run is the current one, or the name of a run
+    void grew();         // the current recording has more frames, or other bookmarks
     void moved();        // where one looks
     void stateChanged(); // playing, speed, loop, computing
     void failed(const QString& why);
     void said(const QString& words); // what has been done, for the status bar
-    // An event has been jumped to; so many more are in the same step.
+    // An event has been jumped to; `more` further events belong to the same frame.
     void reached(const ripstop::RunEvent& event, int more);
     void ghostShown(const std::shared_ptr<const ripstop::Frame>& frame); // null: none
 
@@ -132,9 +132,9 @@ private:
     std::shared_ptr<Recording> m_current;
     std::shared_ptr<Recording> m_ghost;
     std::size_t m_frame = 0;
-    std::size_t m_seen = 0;   // frames, when last told of
+    std::size_t m_seen = 0;   // frames when grew() was last emitted
     int m_count = 0;          // of runs so far
-    bool m_wantsPast = false; // or shows it already
+    bool m_wantsPast = false; // a past frame is asked for or shown
     bool m_showsPast = false;
     std::shared_ptr<Recording> m_live; // of the run of the player
     QString m_origin;                  // of the branch that is about to begin

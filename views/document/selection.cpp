@@ -16,7 +16,7 @@ bool removesSomething(const Edit& edit)
     });
 }
 
-// Those that are of something in the scene. `ids` are in ascending order.
+// The ids that stand for something in the scene. `ids` are in ascending order.
 std::vector<Id> existing(const Scene& scene, const std::vector<Id>& ids)
 {
     std::vector<char> found(ids.size(), 0);

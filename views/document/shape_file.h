@@ -12,12 +12,12 @@ namespace ripstop {
 
 class Document;
 
-// Asks for the mesh or the picture of a collider, and says how the scene names it: from its own
-// folder where the file lies there, so that both can be moved together. Empty when the user thinks
-// better of it.
+// Asks the user for the mesh or the picture of heights of a collider, and returns its name as the
+// scene is to have it; empty when the question is cancelled.
 QString askShapeFile(QWidget* parent, const Document& document, ColliderShape shape);
 
-// How a scene in `folder` (none: not saved yet) names a file.
+// How a scene in `folder` names a file. Without a folder the scene is not saved yet, and the name
+// stays as it is.
 QString namedFrom(const QString& folder, const QString& file);
 
 } // namespace ripstop

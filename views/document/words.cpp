@@ -1,3 +1,7 @@
+// In order: the table of words for the kinds of things; translations of texts and messages of the
+// model, which writes English; labels of kinds, properties and choices; names of things by their
+// ids; and the description of a selection, from its census. Choices have no labels of their own:
+// they are made from the key in the file by a few rules of English and then translated.
 #include "document/words.h"
 
 #include "document/census.h"
@@ -36,7 +40,7 @@ constexpr std::array<KindWords, kindCount> kindWords{{
 
 const KindWords& wordsOf(Kind kind) { return kindWords[std::size_t(kind)]; }
 
-// Words of the table are literals, and so end with a zero as translate() wants.
+// Words of the table are literals, and so end with a zero as QCoreApplication::translate() needs.
 QString translated(const char* context, const char* text)
 {
     return QCoreApplication::translate(context, text);

@@ -1,4 +1,7 @@
-// Words for the things of a scene, the same in every view.
+// Words for the things of a scene and the texts of the model, the same in every view: labels,
+// counts, names, numbers, and the description of a selection. The model writes English, and these
+// put it into the language of the window. They are called from the window's thread, except that
+// texts of failures are made wherever work is done for it.
 #pragma once
 
 #include "author/element_counts.h"
@@ -19,8 +22,8 @@ QString countsOf(const ElementCounts& counts); // "5 particles, 10 links"; empty
 
 QString labelOf(const Property& property);
 QString helpOf(const Property& property);
-QString choiceLabel(std::string_view choice);  // "Semi implicit Euler"
-QString englishLabel(std::string_view choice); // the same before it is translated
+QString choiceLabel(std::string_view choice);  // "Semi implicit Euler", translated
+QString englishLabel(std::string_view choice); // "Semi implicit Euler", to be translated
 
 // "kite", "particle 17", "Settings"; "#17" when there is no such thing.
 QString nameOf(const Scene& scene, Id id);

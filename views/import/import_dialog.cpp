@@ -1,3 +1,8 @@
+// A change of the form disables the button and starts a delay (workSoon); after it the wishes are
+// posted to the worker (post); a timer shows the progress (watch); and take() shows what comes
+// back: the preview, the list of findings, the counts, and what the form chose by itself. Choosing
+// a finding marks its places in the preview. A preview that shows the same mesh again is left
+// alone, so that its camera and its marks stay.
 #include "import/import_dialog.h"
 
 #include "document/words.h"
@@ -27,7 +32,7 @@ namespace {
 constexpr int patience = 150;   // ms after the last change
 constexpr int watchEvery = 100; // ms
 
-// In one unit, so that the three can be compared.
+// All three lengths are in one unit, so that they can be compared.
 QString sizeText(const Vec3& size)
 {
     const double largest = size.maxCoeff(); // m
@@ -239,7 +244,7 @@ void ImportDialog::take(std::shared_ptr<const ImportOutcome> outcome)
     m_form->follow(*m_outcome);
     if (!m_outcome->refusal.isEmpty())
         m_preview->setHint(m_outcome->refusal);
-    if (!m_outcome->mesh || m_outcome->mesh != m_shown) { // or the eye and the marks stay
+    if (!m_outcome->mesh || m_outcome->mesh != m_shown) { // else the camera and the marks stay
         m_shown = m_outcome->mesh;
         m_preview->setMesh(m_shown);
         m_size->setText(m_shown ? sizeText(m_shown->size) : QString());
@@ -258,7 +263,7 @@ void ImportDialog::showReport()
     m_report->clear();
     if (!m_shown)
         return;
-    const char* const icons[]{"about", "ok", "warning"}; // as MeshGravity
+    const char* const icons[]{"about", "ok", "warning"}; // in the order of MeshGravity
     for (const MeshFinding& finding : m_shown->report.findings())
         m_report->addItem(new QListWidgetItem(
             icon(QLatin1String(icons[int(gravityOf(finding.fault))])), reportText(finding)));

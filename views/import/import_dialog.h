@@ -1,3 +1,9 @@
+// The dialog in which a mesh becomes fabric: how it looks and how large it is, what is wrong with
+// it and what was repaired, and what will be made of it.
+//
+// Everything is worked out on another thread (import_work.h) shortly after each change of the form,
+// and the dialog can be accepted only while the outcome belongs to what is chosen. It changes no
+// scene: the caller adds result(). Only the window's thread uses it.
 #pragma once
 
 #include "import/import_work.h"
@@ -15,9 +21,6 @@ namespace ripstop {
 class ImportForm;
 class MeshPreview;
 
-// A mesh before it becomes fabric: how it looks and how large it is, what is wrong with it and
-// what was repaired, and what will be made of it. Everything is worked out on another thread
-// shortly after each change.
 class ImportDialog final : public QDialog
 {
     Q_OBJECT
@@ -26,18 +29,19 @@ public:
     // What is imported is for this scene, which must not change while the dialog is open.
     ImportDialog(const Scene& scene, const QString& file, QWidget* parent = nullptr);
 
-    // Where a mesh may be; empty when the user thinks better of it.
+    // Asks the user for the file of a mesh; empty when the question is cancelled.
     static QString askFile(QWidget* parent, const QString& folder);
     static bool isMesh(const QString& file); // by its ending
 
-    // What to add; the dialog can only be accepted while there is something.
+    // What is to be added to the scene. It may be asked for once the dialog has been accepted, or
+    // while isReady().
     const MeshImport& result() const { return m_outcome->made; }
     QString file() const { return m_file; }
     bool isReady() const { return m_outcome && m_outcome->refusal.isEmpty(); }
     bool isSettled() const { return m_outcome && !m_delay.isActive(); }
 
 signals:
-    void settled(); // what is shown is of what is chosen
+    void settled(); // the outcome that is shown is that of what is chosen
 
 private:
     void layOut();
@@ -62,7 +66,7 @@ private:
     QProgressBar* m_progress;
     QDialogButtonBox* m_buttons;
     std::shared_ptr<const ImportOutcome> m_outcome; // null while work goes on
-    std::shared_ptr<const PreparedMesh> m_shown;    // stays until there is another one
+    std::shared_ptr<const PreparedMesh> m_shown;    // stays until there is another mesh
     QTimer m_delay;
     QTimer m_watch;
     ImportWork m_work;

@@ -1,3 +1,8 @@
+// Stages, in the order of the source: the rows of shape and fabric are made; units and materials
+// are filled in, those of the scene before the presets; shape() and fabric() read the fields into
+// what the import takes; and follow() writes what was found in the file back into the fields that
+// nobody has touched. Fields are blocked while the program writes into them, because changed()
+// would otherwise start the work again.
 #include "import/import_form.h"
 
 #include "document/words.h"
@@ -17,7 +22,7 @@
 namespace ripstop {
 namespace {
 
-constexpr const char* firstPreset = "ripstop_075"; // as ripstop-cli import
+constexpr const char* firstPreset = "ripstop_075"; // the default of ripstop-cli import, too
 
 QString words(const std::string& text) { return QString::fromStdString(text); }
 
@@ -37,7 +42,7 @@ QDoubleSpinBox* number(double low, double high, int decimals, const QString& uni
     box->setDecimals(decimals);
     box->setSuffix(QChar(0x202f) + unit);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setKeyboardTracking(false); // work starts when a number is whole
+    box->setKeyboardTracking(false); // work starts only when a number has been typed to its end
     return box;
 }
 
@@ -167,7 +172,8 @@ void ImportForm::addFabricRows(QFormLayout& form)
     for (std::size_t i = 0; i < m_styles.size(); ++i) {
         m_styles[i] = new QComboBox;
         m_styles[i]->setObjectName(QLatin1String(names[i]));
-        m_styles[i]->addItems({tr("No links"), tr("Springs"), tr("Rods")}); // as LinkStyle
+        // in the order of LinkStyle
+        m_styles[i]->addItems({tr("No links"), tr("Springs"), tr("Rods")});
         addRow(form, labels[i], m_styles[i], help[i]);
     }
     m_styles[0]->setCurrentIndex(int(LinkStyle::Rods));
@@ -210,7 +216,8 @@ void ImportForm::fillMaterials(const Scene& scene)
         m_choices.push_back({noId, materialFrom(preset)});
         m_material->setItemData(m_material->count() - 1, int(m_choices.size()) - 1);
     }
-    for (int i = 0; i < m_material->count(); ++i) // those of the scene stand first
+    // materials of the scene stand first, so that their row is also their index
+    for (int i = 0; i < m_material->count(); ++i)
         if (!m_material->itemData(i).isValid())
             m_material->setItemData(i, i);
     m_material->setCurrentIndex(chosen);

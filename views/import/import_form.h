@@ -1,3 +1,7 @@
+// How a mesh is brought in, as a person sets it: its unit and axis, which vertices are joined, and
+// what fabric is made of it. A field that nobody has touched follows the file: follow() shows what
+// the import chose by itself. Lengths are in m except where a member says otherwise. Only the
+// window's thread uses it.
 #pragma once
 
 #include "import/import_work.h"
@@ -13,8 +17,6 @@ class QLineEdit;
 
 namespace ripstop {
 
-// How a mesh is brought in, as a person sets it: its unit and axis, what is joined, and what fabric
-// is made of it. What nobody has touched follows the file.
 class ImportForm final : public QWidget
 {
     Q_OBJECT
@@ -26,7 +28,8 @@ public:
     MeshFabric fabric() const;
     std::string name() const; // of the part
 
-    void startFile(const QString& file);       // a name from it; the rest stays
+    // Takes a name from the file; the welding distance follows the file again.
+    void startFile(const QString& file);
     void follow(const ImportOutcome& outcome); // shows what was chosen by itself
 
 signals:
@@ -37,8 +40,8 @@ private:
     void addFabricRows(QFormLayout& form);
     void fillUnits(bool isKnown);
     void fillMaterials(const Scene& scene);
-    void takeMaterial();   // density and so on, of the chosen one
-    bool mayColor() const; // there may be one material for each of the file
+    void takeMaterial();   // shows the density of the chosen material
+    bool mayColor() const; // whether one material may be made for each material of the file
     bool wantsSize() const;
 
     struct Choice // in the list of materials

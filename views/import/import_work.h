@@ -1,3 +1,10 @@
+// The work behind the import dialog, on a thread of its own: it reads the mesh, repairs it and
+// weaves fabric of it.
+//
+// The window's thread posts wishes and gets finished() for the newest one; a newer wish stops the
+// work on the one before. What a wish does not change (the file that was read, the repaired mesh)
+// is kept between jobs. A file that cannot be read or used, and too little memory, end in the
+// refusal of the outcome, a sentence in the language of the window.
 #pragma once
 
 #include "author/mesh_import.h"
@@ -21,7 +28,8 @@ struct ImportWish
     Surroundings surroundings;
 };
 
-// What came of it. A file that could be read is told of even if the rest is refused.
+// What came of a wish. What is known of a file that could be read is given even if the rest is
+// refused.
 struct ImportOutcome
 {
     int number = 0;
@@ -36,8 +44,6 @@ struct ImportOutcome
     Weave weave; // as chosen, or by default
 };
 
-// Reads, repairs and weaves on a thread of its own. A newer wish stops the work on the one before;
-// what it does not change (the file, the repaired mesh) is kept.
 class ImportWork final : public QObject
 {
     Q_OBJECT
@@ -47,7 +53,7 @@ public:
     ~ImportWork() override; // stops what is going on
 
     void post(ImportWish wish);
-    void stop(); // nothing will come of the last wish
+    void stop(); // the last wish is dropped: finished() will not be emitted for it
     bool isBusy() const { return m_done < m_number; }
     double share() const { return m_share; } // of the present wish that is done, 0 to 1
 
@@ -61,7 +67,7 @@ private:
         int number;
     };
 
-    // What stays between jobs; the worker's thread alone looks at it.
+    // What stays between jobs. Only the thread of the worker reads and writes it.
     struct Kept
     {
         QString file;

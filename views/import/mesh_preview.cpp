@@ -1,3 +1,7 @@
+// fit() measures the mesh as it is turned and puts the camera so that all of it shows. paintEvent()
+// has the mesh drawn in device pixels, then draws rings around marked places and the axes of the
+// scene in a corner with the same camera. Mouse, wheel and keys change only the two angles and the
+// zoom.
 #include "import/mesh_preview.h"
 
 #include <Eigen/Geometry>
@@ -53,7 +57,7 @@ void MeshPreview::fit()
 {
     m_zoom = 1.0;
     const double infinity = std::numeric_limits<double>::infinity();
-    Vec3 low = Vec3::Constant(infinity); // before the eye
+    Vec3 low = Vec3::Constant(infinity); // in the frame of the camera
     Vec3 high = -low;
     if (m_mesh)
         for (const RepairedMesh& surface : m_mesh->surfaces)

@@ -1,3 +1,6 @@
+// The mesh as it will be imported, seen along parallel rays: a drag or the arrow keys turn it, the
+// wheel zooms, a double click shows all of it. It is drawn without a graphics card (mesh_raster.h),
+// so that the dialog works wherever the window does. Only the window's thread uses it.
 #pragma once
 
 #include "import/mesh_raster.h"
@@ -8,8 +11,6 @@
 
 namespace ripstop {
 
-// The mesh as it will be: dragged to turn it, the wheel zooms, a double click shows all of it.
-// Arrow keys turn it too.
 class MeshPreview final : public QWidget
 {
     Q_OBJECT
@@ -17,9 +18,9 @@ class MeshPreview final : public QWidget
 public:
     explicit MeshPreview(QWidget* parent = nullptr);
 
-    void setMesh(std::shared_ptr<const PreparedMesh> mesh); // null: nothing
+    void setMesh(std::shared_ptr<const PreparedMesh> mesh); // null shows the hint instead
     void mark(std::vector<Vec3> places);                    // m, shown as rings
-    void setHint(const QString& hint);                      // where there is no mesh
+    void setHint(const QString& hint);                      // shown while there is no mesh
 
     QSize sizeHint() const override { return {460, 380}; }
     QSize minimumSizeHint() const override { return {280, 220}; }
@@ -34,7 +35,7 @@ protected:
 
 private:
     void turnBy(double around, double over); // degrees
-    void fit();                              // as it is turned now
+    void fit(); // chooses the middle and the zoom that show all, as it is turned now
     Eigen::Matrix3d turn() const;
     MeshCamera camera(const QSize& size) const;
 
@@ -46,7 +47,7 @@ private:
     double m_around = 35.0;            // degrees about the vertical
     double m_over = 25.0;              // degrees from which it is looked down on
     double m_zoom = 1.0;
-    QPointF m_last; // of a drag
+    QPointF m_last; // px, where the drag was last
 };
 
 } // namespace ripstop

@@ -1,3 +1,8 @@
+// The canvas keeps a depth for each pixel, so that faces and lines may come in any order. Each
+// surface is projected once, its triangles are filled with a shade from a fixed light, and its
+// edges are drawn a little nearer than the faces that they bound, so that they are not lost in
+// them. Of meshes with many edges only rims and edges of more than two faces are drawn, because all
+// edges would cover the faces.
 #include "import/mesh_raster.h"
 
 #include <Eigen/Geometry>
@@ -23,7 +28,7 @@ public:
 
     const QImage& image() const { return m_image; }
 
-    // x and y in px, z grows towards the eye.
+    // Fills a triangle; x and y are in px, z grows towards the camera.
     void triangle(const Vec3& a, const Vec3& b, const Vec3& c, QRgb color)
     {
         const double area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -83,7 +88,7 @@ QRgb shaded(const QColor& color, double light)
 void drawSurface(Canvas& canvas, const RepairedMesh& surface, const MeshCamera& camera,
                  const QSize& size, const MeshLook& look)
 {
-    std::vector<Vec3> at; // x right and y down, px; z towards the eye, px
+    std::vector<Vec3> at; // px; x to the right, y down, z towards the camera
     at.reserve(surface.mesh.points.size());
     for (const Vec3& point : surface.mesh.points)
         at.push_back(camera.project(point, size));

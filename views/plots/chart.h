@@ -1,3 +1,12 @@
+// Curves over time, in one strip for each unit, with marks of what happened in the run.
+//
+// The chart has no data of its own: draw() points it at a History, which has to live until another
+// one is drawn. Only as many points as the screen can show are drawn (plots/drawn_curve.h), so that
+// long runs cost little. The time axis follows the run until the user drags or zooms it; each value
+// axis fits what is in sight until the user drags or zooms it. A double click lets go of both.
+//
+// Times are in s; values are in the unit of their strip. It is a widget: only the window's thread
+// uses it. PlotView shows it as one of its pages.
 #pragma once
 
 #include "plots/drawn_curve.h"
@@ -23,6 +32,7 @@ class QCustomPlot;
 
 namespace ripstop {
 
+// A probe as the chart draws it.
 struct Curve
 {
     std::uint32_t probe; // id
@@ -33,7 +43,7 @@ struct Curve
     friend bool operator==(const Curve&, const Curve&) = default;
 };
 
-// An event, as a thin line through all strips.
+// An event of the run, drawn as a thin line through all strips.
 struct Mark
 {
     RunEvent::Kind kind;
@@ -41,12 +51,6 @@ struct Mark
     QString text; // what happened
 };
 
-// Curves over time, in one strip for each unit, and marks of what happened.
-//
-// Only as many points as the screen can show are drawn, so that long runs cost little.
-//
-// The time axis follows the run until the user drags or zooms it; the value axes fit what is in
-// sight until the user drags or zooms them. A double click lets go of both.
 class Chart final : public QWidget
 {
     Q_OBJECT
@@ -56,21 +60,23 @@ public:
 
     void setCurves(std::vector<Curve> curves);
     const std::vector<Curve>& curves() const { return m_curves; }
-    void draw(const History& history); // stays where it is until the next one is drawn
-    void setEarlier(const std::vector<EarlierRun>& earlier); // thin, behind the curves
-    void setMarks(std::vector<Mark> marks);                  // those of tears come with the history
-    void setPlot(const Plot& plot); // how much of the run, logarithmic, the range of values
+    void draw(const History& history); // kept by address: it must outlive the next drawing
+    void setEarlier(const std::vector<EarlierRun>& earlier); // drawn thin, behind the curves
+    void setMarks(std::vector<Mark> marks); // tears are taken from the history instead
+    void setPlot(const Plot& plot);         // its length of time, its scale and its range of values
 
-    // s; lines where one looks back to and where the mouse is, in any of the charts.
+    // Lines over the curves, s: the instant that is looked back at, and the time under the mouse,
+    // which may be over another chart.
     void setCursor(std::optional<double> time);
     void setHover(std::optional<double> time);
 
-    void follow(); // as after a double click
+    void follow(); // does what a double click does
     bool follows() const { return m_following; }
 
     QCustomPlot& plot() { return *m_plot; }
 
-    // The values that the only strip shows; nothing when there are several.
+    // The range of values that is shown, in the unit of the strip; nothing unless there is exactly
+    // one strip.
     std::optional<std::pair<double, double>> valueRange() const;
 
     // For tests: what is in sight, s, and how many points are drawn.

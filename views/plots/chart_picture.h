@@ -1,4 +1,5 @@
-// Charts as files and for the clipboard.
+// Pictures of a chart, for files and for the clipboard, as it looks on the screen. They are called
+// from the window's thread, because they draw the widget.
 #pragma once
 
 #include <QPixmap>
@@ -8,9 +9,9 @@ class QCustomPlot;
 
 namespace ripstop {
 
-QPixmap pictureOf(QCustomPlot& plot); // sharp in print
+QPixmap pictureOf(QCustomPlot& plot); // twice as fine as the screen
 
-// PNG, SVG or PDF by its suffix; false when it cannot be written.
+// Writes SVG or PDF when the file has that suffix, else PNG. False when the file cannot be written.
 bool savePicture(QCustomPlot& plot, const QString& file);
 
 } // namespace ripstop

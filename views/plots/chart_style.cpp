@@ -1,3 +1,7 @@
+// In order: colours and a smaller font derived from the widget's palette, the item of a legend for
+// names without room, the plot itself, the looks of axes and legends, and the choice of names and
+// ranges. Everything is derived from the widget and nothing is stored, so that a change of palette
+// or font needs no more than calling these again.
 #include "plots/chart_style.h"
 
 #include "plots/curve_color.h"
@@ -31,7 +35,7 @@ QFont small(const QWidget& chart)
     return font;
 }
 
-// In place of names that have no room.
+// The item of a legend that stands in place of the names that have no room.
 class MoreNames final : public QCPAbstractLegendItem
 {
 public:
@@ -65,7 +69,7 @@ QCustomPlot* makePlot(QWidget& chart)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(plot);
     plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-    // reaches the screen together with all else that has changed
+    // the plot then reaches the screen together with all else that has changed
     plot->setPlottingHint(QCP::phImmediateRefresh, false);
     return plot;
 }

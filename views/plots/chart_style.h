@@ -1,4 +1,6 @@
-// How charts look in the colours and the font of the window.
+// How charts look in the colours and the font of the window, and the parts that all charts share:
+// the plot inside a widget, axes, legends, and the room around values. Chart, XyChart and
+// PolarChart call these again whenever palette or font change. Only the window's thread calls them.
 #pragma once
 
 #include <QString>
@@ -15,23 +17,24 @@ class QWidget;
 
 namespace ripstop {
 
-QCustomPlot* makePlot(QWidget& chart); // that fills the chart
+QCustomPlot* makePlot(QWidget& chart); // a plot that fills the chart and belongs to it
 
 QString withUnit(const QString& name, const QString& unit); // "height (m)"
 
 void styleAxis(QCPAxis& axis, const QWidget& chart);
 void styleLegend(QCPLegend& legend, const QWidget& chart);
-// Names of the curves above the axes, in as many columns as the width, px, has room for; of more
-// than these rows the last name says how many are left out.
+// Fills the legend with the names of the curves, in as many columns as the width, px, has room for.
+// When they need more rows than `rows`, the last place says how many names are left out.
 void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curves, int width,
                int rows);
 
-// What an axis shows of such values: some air around them, and never nothing.
+// The range of an axis that shows these values: 8 % of their span above and below, and never an
+// empty range.
 QCPRange withAir(const QCPRange& values);
 
-// Little room around the axes: the numbers take what they need.
+// Leaves little room around the axes beyond what their numbers need.
 void tighten(QCPAxisRect& rect);
 
-void stylePlot(QCustomPlot& plot, const QWidget& chart); // of one pair of axes; draws it again
+void stylePlot(QCustomPlot& plot, const QWidget& chart); // draws it again
 
 } // namespace ripstop

@@ -1,3 +1,6 @@
+// The colours of curves, shared by all charts and by the list of probes, so that a probe has the
+// same colour wherever it is shown. They are those of Okabe and Ito (2008), adapted to light and
+// dark backgrounds. Pure functions; any thread may call them.
 #pragma once
 
 #include <QColor>
@@ -9,6 +12,7 @@ namespace ripstop {
 // each stands out from the background of the palette, light or dark. Colours repeat after eight.
 QColor curveColor(int n, const QPalette& palette);
 
+// Whether the palette has a dark background for text and curves.
 bool isDark(const QPalette& palette);
 
 } // namespace ripstop

@@ -29,7 +29,7 @@ XyCurve linesOf(const History& history, const Curve& curve)
     return {curve.name, curve.color, std::move(spectrum.frequency), std::move(spectrum.amplitude)};
 }
 
-// Those of earlier runs first, so that the present one lies above them.
+// Curves of earlier runs come first, so that the present run lies above them.
 template <typename Make>
 std::vector<XyCurve> ofAllRuns(const History& history, const std::vector<EarlierRun>& earlier,
                                const std::vector<Curve>& curves, Make make)

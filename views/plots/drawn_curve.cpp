@@ -1,3 +1,8 @@
+// The sampler finds the samples inside the window by bisection, keeps one beyond either end, and
+// then either puts each sample (each) or, where there are more than two for a column, the extremes
+// of blocks (inBlocks). A block without any number becomes one point that is not a number, which
+// the plot draws as a gap. The lowest and highest values are noted on the way, because the axis is
+// fitted to all samples and not only to those drawn.
 #include "plots/drawn_curve.h"
 
 #include <algorithm>
@@ -34,7 +39,7 @@ public:
             put(first - 1);
         if (count <= 2 * columns)
             each(first, end);
-        else // the same samples share a column, wherever the sight begins: nothing flickers
+        else // blocks do not depend on where the window begins: nothing flickers
             inBlocks(first, end, count / columns + 1);
         if (end < m_time.size())
             put(end);

@@ -1,3 +1,8 @@
+// take() is the one way in, for frames and for the samples between them: it starts over for another
+// run or a time that goes back, matches the columns to the probes of the layout, replaces the
+// newest sample when the same instant comes again after an edit, and else keeps every stride-th
+// sample. When the bound is reached, thin() drops every second sample and doubles the stride.
+// Columns are matched by id and unit, so that a probe that was renamed keeps its past.
 #include "plots/history.h"
 
 #include <algorithm>
@@ -42,7 +47,7 @@ void History::take(std::uint64_t run, const std::shared_ptr<const Layout>& layou
         matchColumns(*layout);
     m_layout = layout;
 
-    // the same instant again, after an edit: what the probes read now replaces it
+    // the same instant comes again after an edit: what the probes read now replaces the sample
     const bool again = !m_time.empty() && time == m_time.back();
     if (!again && m_passed++ % m_stride != 0)
         return;
@@ -98,8 +103,8 @@ void History::startOver(std::uint64_t run)
     m_since = 0.0;
 }
 
-// Columns by id, so that a probe that was renamed keeps its past; one that measures something else
-// now does not.
+// Columns are matched by id, so that a probe that was renamed keeps its past, and by unit, so that
+// a probe that now measures something else does not.
 void History::matchColumns(const Layout& layout)
 {
     const bool same =

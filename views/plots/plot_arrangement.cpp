@@ -6,7 +6,7 @@
 namespace ripstop {
 namespace {
 
-// What makes one plot of the scene like another.
+// The changes that give the plot with this id the properties of `wanted`.
 std::vector<Change> changesTo(const Plot& wanted, const Plot& now, Id id)
 {
     std::vector<Change> changes;

@@ -1,4 +1,7 @@
-// The context menu of the plots dock.
+// The context menu of the plots dock. showMenu() puts it together from sections: how the curves of
+// the chosen panel are drawn, its ranges, the panels themselves, and output to files and the
+// clipboard. Each choice changes a copy of the Plot that is shown and hands it to
+// PlotPanel::change(), which makes an edit of it when the scene keeps that Plot.
 #include "document/document.h"
 #include "icons/icon.h"
 #include "plots/chart_picture.h"
@@ -18,7 +21,7 @@
 namespace ripstop {
 namespace {
 
-// Its toggled plot is made from the one that is shown now.
+// Adds an action that changes a copy of the plot that is shown when it is triggered.
 template <typename Change>
 QAction* addChoice(QMenu& menu, PlotPanel& panel, const QString& text, bool checked, Change change)
 {

@@ -1,4 +1,5 @@
-// Curves as text, for files and spreadsheets.
+// Curves as text, for files and spreadsheets: one column of times, s, and one for each curve,
+// without any reduction of the samples that the history holds.
 #pragma once
 
 #include "plots/chart.h"
@@ -7,7 +8,9 @@ class QIODevice;
 
 namespace ripstop {
 
-// A header with units, a row for each sample; an empty cell where a curve has no value.
+// Writes a header with units and a row for each sample, with an empty cell where a curve has no
+// value. Numbers have as many digits as are needed to read the same bits back, and a point whatever
+// the language. Errors stay with the device, which the caller has opened.
 void writeCurves(QIODevice& device, const History& history, const std::vector<Curve>& curves,
                  char separator = ',');
 

@@ -1,3 +1,13 @@
+// Stages, in the order of the source:
+//   what there is   refresh() compares the probes and plots of the scene with those shown, and
+//                   rebuilds list and panels only when they differ, because an edit of anything
+//                   comes here
+//   panels          which of them the list and the menu are about
+//   frames          samples and frames of the player go into the history; a new run keeps the old
+//                   one as an earlier run; drawSoon() waits longer the longer the last drawing
+//                   took, so that plots never take more than a third of the window's time
+//   events          those of the recording become marks, but only when it is the run that is drawn
+//   the list        what the probes read, and the ticks, which become edits
 #include "plots/plot_panel.h"
 
 #include "base/quantity.h"
@@ -160,7 +170,7 @@ void PlotPanel::rebuildViews()
 {
     const std::size_t count = std::max<std::size_t>(1, m_plots.size());
     while (m_views.size() > count) {
-        m_views.back()->deleteLater(); // it may be speaking
+        m_views.back()->deleteLater(); // its signal may be what called this
         m_views.back()->hide();
         m_views.pop_back();
     }
@@ -275,12 +285,12 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
     m_history.add(*frame);
     if (frame->layout != m_layout) {
         m_layout = frame->layout;
-        rebuildViews(); // units
+        rebuildViews(); // the layout says the units of the probes
     }
     drawSoon();
 }
 
-// The curves stay; a line stands where one looks.
+// While the user looks back, the curves stay and a line shows the instant that is looked at.
 void PlotPanel::showPast(const Frame& frame)
 {
     for (PlotView* view : m_views)
@@ -360,7 +370,7 @@ void PlotPanel::giveMarks()
         view->chart().setMarks(marks);
 }
 
-// What the probes read at the time under the mouse, or now.
+// Shows in the list what the probes read at the time under the mouse, or now.
 void PlotPanel::showValues()
 {
     const bool past = m_hovered && !m_history.time().empty();
@@ -386,24 +396,25 @@ void PlotPanel::showValues()
         const QSignalBlocker quiet(m_list);
         m_list->topLevelItem(int(i))->setText(1, shown(value, unitOf(m_probes[i].id)));
     }
-    m_list->viewport()->update(); // its signals were blocked
+    m_list->viewport()->update(); // the blocked signals would have repainted it
 }
 
-// A plot with probes of its own has them ticked; others share what is ticked.
+// A plot with probes of its own ticks only those; all other plots share the ticks of the probes.
 void PlotPanel::tick(QTreeWidgetItem* item)
 {
     const Entry& entry = m_probes[std::size_t(m_list->indexOfTopLevelItem(item))];
     const bool wanted = item->checkState(0) == Qt::Checked;
     if (wanted == isDrawn(entry))
         return;
-    // Not at once: the edit makes the list anew, and with it the item that is still speaking.
+    // The edit is pushed later, because it makes the list anew, and with it the item whose signal
+    // is being handled.
     const auto push = [this, id = entry.id, wanted] {
         Plot plot = plotOf(m_current);
         if (!plot.probes.empty()) {
             std::erase(plot.probes, id);
             if (wanted)
                 plot.probes.insert(std::ranges::lower_bound(plot.probes, id), id);
-            return plot.probes.empty() ? rebuildList() : change(plot); // none would mean all
+            return plot.probes.empty() ? rebuildList() : change(plot); // empty means all
         }
         const auto* ticked = findItem<Probe>(m_document.scene(), id);
         const Property* property = &propertyOf<&Probe::plotted>();

@@ -1,3 +1,13 @@
+// The dock of plots: live curves of the probes of the scene, in one panel for each Plot that the
+// scene has, or in a single panel that belongs to no Plot.
+//
+// A list at the side says which probes the chosen panel draws and what they read: now, or at the
+// time under the mouse. Runs that are over stay as thin curves, at most eight of them, until they
+// are cleared. Panels that the scene keeps are changed by edits, so that undo covers them; the
+// panel that belongs to no Plot is changed in place.
+//
+// It is a widget: only the window's thread uses it. Three sources share it: plot_panel.cpp, the
+// context menu in plot_menu.cpp, and the edits of panels in plot_arrangement.cpp.
 #pragma once
 
 #include "plots/plot_view.h"
@@ -19,10 +29,6 @@ class Document;
 class Player;
 class Recordings;
 
-// Live curves of the probes of the scene, in one panel for each Plot that the scene has, or in a
-// single one that is nobody's. A list at the side says which probes the chosen panel draws and what
-// they read: now, or at the time under the mouse. Runs that are over stay as thin curves until they
-// are cleared.
 class PlotPanel final : public QWidget
 {
     Q_OBJECT
@@ -44,10 +50,10 @@ public:
     PlotView& view() { return *m_views[m_current]; } // the chosen one
     Chart& chart() { return view().chart(); }
     void choose(int number);
-    void addPlot();  // beside what is there, which the scene keeps then
-    void keepPlot(); // the one that is nobody's
+    void addPlot();  // another one beside those there are; the scene keeps all of them then
+    void keepPlot(); // makes the panel that belongs to no Plot one of the scene
     void removePlot(int number);
-    void change(const Plot& wanted); // of the chosen one: an edit when the scene has it
+    void change(const Plot& wanted); // changes the chosen panel: by an edit when the scene has it
 
     // The curves that the chosen panel draws: a header with units, a row for each sample.
     void writeCsv(QIODevice& device, char separator = ',') const;
@@ -99,7 +105,7 @@ private:
     Player& m_player;
     std::vector<Entry> m_probes;            // as the list shows them
     std::vector<Entry> m_plots;             // of the scene
-    Plot m_own;                             // what is shown when there are none
+    Plot m_own;                             // what is shown when the scene has none
     std::vector<PlotView*> m_views;         // [m_plots], or one
     std::size_t m_current = 0;              // of m_views
     std::shared_ptr<const Layout> m_layout; // of the newest frame

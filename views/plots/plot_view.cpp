@@ -1,3 +1,7 @@
+// The constructor stacks three pages (curves over time, the hint, curves against something else)
+// under a bar with the name. setPlot() takes what is to be drawn and chooses the page; draw() gives
+// the page in sight its curves, and computes phase curves and spectra only when they are the ones
+// in sight, because a spectrum takes a transform of the whole run.
 #include "plots/plot_view.h"
 
 #include "icons/icon.h"

@@ -1,3 +1,6 @@
+// One panel of the plots dock: the curves of a Plot over time, against a probe, or as spectra; and
+// a hint in their place while there is nothing to draw. PlotPanel makes it, gives it what to draw,
+// and does what its signals ask for. It is a widget: only the window's thread uses it.
 #pragma once
 
 #include "plots/chart.h"
@@ -9,7 +12,6 @@ class QToolButton;
 
 namespace ripstop {
 
-// One panel of the plots dock: the curves of a Plot over time, against a probe, or as spectra.
 class PlotView final : public QWidget
 {
     Q_OBJECT
@@ -22,21 +24,21 @@ public:
     const Plot& plot() const { return m_plot; }
     const std::vector<Curve>& curves() const { return m_chart->curves(); }
 
-    enum class Title { Hidden, Shown, Current }; // the current one is what the list and menu are of
+    enum class Title { Hidden, Shown, Current }; // the list and the menu are about the current one
     void setTitle(Title title);
 
     void draw(const History& history, const std::vector<EarlierRun>& earlier);
-    double drawingTime() const; // ms, lately
+    double drawingTime() const; // ms, mean of the latest drawings
 
     Chart& chart() { return *m_chart; }
     XyChart& xyChart() { return *m_xy; }
     QCustomPlot& plotInSight() const;
 
-    // The values that its axis shows; nothing when it has several.
+    // The range of values that is shown, in their unit; nothing when there are several strips.
     std::optional<std::pair<double, double>> valueRange() const;
 
 signals:
-    void chosen(); // clicked
+    void chosen(); // it has been clicked
     void menuWanted(const QPoint& place);
     void removeWanted();
     void drawWanted();

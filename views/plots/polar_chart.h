@@ -1,3 +1,6 @@
+// A chart of the coefficients of a plate against its angle of attack, from 0 to 90 degrees: the air
+// law at hand as a full line, published curves dashed. The dialog of polars shows it. It is a
+// widget: only the window's thread uses it.
 #pragma once
 
 #include <QString>
@@ -9,8 +12,6 @@ class QCustomPlot;
 
 namespace ripstop {
 
-// Coefficients of a plate against its angle of attack: the law at hand as a full line, published
-// curves dashed.
 class PolarChart final : public QWidget
 {
     Q_OBJECT
@@ -20,12 +21,13 @@ public:
     {
         QString name;
         std::vector<double> degrees;
-        std::vector<double> value; // 1
+        std::vector<double> value; // [degrees] 1
         bool published = false;
     };
 
     explicit PolarChart(QWidget* parent = nullptr);
 
+    // Replaces what was shown; `quantity` names the value axis.
     void show(const QString& quantity, const std::vector<Curve>& curves);
     using QWidget::show;
 

@@ -30,7 +30,7 @@ Samples numbersOf(std::span<const double> time, std::span<const double> values)
     return samples;
 }
 
-// At equal steps, in straight lines between the samples.
+// The samples at equal steps, interpolated in straight lines.
 std::vector<double> evened(const Samples& samples)
 {
     const std::size_t count = samples.time.size();

@@ -1,3 +1,7 @@
+// The constructor puts the legend above the axes, where it hides no curve, and notes when a user
+// rather than the program changes a range. show() replaces all curves, earlier runs first so that
+// the present one lies above them. fitNames() names as many as have room, and fit() sets the axes
+// unless the user has chosen what is in sight; on a logarithmic axis only positive values count.
 #include "plots/xy_chart.h"
 
 #include "plots/chart_style.h"
@@ -24,7 +28,7 @@ XyChart::XyChart(QWidget* parent)
     m_plot->setAutoAddPlottableToLegend(false); // fitLegend() does, as many as have room
     m_plot->axisRect()->insetLayout()->take(m_plot->legend);
     m_plot->plotLayout()->insertRow(0);
-    m_plot->plotLayout()->addElement(0, 0, m_plot->legend); // where it hides no curve
+    m_plot->plotLayout()->addElement(0, 0, m_plot->legend); // there it hides no curve
     m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
     m_plot->plotLayout()->setRowSpacing(0);
     m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);

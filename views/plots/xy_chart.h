@@ -1,3 +1,6 @@
+// Curves of anything against anything: phase curves and spectra in the plots dock. The axes fit the
+// curves until the user drags or zooms; a double click lets them fit again. It copies what it
+// draws. It is a widget: only the window's thread uses it.
 #pragma once
 
 #include <QColor>
@@ -17,13 +20,11 @@ struct XyCurve
 {
     QString name;
     QColor color;
-    std::vector<double> x;
-    std::vector<double> y;
-    bool past = false; // of an earlier run: thin
+    std::vector<double> x; // [points]
+    std::vector<double> y; // [points]
+    bool past = false;     // belongs to an earlier run and is drawn thin
 };
 
-// Curves of anything against anything. The axes fit them until the user drags or zooms; a double
-// click lets go.
 class XyChart final : public QWidget
 {
     Q_OBJECT
@@ -34,8 +35,8 @@ public:
     void show(const QString& xLabel, const QString& yLabel, const std::vector<XyCurve>& curves);
     using QWidget::show;
     void setLogarithmic(bool logarithmic);                                // the y axis
-    void setRange(std::optional<double> low, std::optional<double> high); // of it; else it fits
-    std::pair<double, double> valueRange() const;                         // as it is shown
+    void setRange(std::optional<double> low, std::optional<double> high); // y axis, where given
+    std::pair<double, double> valueRange() const; // limits of the y axis as it is shown
 
     QCustomPlot& plot() { return *m_plot; }
 

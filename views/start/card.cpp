@@ -1,3 +1,7 @@
+// paintEvent() draws from back to front: the ground with round corners, the picture clipped to
+// them, the title and the lines of the note, and last the outline, which shows whether the mouse or
+// the focus is here. The card is painted by hand because no button of Qt cuts a picture to fill its
+// place.
 #include "start/card.h"
 
 #include "icons/icon.h"

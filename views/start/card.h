@@ -1,3 +1,5 @@
+// A card of a gallery, for one design: a picture, a title and two lines about it. The whole card is
+// a button. The start page shows the samples as cards. Only the window's thread uses it.
 #pragma once
 
 #include <QAbstractButton>
@@ -5,16 +7,16 @@
 
 namespace ripstop {
 
-// One design of a gallery: a picture, a title and a line about it; the whole card is a button.
 class Card final : public QAbstractButton
 {
     Q_OBJECT
 
 public:
-    // Without a picture the icon of that name stands in for it.
+    // Where the picture is null, the icon of that name stands in for it.
     Card(const QString& title, const QString& note, const QPixmap& picture, const QString& iconName,
          QWidget* parent = nullptr);
 
+    // px; every card has the same size with the same font.
     static QSize cardSize(const QFontMetrics& metrics);
     QSize sizeHint() const override { return cardSize(fontMetrics()); }
 

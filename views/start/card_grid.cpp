@@ -1,3 +1,7 @@
+// The cards keep their order and their size; only the number of columns depends on the width, and
+// with it the height that the layout is told (heightForWidth). place() sets them out after each
+// change of size. eventFilter() sees the keys of all cards before they do, to move the focus by one
+// card or by one row.
 #include "start/card_grid.h"
 
 #include "start/card.h"

@@ -1,3 +1,5 @@
+// Cards in rows, as many to a row as fit into the width; the height follows from that. The arrow
+// keys move the focus from card to card, and Enter clicks. Only the window's thread uses it.
 #pragma once
 
 #include <QWidget>
@@ -8,7 +10,6 @@ namespace ripstop {
 
 class Card;
 
-// Cards in rows, as many to a row as fit. Arrow keys move from card to card.
 class CardGrid final : public QWidget
 {
     Q_OBJECT
@@ -16,7 +17,7 @@ class CardGrid final : public QWidget
 public:
     explicit CardGrid(QWidget* parent = nullptr);
 
-    void add(Card* card);
+    void add(Card* card); // the grid becomes its parent
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
     QSize sizeHint() const override;

@@ -1,3 +1,8 @@
+// Stages, in the order of the source: where a value stands on its slider and back, rounding to what
+// a slider can tell, the texts of the help; then the field itself, which is made as a switch, a
+// choice or a number by what the table says of the parameter; reading and setting its value; and
+// last the marks of values out of range and the arrow keys. Wide ranges are logarithmic on the
+// slider, because equal steps would leave no room for small values.
 #include "start/parameter_field.h"
 
 #include "document/words.h"
@@ -29,8 +34,8 @@ bool isSwitch(const Parameter& parameter)
            && parameter.choices.empty();
 }
 
-// Where a value stands on its slider, from 0 to 1, and back. Wide ranges are logarithmic; those
-// from zero rise with the cube, so that small values have room, too.
+// The share of its slider, from 0 to 1, at which a value stands, and the way back. Wide ranges are
+// logarithmic; those from zero rise with the cube, so that small values have room, too.
 double shareOf(const Parameter& parameter, double value)
 {
     const double low = parameter.low;
@@ -52,7 +57,7 @@ double valueAt(const Parameter& parameter, double share)
     return low + share * (high - low);
 }
 
-// To as many digits as make sense for a hand on a slider.
+// Rounds to two significant digits, as finely as a hand can set a slider.
 double rounded(const Parameter& parameter, double value)
 {
     if (parameter.whole)
@@ -175,7 +180,7 @@ QSlider* ParameterField::newSlider()
     return m_slider;
 }
 
-// "2.4", "240 cm", "2 * 1.2"
+// Reads what typedValue() can read: "2.4", "240 cm", "2 * 1.2".
 double ParameterField::value() const
 {
     if (m_switch)
@@ -236,8 +241,8 @@ double ParameterField::sliderValue() const
     return std::clamp(rounded(m_parameter, value), m_parameter.low, m_parameter.high);
 }
 
-// The arrow keys count up and down: by one, or by a tenth of the number's own size. The wheel
-// scrolls the form, and turns no slider on its way.
+// The arrow keys count up and down: by one, or by one in the second digit of the number. The wheel
+// scrolls the form and must not move a slider that it passes on the way.
 bool ParameterField::eventFilter(QObject* watched, QEvent* event)
 {
     if (m_slider && watched == m_slider && event->type() == QEvent::Wheel) {

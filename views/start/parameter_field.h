@@ -1,3 +1,10 @@
+// One parameter of a builder or an operation, as a person sets it: a switch, a choice, or a number
+// with its unit and, in forms, a slider over its range.
+//
+// Another unit of the same measure may be typed behind the number ("12 cm"), and so may a product
+// ("2 * 1.2"). A text that cannot be read is kept and marked, and has the value NaN; refusal() then
+// says what is wanted. The Parameter must outlive the field: it is a row of a static table. Only
+// the window's thread uses it.
 #pragma once
 
 #include "builders/builder.h"
@@ -11,9 +18,6 @@ class QSlider;
 
 namespace ripstop {
 
-// One parameter of a builder or an operation, as a person sets it: a switch, a choice, or a number
-// with its unit and, in forms, a slider over its range. Another unit of the same measure may be
-// typed behind the number ("12 cm"). What cannot be read is kept and marked, and has the value NaN.
 class ParameterField final : public QWidget
 {
     Q_OBJECT

@@ -65,7 +65,7 @@ QString ParameterForm::refusal() const
 
 void ParameterForm::setValues(const Parameters& values)
 {
-    const QSignalBlocker quiet(this); // once for all
+    const QSignalBlocker quiet(this); // the caller knows that the values have changed
     for (ParameterField* field : m_fields)
         if (const auto found = values.find(std::string(field->parameter().key));
             found != values.end())

@@ -1,3 +1,6 @@
+// The parameters of a builder or an operation as a form: one ParameterField for each row, under the
+// headings of their groups. The dialogs of builders and operations show it. The table of parameters
+// must outlive the form. Only the window's thread uses it.
 #pragma once
 
 #include "builders/builder.h"
@@ -10,7 +13,6 @@ namespace ripstop {
 
 class ParameterField;
 
-// The parameters of a builder or an operation, one row each, under the headings of their groups.
 class ParameterForm final : public QWidget
 {
     Q_OBJECT
@@ -19,12 +21,12 @@ public:
     explicit ParameterForm(std::span<const Parameter> parameters, QWidget* parent = nullptr);
 
     Parameters values() const;
-    QString refusal() const; // of the first field that cannot be taken, empty when all can
-    void setValues(const Parameters& values); // those left out keep theirs
+    QString refusal() const; // of the first field whose value cannot be taken; empty when all can
+    void setValues(const Parameters& values); // fields left out keep their values
     void restoreDefaults();
 
 signals:
-    void changed();
+    void changed(); // by the user; setValues() and restoreDefaults() do not emit it
 
 private:
     std::vector<ParameterField*> m_fields;

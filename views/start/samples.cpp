@@ -17,7 +17,7 @@ constexpr qint64 longest = 64 * 1024 * 1024; // bytes; a sample is far shorter
 
 QString suffix() { return QStringLiteral(".ripstop.json"); }
 
-// A text of a scene's settings, from a file that is not read as a scene, for that takes long.
+// A text of a scene's settings. The file is not read as a scene, because that takes long.
 template <auto member>
 QString textIn(const QJsonObject& settings)
 {

@@ -1,4 +1,7 @@
-// The sample scenes that come with the program.
+// The sample scenes that come with the program: where they are, what they are called, and their
+// pictures. A missing folder or file is no error: lists are empty, and a sample that cannot be read
+// still has a name. The functions read files, and pictures need the window's thread, as any QPixmap
+// does.
 #pragma once
 
 #include <QPixmap>
@@ -7,9 +10,10 @@
 
 namespace ripstop {
 
+// What the start page shows of one sample.
 struct Sample
 {
-    QString file;
+    QString file;  // its path
     QString name;  // "delta_kite", from the file's name
     QString title; // from the scene's settings, or made from the name
     QString note;  // the first line of the scene's notes
@@ -20,7 +24,7 @@ struct Sample
 QString samplesFolder();
 
 QStringList sampleFiles(const QString& folder = samplesFolder()); // in order of name
-bool isSample(const QString& file);
+bool isSample(const QString& file); // whether it lies in samplesFolder()
 
 // Reads no more of the scene than its title and its notes. A file that cannot be read still has a
 // name and a title.

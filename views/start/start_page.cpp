@@ -1,3 +1,7 @@
+// The constructor puts a banner above two columns: at the side what can be begun (new, open,
+// import, the tour, recent files, builders), and beside it the cards of the samples. Samples and
+// builders are read once, when the page is made; setRecent() fills the list of files anew each
+// time. Builders of obstacles are left out, because nothing of theirs moves.
 #include "start/start_page.h"
 
 #include "builders/builder.h"
@@ -150,7 +154,7 @@ QWidget* StartPage::builders()
     layout->setSpacing(1);
     for (const Builder& builder : allBuilders()) {
         if (builder.family == Family::Obstacles)
-            continue; // nothing that moves
+            continue; // a scene of obstacles alone has nothing that moves
         const QString name = QString::fromUtf8(builder.name.data(), qsizetype(builder.name.size()));
         QToolButton* button = entry(translated(builder.label) + QStringLiteral("\u2026"),
                                     QStringLiteral("builder"), translated(builder.help));

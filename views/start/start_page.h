@@ -1,3 +1,6 @@
+// The page that is shown before a scene is open: the samples with their pictures, the files that
+// were open lately, and the ways to something new. It does nothing itself: each signal asks the
+// main window. Only the window's thread uses it.
 #pragma once
 
 #include <QStringList>
@@ -8,8 +11,6 @@ class QVBoxLayout;
 
 namespace ripstop {
 
-// What one sees before a scene is open: the samples with their pictures, the files that were open
-// lately, and the ways to something new.
 class StartPage final : public QWidget
 {
     Q_OBJECT

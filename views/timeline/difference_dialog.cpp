@@ -1,3 +1,8 @@
+// Plot draws the two curves and says which row the mouse is over. The constructor posts the one job
+// to the worker at once; a timer shows how far it is; take() brings its list, or why there is none,
+// to the window; describe() says in words what the curves mean or what they are at one time. The
+// destructor cancels the work, and the worker, as the last member, is joined before what it uses
+// goes.
 #include "timeline/difference_dialog.h"
 
 #include "document/words.h"
@@ -35,7 +40,7 @@ QString lengthText(double length)
 
 } // namespace
 
-// Two curves over time.
+// Two curves over time: the farthest particle, and the root mean square of all.
 class DifferenceDialog::Plot final : public QWidget
 {
 public:

@@ -1,3 +1,7 @@
+// How far the particles of two runs are apart, m, over time: the root mean square of all and the
+// farthest one (run/compare_runs.h). The distances are worked out on a thread of its own while the
+// dialog shows progress; a click asks to look at that time. The dialog deletes itself when it is
+// closed, which also ends the work. Only the window's thread uses it.
 #pragma once
 
 #include "document/worker.h"
@@ -14,8 +18,6 @@ class QProgressBar;
 
 namespace ripstop {
 
-// How far the particles of two runs are apart, over time: root mean square and the farthest. It is
-// worked out by a thread; click to look at that time.
 class DifferenceDialog final : public QDialog
 {
     Q_OBJECT
@@ -49,7 +51,7 @@ private:
     QLabel* m_text;
     QProgressBar* m_bar;
     Plot* m_plot;
-    std::atomic<double> m_share = 0.0;
+    std::atomic<double> m_share = 0.0; // of the work that is done, 0 to 1; written by the worker
     std::atomic<bool> m_cancelled = false;
     Worker<int, Outcome> m_worker; // last: it ends before what it uses
 };

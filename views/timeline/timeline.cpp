@@ -1,3 +1,7 @@
+// The constructor makes the buttons, layOut() puts them into a tool bar above the strip, and
+// connectButtons() ties each to Recordings. The menus of bookmarks and comparisons are filled each
+// time they open, because their entries change with every run. refresh() enables, labels and
+// measures everything after any change; words beside icons go first where the window is narrow.
 #include "timeline/timeline.h"
 
 #include "document/recordings.h"
@@ -127,7 +131,7 @@ void Timeline::layOut()
     layout->addWidget(m_strip, 1);
 }
 
-// In a narrow window the words go first.
+// In a narrow window the words beside the icons are left out first.
 void Timeline::resizeEvent(QResizeEvent* event)
 {
     const auto style = isWide() ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
@@ -244,8 +248,8 @@ void Timeline::askWhatToCompare() { m_compare->showMenu(); }
 
 void Timeline::plotDifference()
 {
-    auto* dialog =
-        new DifferenceDialog(m_recordings.current(), m_recordings.ghost(), window()); // goes itself
+    // the dialog deletes itself when it is closed
+    auto* dialog = new DifferenceDialog(m_recordings.current(), m_recordings.ghost(), window());
     connect(dialog, &DifferenceDialog::picked, &m_recordings, &Recordings::seekTime);
     dialog->show();
 }

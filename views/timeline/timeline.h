@@ -1,3 +1,7 @@
+// The dock in which the user looks back at runs: it chooses the run, plays it back, steps, jumps to
+// events and bookmarks, loops a range, compares with another run, and continues from an instant. It
+// keeps no state of its own: each button calls Recordings, and refresh() shows what that then says.
+// Only the window's thread uses it.
 #pragma once
 
 #include <QWidget>
@@ -12,7 +16,6 @@ namespace ripstop {
 class Recordings;
 class TimelineStrip;
 
-// Looks back at runs: which run, play it back, step, events, bookmarks, a loop, go on from here.
 class Timeline final : public QWidget
 {
     Q_OBJECT
@@ -22,8 +25,8 @@ public:
 
     TimelineStrip& strip() { return *m_strip; }
 
-    void askForBookmark(); // its name, and sets it here
-    void rename();         // the current run
+    void askForBookmark(); // asks for a name and puts a bookmark at the instant that is shown
+    void rename();         // asks for a new name of the current run
     void askWhatToCompare();
 
 protected:

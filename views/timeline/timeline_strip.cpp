@@ -1,3 +1,10 @@
+// Stages, in the order of the sections below:
+//   time and place   the part of the run that is shown, and how its times become pixels and back
+//   painting         from back to front: the band of what is kept, the axis, events in lanes by
+//                    their kind, bookmarks, and the marker of the instant that is shown
+//   mouse and keys   a drag pauses the playback and seeks; the wheel zooms about the mouse; keys
+//                    that would be shortcuts of the window belong to the strip while it has the
+//                    focus
 #include "timeline/timeline_strip.h"
 
 #include "document/event_words.h"

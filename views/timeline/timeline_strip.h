@@ -1,3 +1,7 @@
+// The axis of time of a recording: what is kept, what happened, bookmarks, the range that is
+// looped, and the instant that is looked at. A drag looks there, the wheel zooms, a double click
+// shows all, and the arrow keys step by frames. It reads and moves Recordings and keeps only its
+// own zoom. Times are in s, places in px from its left edge. Only the window's thread uses it.
 #pragma once
 
 #include "run/run_event.h"
@@ -10,8 +14,6 @@ namespace ripstop {
 
 class Recordings;
 
-// The axis of time of a recording: what is kept, what happened, bookmarks, the range that is
-// looped, and where one looks. Drag to look there; the wheel zooms, a double click shows all.
 class TimelineStrip final : public QWidget
 {
     Q_OBJECT
@@ -19,9 +21,9 @@ class TimelineStrip final : public QWidget
 public:
     explicit TimelineStrip(Recordings& recordings, QWidget* parent = nullptr);
 
-    double timeAt(int x) const; // s
-    int placeOf(double time) const;
-    QString tipAt(int x) const; // what happened there; empty for nothing
+    double timeAt(int x) const;     // s
+    int placeOf(double time) const; // px
+    QString tipAt(int x) const;     // what happened there; empty when nothing did
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

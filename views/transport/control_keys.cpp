@@ -1,3 +1,8 @@
+// An application sees a key twice, on its way to the window and then to the widget with the focus,
+// and before that once more as a question whether it is a shortcut. eventFilter() takes the
+// question and the press, maySteer() decides from focus, window and player whether keys steer now,
+// and steer() finds the controls that have the key. The question is answered too, but only the
+// press moves a control.
 #include "transport/control_keys.h"
 
 #include "document/document.h"
@@ -76,7 +81,7 @@ void ControlKeys::spare(const QWidget* widget) { m_spared.push_back(widget); }
 bool ControlKeys::eventFilter(QObject* watched, QEvent* event)
 {
     const bool press = event->type() == QEvent::KeyPress;
-    // a shortcut of a menu must not take the key either
+    // a key that steers must not trigger a shortcut of a menu either
     if (!press && event->type() != QEvent::ShortcutOverride)
         return false;
     if (!maySteer(watched) || !steer(*static_cast<QKeyEvent*>(event), press))
@@ -97,7 +102,7 @@ bool ControlKeys::maySteer(QObject* watched) const
         return false;
     const QWidget* focus = QApplication::focusWidget();
     if (m_player.isLookingBack() || std::ranges::find(m_spared, focus) != m_spared.end())
-        return false; // what has been cannot be steered
+        return false; // a recording cannot be steered
     return !takesText(focus) && (isRunning() || !movesByKeys(focus));
 }
 

@@ -1,3 +1,10 @@
+// An event filter that lets the keys of the scene's controls steer, wherever the focus is. The main
+// window makes it and installs it on the application.
+//
+// A press moves the control by one step, and so does each repeat of a key that is held. Keys keep
+// their usual meaning in dialogs, menus and wherever text is typed; while a recording is looked
+// back at; and, while the design is shown rather than a run, in lists, trees and sliders too. Only
+// the window's thread uses it.
 #pragma once
 
 #include <QObject>
@@ -12,11 +19,6 @@ namespace ripstop {
 class Document;
 class Player;
 
-// Lets the keys of the controls steer, wherever the focus is: install it on the application.
-//
-// A press moves the control by one step, and so does each repeat of a key that is held. Keys keep
-// their usual meaning in dialogs, menus and wherever text is typed; and, while the design is shown
-// rather than a run, in lists, trees and sliders too.
 class ControlKeys final : public QObject
 {
     Q_OBJECT
@@ -24,7 +26,7 @@ class ControlKeys final : public QObject
 public:
     ControlKeys(Document& document, Player& player, QObject* parent = nullptr);
 
-    void spare(const QWidget* widget); // it has its keys while it has the focus
+    void spare(const QWidget* widget); // the widget keeps all keys while it has the focus
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -1,3 +1,6 @@
+// refresh() compares the controls of the scene with those that have rows and rebuilds the rows only
+// when they differ, because every edit of anything comes here, and a button that is held down must
+// not be replaced. showValues() runs with each frame and only moves the bars.
 #include "transport/control_strip.h"
 
 #include "document/document.h"

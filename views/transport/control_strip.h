@@ -1,3 +1,6 @@
+// The dock of controls: one row for each Control of the scene, with its name, its keys as buttons,
+// and how far it has moved. It reads the document and the frames of the player and steers through
+// Player::nudge(). Only the window's thread uses it.
 #pragma once
 
 #include "scene/scene.h"
@@ -15,7 +18,6 @@ class Document;
 class Player;
 class ValueBar;
 
-// The controls of the scene, one row each: its name, its keys as buttons, and how far it has moved.
 class ControlStrip final : public QWidget
 {
     Q_OBJECT
@@ -30,7 +32,7 @@ private:
         ValueBar* bar;
     };
 
-    void refresh(); // the controls themselves
+    void refresh(); // rebuilds the rows when the controls have changed
     void rebuild();
     void addRow(Id id, const Control& control);
     QWidget* nudgeButton(Id id, const Control& control, int direction);

@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-// What Linux tells of a gamepad, as linux/joystick.h has it.
+// One event of a gamepad, laid out as js_event in linux/joystick.h.
 struct Record
 {
     std::uint32_t time; // ms
@@ -23,7 +23,8 @@ struct Record
     std::uint8_t number;
 };
 static_assert(sizeof(Record) == 8);
-constexpr std::uint8_t axisMoved = 2; // without the bit for where things stand at first
+// The initial state comes as events with a further bit set in their type, which are ignored.
+constexpr std::uint8_t axisMoved = 2;
 constexpr double farthest = 32767.0;
 
 } // namespace
@@ -49,8 +50,8 @@ Gamepad::Gamepad(Document& document, Player& player, const QString& folder, QObj
 
 Gamepad::~Gamepad() { letGo(); }
 
-// The n-th axis belongs to the n-th control. A stick that trembles in its middle says nothing: keys
-// steer too.
+// The n-th axis belongs to the n-th control. A stick that trembles in its middle must not set its
+// control back to 0, because keys steer the same controls.
 void Gamepad::steer(int axis, double push)
 {
     if (std::exchange(m_share[axis], share(push)) == share(push))
@@ -69,18 +70,18 @@ void Gamepad::look()
             return;
         m_device.setFileName(folder.filePath(name));
         if (!m_device.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
-            continue; // not ours to read
+            continue; // this user may not read it
         m_notifier = std::make_unique<QSocketNotifier>(m_device.handle(), QSocketNotifier::Read);
         connect(m_notifier.get(), &QSocketNotifier::activated, this, &Gamepad::take);
     }
 }
 
-// One record: to read on would wait for the next.
+// Reads one record; reading on would wait for the next one and hold up the window.
 void Gamepad::take()
 {
     Record record{};
     if (m_device.read(reinterpret_cast<char*>(&record), sizeof record) != sizeof record)
-        return letGo(); // pulled out
+        return letGo(); // the gamepad has been pulled out
     if (record.type == axisMoved)
         steer(record.number, double(record.value) / farthest);
 }
@@ -89,7 +90,7 @@ void Gamepad::letGo()
 {
     if (m_notifier) {
         m_notifier->setEnabled(false);
-        m_notifier.release()->deleteLater(); // it may be what called
+        m_notifier.release()->deleteLater(); // its signal may be what called this
     }
     m_device.close();
 }

@@ -1,3 +1,11 @@
+// Lets the sticks of a gamepad steer: the first axis sets the first control of the scene, the
+// second one the second, and so on, from minus to plus their limits. A stick that is let go stands
+// at 0.
+//
+// Qt 6 knows no gamepads. Linux reports them as a stream of records of 8 bytes, one file for each
+// gamepad (linux/joystick.h). The first one that can be read is used, also when it is plugged in
+// later; without any, and on other systems, nothing happens. Only the window's thread uses it,
+// woken by the file.
 #pragma once
 
 #include <QFile>
@@ -15,12 +23,6 @@ namespace ripstop {
 class Document;
 class Player;
 
-// Lets the sticks of a gamepad steer: the first axis sets the first control of the scene, the
-// second one the second, and so on, from minus to plus their limits. A stick that is let go stands
-// at 0.
-//
-// Qt 6 knows no gamepads. Linux tells of them as a stream of small records, one file for each
-// (linux/joystick.h); the first one that there is counts, also when it is plugged in later.
 class Gamepad final : public QObject
 {
     Q_OBJECT
@@ -33,8 +35,8 @@ public:
 
     bool isThere() const { return m_device.isOpen(); }
 
-    // What a stick that is pushed this far, from -1 to 1, asks for: nothing near the middle, where
-    // sticks do not come to rest exactly.
+    // The share of its limit, -1 to 1, that a stick which is pushed this far, -1 to 1, asks for. It
+    // is 0 near the middle, where sticks do not come to rest exactly.
     static double share(double push);
 
 private:
@@ -48,7 +50,7 @@ private:
     QString m_folder;
     QFileSystemWatcher m_watch;
     QFile m_device;
-    std::map<int, double> m_share; // by axis, as last told
+    std::map<int, double> m_share; // by axis, -1 to 1, as last passed to the player
     std::unique_ptr<QSocketNotifier> m_notifier;
 };
 

@@ -1,3 +1,7 @@
+// The constructor lays out the row and ties buttons to the player. refresh() shows what the player
+// is asked to do, and runs when its state changes; refreshRun() shows where the run stands, and
+// runs with each frame. Labels of numbers have a fixed size, so that digits that change do not have
+// the window laid out anew.
 #include "transport/transport.h"
 
 #include "document/document.h"
@@ -127,7 +131,7 @@ void Transport::refresh()
                                : tr("Play: run the simulation from where it stands."));
 
     int index = m_speed->findData(m_player.speed());
-    if (index < 0) { // set from elsewhere
+    if (index < 0) { // the speed was set from elsewhere
         m_speed->addItem(speedText(m_player.speed()), m_player.speed());
         index = m_speed->count() - 1;
     }

@@ -1,3 +1,7 @@
+// The bar that runs the simulation: back to the design, one step, play and pause, speed; and where
+// the run stands: the mode, the simulated time, s, how it keeps up with the clock, and the
+// substeps. It keeps no state: buttons call the Player, and everything shown is read from the
+// player and its newest frame. Only the window's thread uses it.
 #pragma once
 
 #include <QWidget>
@@ -11,8 +15,6 @@ namespace ripstop {
 class Document;
 class Player;
 
-// The bar that runs the simulation: back to the design, one step, play and pause, speed; and where
-// the run stands: the mode, the simulated time and how it keeps up with the clock.
 class Transport final : public QWidget
 {
     Q_OBJECT

@@ -1,10 +1,12 @@
+// A bar that shows how far a control has moved between its limits, m, as a filled part from the
+// middle, and where it is told to go, as a pointer. ControlStrip has one for each control. Only the
+// window's thread uses it.
 #pragma once
 
 #include <QWidget>
 
 namespace ripstop {
 
-// How far a control has moved between its limits, and where it is told to go.
 class ValueBar final : public QWidget
 {
     Q_OBJECT
