@@ -1,8 +1,9 @@
+// The choice of what arrows stand on the elements of the view; the vector layer draws them.
 #pragma once
 
 namespace ripstop {
 
-// What arrows stand on the elements.
+// What the arrows show: nothing, m/s of particles, N on panels, or N along links.
 enum class Vectors { None, Velocity, PanelLoad, Tension };
 
 } // namespace ripstop

@@ -1,3 +1,8 @@
+// The scale of colours beside the view: name, unit and round numbers at a bar.
+//
+// The largest value of the moment stands below it. A click on the bar asks for another range, one
+// on the largest value goes to what has it. It is hidden when the view shows materials. Values come
+// in SI units and are shown in the unit of the legend, which is per cent for shares.
 #pragma once
 
 #include "look/color_map.h"
@@ -11,9 +16,6 @@
 
 namespace ripstop {
 
-// The scale of colours: name, unit and round numbers beside a bar, the largest value of the moment
-// below it. A click on the bar asks for another range, one on the largest value goes to what has
-// it. Hidden when the view shows materials.
 class Legend final : public QWidget
 {
     Q_OBJECT
@@ -43,7 +45,7 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override; // neither is the view's
+    void mousePressEvent(QMouseEvent* event) override; // kept from the view, as is the release
     void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:

@@ -57,10 +57,10 @@ public:
     GhostLayer ghost{GhostLayer::Of::Run};
     TrailLayer trails;
 
-    // As of the last prepare().
+    // What follows is as of the last prepare().
     const std::shared_ptr<const Frame>& frame() const { return m_frame; }
-    // What a designer looks at first: the fabric and what it carries. Everything when there is
-    // none.
+    // Places that a designer looks at first, m: the fabric and what it carries, or everything when
+    // there is no fabric.
     std::vector<Vec3> subjectPoints() const;
     std::vector<Vec3> pointsOf(const Scene& scene, const std::vector<Id>& ids) const;
     const Look& look() const { return m_look; }
@@ -73,7 +73,7 @@ public:
     ValueRange range() const { return fixedRange().value_or(m_range.range()); }
     const ColorMap& colors() const;
 
-    // Of all that is shown but the ground.
+    // Places of all that is shown but the ground, m.
     std::vector<Vec3> shownPoints() const;
 
 private:

@@ -75,15 +75,15 @@ public:
     void setOrthographic(bool orthographic);
     const Camera& camera() const;
 
-    // Also chosen by itself whenever the palette changes.
+    // The viewport also chooses a theme by itself whenever the palette changes.
     void setTheme(const Theme& theme);
 
     // The view as it is now, in device pixels.
     enum class Overlays { With, Without }; // legend and compass
     QImage image(Overlays overlays = Overlays::With);
 
-    // The same in another size, in pixels, with the overlays as large as they are in the view.
-    // A transparent one has no sky.
+    // The view in another size, in pixels, with the overlays as large as they are in the view. A
+    // transparent picture has no sky.
     struct Shot
     {
         QSize size;

@@ -1,3 +1,12 @@
+// VTK draws into a framebuffer of its own in the OpenGL context of the widget; ContextBridge
+// answers VTK whether that context is current. paintGL() renders anew only when the picture is old
+// and then copies the framebuffer to that of Qt, so that painting something above the widget costs
+// a copy alone.
+//
+// Where OpenGL runs in software, pictures in motion are drawn without smooth edges; a timer asks
+// for one with them when nothing has changed for a while.
+//
+// picture(size) renders at another size for files and leaves the widget to paint itself again.
 #include "viewport/vtk_widget.h"
 
 #include <QOpenGLContext>
