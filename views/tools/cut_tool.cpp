@@ -1,3 +1,10 @@
+// press(), move() and release() collect the stroke in pixels; a stroke no longer than a click is
+// left to the view.
+//
+// cutUnder() makes a cut of it: points at even distances along the stroke (so that a slow hand cuts
+// no finer than a quick one), for each point how deep the cut reaches (behind the first fabric, or
+// behind everything), and for each the piece of the ray down to there. Where the stroke runs beside
+// the fabric, the depth is that of the nearest point that has some.
 #include "tools/cut_tool.h"
 
 #include "camera/occlusion.h"
@@ -44,7 +51,8 @@ std::vector<QPointF> evenly(const std::vector<QPointF>& stroke)
     return points;
 }
 
-// How deep the first fabric lies under each point, and a little behind it; infinite without one.
+// How far away the first fabric under each point lies, and a little behind it, m; infinite where
+// there is none.
 std::vector<double> depthsOf(const CameraView& view, const std::vector<QPointF>& points)
 {
     const std::vector<OnScreen> particles = projected(view);
@@ -68,7 +76,8 @@ std::vector<double> depthsOf(const CameraView& view, const std::vector<QPointF>&
     return depths;
 }
 
-// Where there is no fabric, as deep as at the nearest point that has some.
+// Gives points without fabric the depth of the nearest point that has some, or `otherwise` when
+// none has.
 void fillGaps(std::vector<double>& depths, double otherwise)
 {
     const std::vector<double> found = depths;

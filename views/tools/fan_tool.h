@@ -38,10 +38,10 @@ private:
 
     Player& m_player;
     HandSettings& m_settings;
-    std::function<void()> m_changed; // the settings, by the wheel
+    std::function<void()> m_changed; // called when the wheel has changed the settings
     QPointF m_cursor;                // pixels
     std::optional<Airflow> m_jet;    // while it blows
-    bool m_isDown = false;           // the button, though Escape may have stopped the jet
+    bool m_isDown = false;           // the button is down, though Escape may have stopped the jet
     double m_reach = 0.0;            // m, from the nozzle to what it blows at
 };
 

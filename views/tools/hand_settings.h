@@ -17,8 +17,9 @@ struct HandSettings
     double fanSpeed = 8.0;                                        // m/s, in the nozzle
     double fanWidening = 0.2; // 1, tangent of half the angle of the jet
 
-    // At most five times the weight of all that is free, and 5 N or more; the spring is as long
-    // then as a fifth of the fabric.
+    // The most that a hand pulls with: five times the weight of all that is free, and 5 N or more,
+    // N. The stiffness of its spring is such that it is then as long as a fifth of the fabric, N/m.
+    // A number that somebody has set comes back as it is.
     double mostIn(const Scene& scene) const;
     double stiffnessIn(const Scene& scene) const;
 };

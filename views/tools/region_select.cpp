@@ -1,3 +1,11 @@
+// Region sorts the sides of its outline by line of pixels, so that a place asks only the few that
+// cross its line, and counts windings.
+//
+// Taker projects all particles once, notes which lie inside, and prepares the occlusion unless all
+// that lies there is wanted. It then takes particles, links and panels: those whose particles are
+// all inside and of which some place can be seen (three places on a link, four on a panel). Each
+// kind is shared out among threads and collected in order, so that the answer does not depend on
+// how many there are.
 #include "tools/region_select.h"
 
 #include "camera/occlusion.h"
@@ -25,8 +33,8 @@ Region::Region(std::vector<Eigen::Vector2d> outline)
     }
 }
 
-// The winding number: how often the outline crosses the line to the right of the place upwards,
-// less how often downwards.
+// The winding number decides: how often the outline crosses the line to the right of the place
+// upwards, less how often downwards.
 bool Region::contains(double x, double y) const
 {
     if (!m_box.contains(Eigen::Vector2d(x, y)))
