@@ -1,3 +1,10 @@
+// rebuild() follows the shelf and each edit: rows are made anew where sliders came or went, and
+// otherwise only show their values again. refresh() also notes the values of a slider that is new,
+// which reset() goes back to.
+//
+// captured() takes the present values of all rows; restoring() makes an edit of what differs from a
+// set of values. Switching sets, resetting and the words about the difference are all made from
+// these two.
 #include "inspector/tuning_panel.h"
 
 #include "document/document.h"
@@ -122,7 +129,7 @@ QWidget* TuningPanel::buildEmpty()
 
 void TuningPanel::addUsual() { m_sliders.addUsual(); }
 
-// New rows where sliders came or went; else only what they show.
+// Makes new rows where sliders came or went, and otherwise only shows their values.
 void TuningPanel::rebuild()
 {
     const std::vector<Slider> sliders = m_sliders.sliders();
@@ -202,7 +209,7 @@ TuningPanel::Set TuningPanel::captured() const
     return set;
 }
 
-// Only what differs, so that no change is empty.
+// An edit that sets only what differs, so that no change is empty.
 Edit TuningPanel::restoring(const Set& set, const QString& label) const
 {
     Edit edit{Message::verbatim(label.toStdString()), {}};

@@ -1,3 +1,10 @@
+// Edits start a timer; when it runs out, check() asks the follower. Its findings come in two
+// signals, the problems first and the figures of stability right after them; the second one
+// rebuilds the list. noteStop() adds why the player stopped, until a frame of a running simulation
+// comes.
+//
+// told() leaves out what the list beside tells; rebuild() makes a row of each finding and announces
+// the counts, those of the list beside included.
 #include "problems/problem_list.h"
 
 #include "document/document.h"

@@ -1,3 +1,10 @@
+// reload() takes the ids of the sheet, cuts them to the limit and starts to sort. startSort() reads
+// the keys of the column and gives them to a thread; a change meanwhile only marks the answer as
+// stale, so that one thread runs at a time.
+//
+// data() reads a cell from the scene by the property of its column: switches as check marks,
+// choices by their labels, numbers in few digits. setData() makes an edit of what was typed by the
+// same function that pasting uses, or emits why it was refused.
 #include "table/sheet_model.h"
 
 #include "document/document.h"
