@@ -209,8 +209,8 @@ Field notesField(const FieldPlace& place)
     edit->setTabChangesFocus(true);
     edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     edit->setFixedHeight(4 * edit->fontMetrics().lineSpacing() + 10);
-    edit->setSizePolicy(QSizePolicy::Expanding,
-                        QSizePolicy::Fixed); // or its row would take all room
+    // its row would take all room otherwise
+    edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return {edit, {edit}, [edit](const Common& common) {
                 if (const QString text = textOf(common.value); text != edit->toPlainText())
                     edit->setPlainText(text);

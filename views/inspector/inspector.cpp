@@ -92,8 +92,8 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
 
     auto* title = new QHBoxLayout;
     title->setContentsMargins(8, 8, 8, 0);
-    m_icon->setFixedSize(iconSide,
-                         iconSide); // or each new picture would have the window laid out anew
+    // each new picture would have the window laid out anew otherwise
+    m_icon->setFixedSize(iconSide, iconSide);
     title->addWidget(m_icon, 0, Qt::AlignTop);
     title->addWidget(m_title, 1);
     auto* facts = new QHBoxLayout;
@@ -219,7 +219,7 @@ void Inspector::refresh()
     if (!std::all_of(m_subject.ids().begin(), m_subject.ids().end(), exists))
         return; // an edit removed it, and the selection will say so
     if (!m_forms[std::size_t(m_subject.kind())])
-        return; // not yet shown
+        return; // the form has not been shown yet
     refreshHeader();
     m_forms[std::size_t(m_subject.kind())]->refresh();
     if (m_subject.kind() == Kind::Material)
@@ -247,7 +247,7 @@ void Inspector::refreshHeader()
 void Inspector::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) { // icons have its colours
+    if (event->type() == QEvent::PaletteChange) { // icons have the colours of the palette
         m_iconKind.reset();
         refresh();
     }

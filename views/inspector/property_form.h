@@ -43,7 +43,7 @@ private:
         QToolButton* slider;
         QToolButton* reset;
         Field field;
-        bool isChanged = false; // from the default
+        bool isChanged = false; // differs from the default
     };
 
     void showEvent(QShowEvent* event) override;

@@ -94,8 +94,8 @@ Edit Subject::settingOf(const Property& property, std::vector<Value> values) con
         tr("Set %1 of %2").arg(labelOf(property).toLower(), describe(m_document.scene(), m_ids));
     const Edit edit{Message::verbatim(label.toStdString()),
                     {SetValues{&property, m_ids, std::move(values)}}};
-    // Where particles weigh less than the old density says, the mass was not that of the material;
-    // then only the value itself is set.
+    // weighed() fails where a particle would be left without mass; then only the value itself is
+    // set.
     const Result<Edit> withMasses = weighed(m_document.scene(), edit);
     return withMasses ? *withMasses : edit;
 }

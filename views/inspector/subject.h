@@ -28,9 +28,9 @@ Transform transformOf(TypedNumber typed, int axis = 0); // of a number, or of on
 // The value of a property of several things.
 struct Common
 {
-    Value value;                 // of the first
+    Value value;                 // the value of the first thing
     std::array<bool, 3> mixed{}; // by axis of a vector; all others use the first
-    bool isDefault = true;       // of all
+    bool isDefault = true;       // all things have the default
 };
 
 // The things whose properties a form shows, and the way in which its fields write to them.

@@ -64,7 +64,7 @@ struct Sums
         const auto corner = [&](Id id) -> const Particle* {
             if (const Particle* near = findRow(part.particles, id))
                 return near;
-            const auto ref = find(scene, id); // of another part
+            const auto ref = find(scene, id); // it may be of another part
             return ref && kindOf(*ref) == Kind::Particle ? std::get<const Particle*>(*ref)
                                                          : nullptr;
         };

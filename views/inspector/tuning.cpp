@@ -51,7 +51,7 @@ Transform toMagnitude(const Property& property, double size)
             return Vec3(length > 0.0 ? Vec3(*vector * (size / length)) : Vec3(size, 0.0, 0.0));
         }
         if (std::holds_alternative<std::monostate>(before))
-            return clamped(property, size); // no longer the material's
+            return clamped(property, size); // it no longer follows the material
         return numberTransform(property, 0, [size](double) { return size; })(before);
     };
 }

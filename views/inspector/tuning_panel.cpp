@@ -235,7 +235,7 @@ void TuningPanel::switchSets()
     m_active = 1 - m_active;
     const Set& next = m_sets[std::size_t(m_active)];
     if (next.empty())
-        m_sets[std::size_t(m_active)] = captured(); // B begins as A
+        m_sets[std::size_t(m_active)] = captured(); // a set that is new begins as the other one
     else
         apply(Set(next), m_active == 0 ? tr("Tuning set A") : tr("Tuning set B"));
     showSets();

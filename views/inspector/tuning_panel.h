@@ -70,7 +70,7 @@ private:
     Selection& m_selection;
     SliderShelf& m_sliders;
     std::unique_ptr<UsageWatch> m_usage;
-    std::vector<TuningRow*> m_rows; // of the layout
+    std::vector<TuningRow*> m_rows; // owned by the layout
     std::array<Set, 2> m_sets;
     int m_active = 0;
     Set m_kept;

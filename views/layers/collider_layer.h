@@ -33,7 +33,7 @@ private:
         vtkSmartPointer<vtkMatrix4x4> matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     };
 
-    Drawn taken(const ColliderBody& body); // as it is drawn already, or new
+    Drawn taken(const ColliderBody& body); // the actor that is drawn already, or a new one
 
     vtkRenderer* m_renderer = nullptr;
     std::vector<Drawn> m_drawn;

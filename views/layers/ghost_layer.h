@@ -21,7 +21,7 @@ public:
     enum class Of { Run, Design };
     explicit GhostLayer(Of of);
 
-    void show(std::shared_ptr<const Frame> frame); // null: nothing
+    void show(std::shared_ptr<const Frame> frame); // null shows nothing
 
     void addTo(vtkRenderer& renderer) override;
     void setShown(bool shown) override;

@@ -27,7 +27,7 @@ namespace ripstop {
 struct ColliderBody
 {
     Id id{};
-    Collider collider;                        // that it was made of
+    Collider collider;                        // what the body was made of
     std::shared_ptr<const HeightGrid> grid;   // of a height field; null when it is flawed
     std::shared_ptr<const TriangleTree> mesh; // of a mesh; null when it is flawed
     bool isLate = false;

@@ -1,4 +1,6 @@
-// The choice of what arrows stand on the elements of the view; the vector layer draws them.
+// The choice of what arrows stand on the elements of the view.
+//
+// The menus of the window choose one, and the vector layer draws the arrows.
 #pragma once
 
 namespace ripstop {

@@ -331,7 +331,7 @@ void Outline::takeSearch()
 
 bool Outline::eventFilter(QObject* watched, QEvent* event)
 {
-    // Names come first: details get what they need, but less than half of the width.
+    // Names come first: details get what they need, but no more than a third of the width.
     if (watched == m_tree && event->type() == QEvent::Resize)
         m_tree->header()->resizeSection(
             OutlineModel::Detail,

@@ -28,7 +28,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QPointF onScreen(const Vec3& direction) const; // of the unit sphere
+    QPointF onScreen(const Vec3& direction) const; // pixel of a point of the unit sphere
     void paintRing(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintWind(QPainter& painter) const;

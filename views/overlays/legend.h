@@ -30,7 +30,7 @@ public:
 
     QString title() const { return m_title; }
     QString unit() const { return m_unit; }
-    const ValueRange& range() const { return m_range; } // in that unit
+    const ValueRange& range() const { return m_range; } // in the unit of the legend
     ValueRange meant(const ValueRange& shown) const     // in SI units
     {
         return {shown.low / m_shown, shown.high / m_shown};
@@ -63,7 +63,7 @@ private:
     QString m_unit;
     QString m_unknown; // said instead of the peak
     bool m_isKnown = true;
-    double m_shown = 1.0; // what values are multiplied by
+    double m_shown = 1.0; // factor from SI units to the unit of the legend
     Peak m_peak;
 };
 

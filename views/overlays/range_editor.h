@@ -32,8 +32,8 @@ public:
     QString complaint() const; // why it cannot be taken; empty when it can
 
 signals:
-    void
-    chosen(const std::optional<ripstop::ValueRange>& range); // in SI units; nothing lets it follow
+    // The range in SI units; nothing lets it follow the values.
+    void chosen(const std::optional<ripstop::ValueRange>& range);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -77,7 +77,7 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     connect(&player.follower(), &Follower::checked, this,
             [this](const std::vector<Finding>& problems) { m_problems = problems; });
     connect(&player.follower(), &Follower::examined, this,
-            [this](const std::vector<Finding>& findings) { // comes right after the other
+            [this](const std::vector<Finding>& findings) { // this comes right after checked()
                 m_stability->showFindings(findings);
                 rebuild();
             });
@@ -104,7 +104,7 @@ void ProblemList::check() { m_player.follower().check(); }
 void ProblemList::noteStop(const QString& why, quint32 culprit)
 {
     if (why == m_player.problem())
-        return; // the check says it too
+        return; // the check says it as well
     m_stops = {{Severity::Error, Message::verbatim(why.toStdString()), {Id{culprit}}}};
     rebuild();
 }

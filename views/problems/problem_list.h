@@ -46,7 +46,7 @@ private:
     Selection& m_selection;
     Player& m_player;
     std::vector<Finding> m_problems;
-    std::vector<Finding> m_stops; // of the run, at most one
+    std::vector<Finding> m_stops; // why the run stopped, at most one
     QTimer m_delay;
     QStackedLayout* m_pages;
     QLabel* m_empty;

@@ -22,8 +22,8 @@ public:
     StabilityList(Document& document, Selection& selection, QWidget* parent = nullptr);
 
     void showFindings(const std::vector<Finding>& findings); // of the document as it is now
-    int poor() const;                                        // how many findings are
-    bool tellsPoor(std::string_view sort) const;             // of problems
+    int poor() const;                                        // how many findings are poor
+    bool tellsPoor(std::string_view sort) const;             // a poor finding is of this sort
 
 private:
     void resizeEvent(QResizeEvent* event) override;

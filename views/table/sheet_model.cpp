@@ -159,7 +159,7 @@ QVariant SheetModel::data(const QModelIndex& index, int role) const
         if (!property.choices.empty())
             return choiceLabel(std::get<std::string>(property.get(*thing)));
         if (property.optional && std::holds_alternative<std::monostate>(property.get(*thing)))
-            return QString(QChar(0x2013)); // the material's
+            return QString(QChar(0x2013)); // the number is the material's
         [[fallthrough]];
     case Qt::EditRole: {
         const QString cell = QString::fromStdString(cellText(m_document.scene(), *thing, column));
@@ -223,13 +223,14 @@ bool SheetModel::setData(const QModelIndex& index, const QVariant& value, int ro
             ? (value.toInt() == Qt::Checked ? QStringLiteral("yes") : QStringLiteral("no"))
             : value.toString();
     if (role == Qt::EditRole && typed == data(index, Qt::EditRole).toString())
-        return true; // left as it was
+        return true; // the text is as it was
     const SheetColumn& column = m_columns[std::size_t(index.column())];
     auto edit = pasted(m_document.scene(), {m_ids[std::size_t(index.row())]}, {column},
                        typed.toStdString());
     if (!edit) {
         const QString sentence = translated(edit.message());
-        emit refused(sentence.mid(sentence.indexOf(QStringLiteral(": ")) + 2)); // one cell
+        emit refused(sentence.mid(sentence.indexOf(QStringLiteral(": "))
+                                  + 2)); // no place is needed for one cell
         return false;
     }
     emit refused({});

@@ -60,7 +60,7 @@ private:
     std::optional<std::vector<Id>> m_limit;
     int m_sortColumn = 0;
     Qt::SortOrder m_sortOrder = Qt::AscendingOrder;
-    bool m_isBusy = false;  // sorting
+    bool m_isBusy = false;  // a thread is sorting
     bool m_isStale = false; // something changed since the sorting began
     std::jthread m_sorter;  // it is the last member, so that it ends before the rest is destroyed
 };

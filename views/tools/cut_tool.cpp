@@ -149,7 +149,7 @@ bool CutTool::release(const QMouseEvent& event, const CameraView& view)
     for (std::size_t i = 1; i < stroke.size(); ++i)
         length += (stroke[i] - stroke[i - 1]).manhattanLength();
     if (length < QApplication::startDragDistance())
-        return false; // a click
+        return false; // this was a click
     m_player.handle(std::make_shared<const Cut>(cutUnder(view, stroke, m_depth())));
     return true;
 }

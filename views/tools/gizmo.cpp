@@ -58,7 +58,7 @@ double alongAxis(const Gizmo& gizmo, const Vec3& axis, QPointF cursor)
     const Vec3 back = gizmo.projection.camera().back();
     const Vec3 across = back - axis.dot(back) * axis;
     if (across.norm() < 1e-3)
-        return 0.0; // end on
+        return 0.0; // the axis is seen end on
     return axis.dot(onPlane(gizmo.projection.rayAt(cursor), gizmo.pivot, across.normalized())
                     - gizmo.pivot);
 }

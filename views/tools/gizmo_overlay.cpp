@@ -1,7 +1,7 @@
 // Drawing paints one gizmo: the far halves of the rings first and faintly, then each handle that
 // can be seen, in the colour of its axis or, when it is held or under the cursor, in a colour of
-// its own. Every line has a rim, so that it can be seen before any ground; arrows end in heads,
-// scale handles in boxes.
+// its own. Axes and rings have a rim, so that they can be seen before any ground; arrows end in
+// heads, scale handles in boxes.
 //
 // label() writes what the drag comes to on a card beside the centre. paintEvent() asks the tool for
 // its gizmo and paints nothing when there is none.

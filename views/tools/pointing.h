@@ -30,7 +30,7 @@ public:
     Pointing(std::function<std::optional<CameraView>()> view, QWidget* parent);
     ~Pointing() override;
 
-    void setTool(std::unique_ptr<Tool> tool); // null: the pointer
+    void setTool(std::unique_ptr<Tool> tool); // null is the pointer
     // Takes what is dragged with Ctrl and the tool in use leaves.
     void setCtrlTool(std::unique_ptr<Tool> tool) { m_ctrlTool = std::move(tool); }
     bool hasTool() const { return m_tool != nullptr; }
@@ -46,7 +46,7 @@ public:
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     bool wheel(const QWheelEvent& event);
-    bool takesKey(const QKeyEvent& event) const; // rather than a shortcut
+    bool takesKey(const QKeyEvent& event) const; // so that it is nobody's shortcut
     bool key(const QKeyEvent& event);
     bool holds() const { return m_busy && m_busy->holds(); }
     bool escape(); // true when there was something to give up: a gesture, or the tool

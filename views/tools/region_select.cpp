@@ -123,7 +123,7 @@ private:
             for (std::size_t i = from; i < to; ++i)
                 taken[i] = takes(i);
         };
-        constexpr std::size_t share = 20000; // worth a thread
+        constexpr std::size_t share = 20000; // rows that are worth a thread
         const std::size_t most = m_through ? 1 : std::max(1U, std::thread::hardware_concurrency());
         const std::size_t shares = std::clamp<std::size_t>(count / share, 1, most);
         {
@@ -171,7 +171,7 @@ std::vector<Id> elementsIn(const CameraView& view, const Pickable& pickable, con
         taker.takeLinks(ids);
     if (pickable.panels())
         taker.takePanels(ids);
-    std::ranges::sort(ids); // a tear may have doubled some
+    std::ranges::sort(ids); // a tear may have doubled some ids
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     return ids;
 }

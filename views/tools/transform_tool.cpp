@@ -3,10 +3,11 @@
 // step() makes an edit from the state at the press each time, so that a drag is one step of the
 // history and adds up no rounding.
 //
-// gizmo() says where the handles are: on the pivot of what is selected, which is found once and
-// forgotten by every change of document, selection or settings, or where the drag has brought them.
+// gizmo() says where the handles are: on the pivot of what is selected, or where a drag has brought
+// them. The pivot is found when it is asked for and forgotten when document, selection, kind of
+// pivot or state of the player change.
 //
-// numbers() and shape() serve the same motion as typed numbers.
+// shape() makes the same edit from numbers that are typed.
 #include "tools/transform_tool.h"
 
 #include "document/document.h"
@@ -272,7 +273,7 @@ bool TransformTool::release(const QMouseEvent& event)
     if (event.button() != Qt::LeftButton)
         return m_drag.has_value();
     if (!m_drag)
-        return std::exchange(m_spent, false); // not a click
+        return std::exchange(m_spent, false); // it was not a click
     end();
     m_spent = false;
     return true;

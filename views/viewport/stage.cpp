@@ -73,7 +73,7 @@ void Stage::setTheme(const Theme& theme)
 void Stage::setBackdropShown(bool shown)
 {
     const QColor bottom =
-        shown ? m_theme.skyBottom : QColor(Qt::black); // what is left adds nothing
+        shown ? m_theme.skyBottom : QColor(Qt::black); // black adds nothing to a picture
     m_renderer->SetGradientBackground(shown);
     m_renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
     m_renderer->SetBackground2(m_theme.skyTop.redF(), m_theme.skyTop.greenF(),
@@ -195,7 +195,7 @@ std::vector<Vec3> Stage::subjectPoints() const
 std::vector<Vec3> Stage::pointsOf(const Scene& scene, const std::vector<Id>& ids) const
 {
     auto places = m_frame ? placesOf(*m_frame, scene, ids) : std::vector<Vec3>();
-    if (places.empty() && !ids.empty()) // too new for the frame
+    if (places.empty() && !ids.empty()) // they are too new for the frame
         places = placesOf(*sceneFrame(scene), scene, ids);
     for (const ColliderBody& body : m_bodies)
         if (m_frame && std::ranges::binary_search(ids, body.id))

@@ -43,15 +43,16 @@ public:
     // Shows this instant until the next one; the player's frames come by themselves.
     void show(std::shared_ptr<const Frame> frame);
     using QWidget::show;
-    void showGhost(std::shared_ptr<const Frame> frame); // another run, over it; null: none
-    const std::shared_ptr<const Frame>& frame() const;  // null before the first
+    void
+    showGhost(std::shared_ptr<const Frame> frame); // another run, over this one; null shows none
+    const std::shared_ptr<const Frame>& frame() const; // null before the first
 
     ColorBy colorBy() const;
     void setColorBy(ColorBy colorBy);
 
     // In the unit of the quantity (strain: 1). Without one the range follows the values.
     void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
-    void editRange();                                    // asks for one, beside the legend
+    void editRange();                                    // asks for a range, beside the legend
     ValueRange range() const;                            // what the colours mean now
     const Legend& legend() const;
 
@@ -63,13 +64,13 @@ public:
     void setCentreShown(bool shown);    // of gravity, off at first
     void setVectors(Vectors vectors);   // arrows on the elements; none at first
     void setDesignShown(bool shown);    // as a ghost; off at first
-    void setTrailsShown(bool shown);    // of selected particles, or of those with probes; off
+    void setTrailsShown(bool shown);    // of selected or probed particles; off at first
     void setProbesShown(bool shown);    // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
     void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
-    void look(const Camera& camera);      // as from there, once more
+    void look(const Camera& camera);      // shows the view as from there again
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
     void setOrthographic(bool orthographic);
@@ -93,7 +94,7 @@ public:
     QImage image(const Shot& shot);
 
     TransformTool& transformTool();
-    HandSettings& hands(); // how hard they pull and blow
+    HandSettings& hands(); // how hard hands pull and blow
 
     Id pick(QPointF place); // noId when nothing is there
     Pointing& pointing();   // the tool in use, and what the mouse is on

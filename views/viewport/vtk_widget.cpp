@@ -64,8 +64,8 @@ VtkWidget::VtkWidget(QWidget* parent)
     m_window->AddObserver(vtkCommand::WindowMakeCurrentEvent, bridge);
     m_window->AddObserver(vtkCommand::WindowIsCurrentEvent, bridge);
     m_window->SetOwnContext(false);
-    m_window->SetReadyForRendering(false); // until initializeGL
-    m_window->SetFrameBlitModeToNoBlit();  // paintGL does it
+    m_window->SetReadyForRendering(false); // until initializeGL() has run
+    m_window->SetFrameBlitModeToNoBlit();  // paintGL() copies the picture
     m_still.setSingleShot(true);
     m_still.setInterval(stillTime);
     connect(&m_still, &QTimer::timeout, this, [this] {
@@ -120,7 +120,7 @@ QImage VtkWidget::picture()
 {
     m_isOld |= !m_isFine;
     m_isFine = true;
-    return grabFramebuffer(); // paints
+    return grabFramebuffer(); // this paints the picture first
 }
 
 QImage VtkWidget::picture(QSize size, Backdrop backdrop)

@@ -51,9 +51,9 @@ private:
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     QMetaObject::Connection m_contextDies;
-    bool m_isOld = true;   // the last picture
-    bool m_isFine = true;  // with smooth edges
-    bool m_isSlow = false; // no graphics card: each sample costs
+    bool m_isOld = true;   // the last picture is out of date
+    bool m_isFine = true;  // the picture has smooth edges
+    bool m_isSlow = false; // OpenGL runs in software, so each sample costs
     QTimer m_still;        // runs out when the picture has not changed for a while
 };
 
