@@ -15,8 +15,8 @@ namespace ripstop {
 // add up.
 QString totals(const Scene& scene, Kind kind, const std::vector<Id>& ids);
 
-// What all that is selected amounts to, an item standing for its elements: "1.2 kg · 34 m long · 5
-// m²".
+// What all that is selected amounts to, an item standing for its elements, such as
+// "1.2 kg · 34 m long · 5 m²".
 QString totals(const Scene& scene, const std::vector<Id>& selected);
 
 } // namespace ripstop

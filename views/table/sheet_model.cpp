@@ -229,8 +229,8 @@ bool SheetModel::setData(const QModelIndex& index, const QVariant& value, int ro
                        typed.toStdString());
     if (!edit) {
         const QString sentence = translated(edit.message());
-        emit refused(sentence.mid(sentence.indexOf(QStringLiteral(": "))
-                                  + 2)); // no place is needed for one cell
+        // the place before the colon is not needed, as there is one cell only
+        emit refused(sentence.mid(sentence.indexOf(QStringLiteral(": ")) + 2));
         return false;
     }
     emit refused({});

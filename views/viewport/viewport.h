@@ -43,9 +43,8 @@ public:
     // Shows this instant until the next one; the player's frames come by themselves.
     void show(std::shared_ptr<const Frame> frame);
     using QWidget::show;
-    void
-    showGhost(std::shared_ptr<const Frame> frame); // another run, over this one; null shows none
-    const std::shared_ptr<const Frame>& frame() const; // null before the first
+    void showGhost(std::shared_ptr<const Frame> frame); // another run over this one, or null
+    const std::shared_ptr<const Frame>& frame() const;  // null before the first
 
     ColorBy colorBy() const;
     void setColorBy(ColorBy colorBy);
@@ -79,12 +78,12 @@ public:
     // The viewport also chooses a theme by itself whenever the palette changes.
     void setTheme(const Theme& theme);
 
-    // The view as it is now, in device pixels.
-    enum class Overlays { With, Without }; // legend and compass
+    // The view as it is now, in device pixels; with all that lies over it, if wanted.
+    enum class Overlays { With, Without };
     QImage image(Overlays overlays = Overlays::With);
 
-    // The view in another size, in pixels, with the overlays as large as they are in the view. A
-    // transparent picture has no sky.
+    // The view in another size, in pixels; of what lies over it only legend and compass, as large
+    // as they are in the view. A transparent picture has no sky.
     struct Shot
     {
         QSize size;
