@@ -1,4 +1,9 @@
 // Fields of numbers: what is typed, dragged, stepped and slid.
+//
+// numberEdit() makes the line of one number: typed text is judged and committed as a change of each
+// thing's own number, so that "*1.1" works on many things at once; arrow keys and the dragging of
+// the label are gestures (tuning.h). numberField() puts one such line over a slider, vectorField()
+// three of them, in a row or below each other. A number that is absent shows what it falls back to.
 #include "document/document.h"
 #include "document/words.h"
 #include "inspector/field.h"

@@ -12,11 +12,12 @@ class QSlider;
 
 namespace ripstop {
 
-// A value after its label was dragged by `distance` pixels: numbers that cannot be negative double
-// every 100 px, others move by steps.
+// A value after its label was dragged by `distance` pixels. Numbers that are above 0 and cannot be
+// negative double every 100 pixels, whole numbers go by one every 8 pixels, and others by steps.
 double scrubbed(const Property& property, double before, double distance);
 
-// A value after arrow keys: by a tenth to a hundredth of itself, to a round number.
+// A value after arrow keys: it changes by a power of ten that is a tenth to a hundredth of itself,
+// and a whole number by one.
 double stepped(const Property& property, double before, int steps);
 
 // Keeps a number within the range of the property.

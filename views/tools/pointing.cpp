@@ -1,6 +1,7 @@
 // press() offers the event to the tool in use and then, with Ctrl, to the other tool; who takes it
-// is busy until the buttons are up. move(), release(), wheel() and key() go to the busy tool, or
-// else to the one in use. Each asks for a paint, so that the tool shows what it does.
+// is busy until the buttons are up. move(), release() and wheel() go to the busy tool, or else to
+// the one in use; keys go to the busy tool only. Each asks for a paint, so that the tool shows what
+// it does.
 //
 // hover() notes the place of the mouse and starts a timer; when it runs out, lookUnderMouse() picks
 // and announces another element. paintEvent() draws that element in the colour of text, and then
