@@ -2,7 +2,7 @@
 //
 // The disc is centred below what is shown and goes with it; its lines stay where they are in the
 // world, so that motion can be read against them. It is drawn anew only when it has to move by more
-// than a tenth of its radius, or when its radius changes.
+// than a tenth of its radius or off its plane, or when its radius changes.
 #pragma once
 
 #include "layers/layer.h"

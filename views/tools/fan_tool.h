@@ -1,6 +1,9 @@
 // The fan: while the left button is down a jet of wind blows from before the eye at what is under
-// the cursor. Its nozzle is a tenth of the picture wide there; the wheel makes it blow harder, and
-// with Ctrl the jet wider.
+// the cursor.
+//
+// Its nozzle is a tenth of the picture wide there; the wheel makes it blow harder, and with Ctrl
+// the jet wider. The jet is an input of the run, as a wind of the scene would be; it ends with the
+// button, with Escape and with the tool.
 #pragma once
 
 #include "tools/hand_settings.h"

@@ -1,5 +1,8 @@
-// How hard a hand pulls and blows. What nobody has set follows the scene: a kite of 40 g and a
-// parachute with its load are not to be pulled alike.
+// How hard a hand pulls and blows.
+//
+// What nobody has set follows the scene: a kite of 40 g and a parachute with its load are not to be
+// pulled alike. The settings belong to the viewport and are not saved with a scene; tools read them
+// with each move, and the wheel changes those of the fan.
 #pragma once
 
 #include "scene/scene.h"

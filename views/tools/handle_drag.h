@@ -1,6 +1,8 @@
 // One pull at a handle of a gizmo: what the hand, the snapping and typed digits come to.
 //
-// Numbers go along or about the axes of the gizmo: m, degrees, or factors.
+// Numbers go along or about the axes of the gizmo: m, degrees, or factors. It is a plain value
+// without document or widget: the transform tool keeps one for as long as a drag lasts, tells it
+// where the cursor is, and makes edits of its motion.
 #pragma once
 
 #include "author/transform.h"

@@ -1,6 +1,10 @@
 // Everything that is drawn, as VTK sees it: renderer, lights, camera and layers.
 //
-// Setters only note what has changed. prepare() brings the layers up to date, once per picture.
+// Setters only note what has changed. prepare() brings the layers up to date, once per picture; it
+// returns at once when nothing has changed, so picking and fitting may call it as well. Coordinates
+// are those of the frame, in place and without a copy: the stage holds the frame for as long as VTK
+// may read them. It belongs to the thread of the window and never asks for a picture by itself;
+// that is for the viewport.
 #pragma once
 
 #include "camera/camera.h"
