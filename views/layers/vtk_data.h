@@ -1,7 +1,7 @@
 // Small helpers between our arrays and VTK's: colours, arrays of colours, and cells.
 //
-// Layers use them in rebuild() and update(), in the thread of the window. Each of the three colorBy
-// functions takes away what another one has set, as data keep their scalars.
+// Layers use them in rebuild() and update(), in the thread of the window. Each of the three
+// colorBy...() functions takes away what another one has set, as VTK data keep their scalars.
 #pragma once
 
 #include "look/look.h"

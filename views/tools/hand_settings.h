@@ -20,9 +20,9 @@ struct HandSettings
     double fanSpeed = 8.0;                                        // m/s, in the nozzle
     double fanWidening = 0.2; // 1, tangent of half the angle of the jet
 
-    // The most that a hand pulls with: five times the weight of all that is free, and 5 N or more,
-    // N. The stiffness of its spring is such that it is then as long as a fifth of the fabric, N/m.
-    // A number that somebody has set comes back as it is.
+    // The most that a hand pulls with, N: five times the weight of all that is free, and 5 N or
+    // more. The stiffness of its spring, N/m, is such that the spring is then as long as a fifth of
+    // the fabric. A number that somebody has set comes back as it is.
     double mostIn(const Scene& scene) const;
     double stiffnessIn(const Scene& scene) const;
 };
