@@ -23,10 +23,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double stride = 3.0;  // pixels, between points of the stroke as it is drawn
-constexpr double spacing = 8.0; // pixels, about, between points that it is cut with
-constexpr std::size_t most =
-    200; // points that it is cut with; a longer stroke has them farther apart
+constexpr double stride = 3.0;    // pixels, between points of the stroke as it is drawn
+constexpr double spacing = 8.0;   // pixels, about, between points that it is cut with
+constexpr std::size_t most = 200; // points of a cut; those of a longer stroke lie farther apart
 constexpr double none = std::numeric_limits<double>::infinity();
 
 // Points at even distances along a stroke.
