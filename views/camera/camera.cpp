@@ -1,3 +1,12 @@
+// The axes of the picture follow from azimuth and elevation alone, and all else from these axes.
+//
+// Movements: orbit() turns about the focus, pan() shifts it in the plane of the picture, zoom()
+// shifts it so that the place under the cursor stays.
+//
+// fit() looks along each axis of the picture for the nearest eye whose two lines of sight leave all
+// points between them (Wedge); of width and height the one that needs more room decides.
+//
+// projection() is the matrix of the view times that of the lens.
 #include "camera/camera.h"
 
 #include <Eigen/Geometry>

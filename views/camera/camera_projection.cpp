@@ -36,7 +36,7 @@ CameraProjection::Ray CameraProjection::rayThrough(const Vec3& place) const
 {
     if (!m_camera.orthographic)
         return {m_eye, (place - m_eye).normalized()};
-    // from far behind the eye: a view without perspective sees what is beside it, too
+    // The ray starts far behind the eye, as a view without perspective sees what is beside it, too.
     return {place + 1e3 * m_camera.distance * m_back, -m_back};
 }
 

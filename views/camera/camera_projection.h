@@ -44,7 +44,7 @@ public:
     Ray rayAt(double x, double y) const; // pixels
     Ray rayAt(QPointF pixel) const { return rayAt(pixel.x(), pixel.y()); }
 
-    // Nothing for what lies behind the eye.
+    // The pixel of a place; nothing for a place behind the eye.
     std::optional<QPointF> pixel(const Vec3& place) const;
 
     double metresPerPixel(const Vec3& place) const; // at the depth of this place

@@ -1,4 +1,9 @@
 // Lets the camera go along with the fabric in flight, so that it stays where it is in the picture.
+//
+// The middle of the fabric (of all particles where there are no panels) is noted with each frame,
+// and the focus of the camera is shifted by as much as that has moved since the frame before. The
+// person keeps turning and zooming as before. The viewport has one of these and calls it for each
+// frame that it shows.
 #pragma once
 
 #include "camera/camera.h"
@@ -13,7 +18,7 @@ class Chase
 public:
     bool isOn() const { return m_on; }
 
-    // From `now` on, which may be null.
+    // Switches the camera to follow or to stay, from the frame `now` on, which may be null.
     void set(bool on, const Frame* now);
     void forget() { m_last.reset(); } // another scene: the camera does not go there by itself
     void settle(const Frame* now);    // the camera has been placed for this frame

@@ -1,3 +1,13 @@
+// Stages of the constructor: panels that are shown and lie over the box are collected with their
+// bounds in the picture; the bounds are divided into cells, about two panels to a cell; each panel
+// is entered in all cells that it touches, counted first and filled in then, so that all lists
+// share one array.
+//
+// A question (hides(), firstPanel()) takes the panels of one cell and meets each with the exact
+// ray. Colliders are few and are asked one by one.
+//
+// Panels that reach behind the near plane are cut there, as the projection of a place behind the
+// eye means nothing.
 #include "camera/occlusion.h"
 
 #include <algorithm>
@@ -67,7 +77,7 @@ Occlusion::Occlusion(const CameraView& view, std::span<const OnScreen> points,
         forEachCell(i, [&](std::size_t cell) { m_panels[std::size_t(next[cell]++)] = met[i]; });
 }
 
-// Of what is in front of the picture's near plane.
+// Bounds of the part of a panel that is in front of the near plane of the picture, pixels.
 Eigen::AlignedBox2d Occlusion::boundsOf(int panel, std::span<const OnScreen> points) const
 {
     const auto& corners = m_view.frame.layout->panelCorners[std::size_t(panel)];
@@ -109,7 +119,7 @@ std::span<const int> Occlusion::panelsAt(double x, double y) const
                                        std::size_t(m_first[at + 1] - m_first[at]));
 }
 
-// Moeller and Trumbore 1997.
+// Moeller and Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
 double Occlusion::distanceToPanel(const CameraProjection::Ray& ray, int panel) const
 {
     const auto [i, j, k] = m_view.frame.layout->panelCorners[std::size_t(panel)];
@@ -132,7 +142,7 @@ bool Occlusion::hides(const Spot& spot) const
 {
     const CameraProjection::Ray ray = m_projection.rayThrough(spot.place);
     const double far = (spot.place - ray.origin).norm();
-    // a view without perspective looks from a made-up place far away
+    // A view without perspective looks from a made-up place far away, so its own distance counts.
     const double eye = m_view.camera.orthographic ? m_view.camera.distance : far;
     const double before = far - touching * eye;
     const OnScreen at = m_projection(spot.place);

@@ -1,3 +1,9 @@
+// How much of a view the widgets over it cover.
+//
+// The camera fits a design into the part of the picture that is free (Camera::fit()), so it has to
+// know what tools and legend take away. The margins are read from the children of the view as they
+// lie at the moment; nothing is kept. It is called in the thread of the window, as all that reads
+// widgets.
 #pragma once
 
 #include "camera/camera.h"
@@ -6,8 +12,9 @@ class QWidget;
 
 namespace ripstop {
 
-// What its tools and its legend cover of a view: children that hang along its left or right side
-// from near the top, over more than a third of its height.
+// Shares of the width of the view, 0 .. 0.3 each, that visible children cover on its left and right
+// side. Only tall, narrow children count: from the top third of the view on, higher than a third of
+// it and no wider than a third of it. The margins at top and bottom are always 0.
 OverlayMargins overlayMarginsOf(const QWidget& view);
 
 } // namespace ripstop

@@ -1,14 +1,17 @@
+// Sentences that say what is wrong, shown below the field where it was typed.
+//
+// The colour follows the palette, so that they can be read on light and dark grounds.
 #pragma once
 
 #include <QLabel>
 
 namespace ripstop {
 
-// Words that say what is wrong, read as easily (4.5 : 1 at least) on a light ground as on a dark
-// one.
+// The colour of such words for the ground of this palette: it can be read as easily (4.5 : 1 at
+// least) on a light ground as on a dark one.
 QColor wrongColor(const QPalette& ground);
 
-// A sentence in that colour; hidden while there is none.
+// A label that shows a sentence in that colour, and is hidden while there is none.
 class Complaint : public QLabel
 {
     Q_OBJECT

@@ -1,3 +1,7 @@
+// An icon is an engine that knows only the name of its drawing. When it is painted, it takes the
+// colour that text has at that moment (normal, disabled or selected), draws the SVG in a pixmap,
+// fills what is drawn with that colour, and keeps the result in the pixmap cache of Qt under name,
+// size and colour. A drawing that does not exist gives an empty picture.
 #include "icons/icon.h"
 
 #include <QFile>

@@ -1,3 +1,7 @@
+// A small square of one colour, for materials and curves in lists.
+//
+// Icons are made once per colour and kept for the life of the program. As all painting of pixmaps
+// it belongs to the thread of the window.
 #pragma once
 
 #include <QColor>
@@ -5,7 +9,7 @@
 
 namespace ripstop {
 
-// A small square of one colour, for materials.
+// The square in this colour, which it also keeps in a selected row.
 QIcon swatch(const QColor& color);
 
 } // namespace ripstop

@@ -1,3 +1,7 @@
+// Icons of icon.h in a colour of their own, for signs such as errors and warnings.
+//
+// Other than those of icon.h they are pixmaps of one size, 20 by 20 pixels, and do not follow the
+// palette.
 #pragma once
 
 #include <QColor>
@@ -5,8 +9,8 @@
 
 namespace ripstop {
 
-// The icon in one colour, also where its row is selected. Choose one that can be told on light and
-// on dark.
+// The icon in one colour, also where its row is selected. Choose a colour that can be told on light
+// and on dark.
 QIcon tinted(const QString& name, const QColor& colour);
 
 } // namespace ripstop

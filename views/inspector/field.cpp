@@ -1,3 +1,9 @@
+// makeField() comes first, with all the choices that there are. Then follows one function for each
+// type: it makes the widget, connects what a person does to an edit of the subject, and returns how
+// the widget shows a value that is common to all things, or that they differ.
+//
+// Fields of colours and files are a text field with a button beside it. Numbers, vectors and ids
+// have files of their own (number_field.cpp, id_field.cpp).
 #include "inspector/field.h"
 
 #include "document/document.h"
@@ -37,7 +43,7 @@ class CalmComboBox final : public QComboBox
     }
 };
 
-// Several lines; committed when the focus leaves, or by Ctrl+Enter.
+// An editor of several lines. It commits when the focus leaves, or by Ctrl+Enter.
 class NotesEdit final : public QPlainTextEdit
 {
 public:
@@ -203,7 +209,8 @@ Field notesField(const FieldPlace& place)
     edit->setTabChangesFocus(true);
     edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     edit->setFixedHeight(4 * edit->fontMetrics().lineSpacing() + 10);
-    edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // else its row takes all room
+    // its row would take all room otherwise
+    edit->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return {edit, {edit}, [edit](const Common& common) {
                 if (const QString text = textOf(common.value); text != edit->toPlainText())
                     edit->setPlainText(text);

@@ -1,4 +1,10 @@
 // The fields of a form: one editor for each type of value.
+//
+// makeField() chooses by the type of the value and by what the property means, never by its key. A
+// field writes to all things of its subject at once and shows the value that they have in common.
+// The widget has no parent yet: whoever puts it into a layout owns it, and the subject, the
+// property and the label of the place must outlive it. Forms and rows of the tuning panel make
+// them, in the thread of the window.
 #pragma once
 
 #include "inspector/subject.h"

@@ -1,4 +1,9 @@
 // Fields of what points at other things: typed, chosen from a menu, or picked in the view.
+//
+// readIds() makes ids of a text of names and numbers, or says which of them is no such thing.
+// shownIds() and hintOf() make a text of ids again; long lists are only counted. fillMenu() offers
+// the items that fit, picking where elements fit, and none. idField() puts line and menu side by
+// side.
 #include "document/document.h"
 #include "document/words.h"
 #include "icons/icon.h"

@@ -1,3 +1,12 @@
+// The constructor lays out the head (icon, title, totals, targets), the banner of picking, the tabs
+// of kinds, the search and the pages.
+//
+// showSelection() follows the selection: it makes tabs of the kinds there are and shows one of
+// them, by showKind(), which sets the subject and makes the form when it is first needed. What was
+// being typed is committed before that, as it belongs to the things that were selected until then.
+//
+// refresh() shows values again after each edit. While a field waits for something to be picked,
+// takePick() takes the next selection as its value and brings back the one of before.
 #include "inspector/inspector.h"
 
 #include "document/document.h"
@@ -83,7 +92,8 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
 
     auto* title = new QHBoxLayout;
     title->setContentsMargins(8, 8, 8, 0);
-    m_icon->setFixedSize(iconSide, iconSide); // or each new picture has the window laid out anew
+    // each new picture would have the window laid out anew otherwise
+    m_icon->setFixedSize(iconSide, iconSide);
     title->addWidget(m_icon, 0, Qt::AlignTop);
     title->addWidget(m_title, 1);
     auto* facts = new QHBoxLayout;
@@ -143,7 +153,7 @@ void Inspector::showSelection()
                                   : Kind::Settings);
 }
 
-// What was typed belongs to the things that were selected until now.
+// Commits or reverts what was typed, as it belongs to the things that were selected until now.
 void Inspector::leaveForm()
 {
     PropertyForm* form = m_forms[std::size_t(m_subject.kind())];
@@ -209,7 +219,7 @@ void Inspector::refresh()
     if (!std::all_of(m_subject.ids().begin(), m_subject.ids().end(), exists))
         return; // an edit removed it, and the selection will say so
     if (!m_forms[std::size_t(m_subject.kind())])
-        return; // not yet shown
+        return; // the form has not been shown yet
     refreshHeader();
     m_forms[std::size_t(m_subject.kind())]->refresh();
     if (m_subject.kind() == Kind::Material)
@@ -237,7 +247,7 @@ void Inspector::refreshHeader()
 void Inspector::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) { // icons have its colours
+    if (event->type() == QEvent::PaletteChange) { // icons have the colours of the palette
         m_iconKind.reset();
         refresh();
     }
@@ -266,7 +276,7 @@ bool Inspector::takePick()
             for (const Census::Found& found : all[Kind(k)])
                 picked.push_back(found.id);
     if (picked.empty())
-        return true; // nothing that fits: goes on asking
+        return true; // nothing fits, so the field goes on asking
     std::sort(picked.begin(), picked.end());
 
     const bool isList = std::holds_alternative<std::vector<Id>>(property.initial);

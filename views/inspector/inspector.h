@@ -1,3 +1,9 @@
+// The form of what is selected, one or thousands of the same kind, made from the property table.
+//
+// With nothing selected it shows the settings. When several kinds are selected, tabs choose one of
+// them. Every commit is one undoable edit of all things that are shown. Above the form stand what
+// the things are, what they amount to and whether targets are met; below, one form per kind is made
+// when it is first needed and kept.
 #pragma once
 
 #include "inspector/slider_shelf.h"
@@ -22,8 +28,6 @@ class PropertyForm;
 class TargetRows;
 class Selection;
 
-// The form of what is selected, one or thousands of the same kind, made from the property table;
-// with nothing selected, the settings. Every commit is one undoable edit of all selected things.
 class Inspector final : public QWidget
 {
     Q_OBJECT
@@ -57,7 +61,7 @@ private:
     UsageWatch m_usage;
     SliderShelf m_sliders;
     QLabel* m_icon;
-    std::optional<Kind> m_iconKind; // that it shows
+    std::optional<Kind> m_iconKind; // the kind that the icon shows
     QLabel* m_title;
     QLabel* m_totals;
     TargetRows* m_targets;
@@ -67,7 +71,7 @@ private:
     QLabel* m_noMatch; // while nothing is found
     QStackedWidget* m_pages;
     std::array<PropertyForm*, kindCount> m_forms{}; // made when first needed
-    std::array<QWidget*, kindCount> m_areas{};      // what scrolls them
+    std::array<QWidget*, kindCount> m_areas{};      // the scroll areas of the forms
     PresetChooser* m_presets = nullptr;             // above the form of materials
 };
 

@@ -1,4 +1,9 @@
 // Fields of numbers: what is typed, dragged, stepped and slid.
+//
+// numberEdit() makes the line of one number: typed text is judged and committed as a change of each
+// thing's own number, so that "*1.1" works on many things at once; arrow keys and the dragging of
+// the label are gestures (tuning.h). numberField() puts one such line over a slider, vectorField()
+// three of them, in a row or below each other. A number that is absent shows what it falls back to.
 #include "document/document.h"
 #include "document/words.h"
 #include "inspector/field.h"
@@ -21,7 +26,7 @@ constexpr int rowWidth = 330; // px, from here on the axes of a vector stand in 
 
 QString words(const char* text) { return QCoreApplication::translate("Field", text); }
 
-// That of the first thing: a tear limit has the unit of its material's rule.
+// The unit of the first thing: a tear limit has the unit of its material's rule.
 std::string_view unitNow(const FieldPlace& place)
 {
     const std::vector<ConstRef> refs = place.subject.refs();
@@ -34,7 +39,7 @@ QString text(std::string_view words)
     return QString::fromUtf8(words.data(), qsizetype(words.size()));
 }
 
-// Why what was typed is refused, as a sentence; empty when it is fine.
+// Says why what was typed is refused, as a sentence; empty when it is fine.
 QString complaintAbout(const FieldPlace& place, const QString& text, int axis)
 {
     const Property& property = place.property;
@@ -119,7 +124,7 @@ QWidget* stacked(QWidget* above, QWidget* below)
     return both;
 }
 
-// The axes of a vector: below each other in a narrow dock, else in a row.
+// The axes of a vector: below each other in a narrow dock, and side by side in a wide one.
 class AxesBox final : public QWidget
 {
 public:

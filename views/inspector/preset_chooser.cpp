@@ -1,3 +1,7 @@
+// fillMenu() makes a submenu for each kind of preset. apply() refuses where the scene has errors,
+// makes the edit in the model (masses of particles follow where both densities are known) and
+// pushes it. refresh() names the preset that all materials have and shows a warning, if there is
+// one, and the source.
 #include "inspector/preset_chooser.h"
 
 #include "document/document.h"

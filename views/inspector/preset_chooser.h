@@ -1,3 +1,8 @@
+// A menu of fabrics, lines and spars above the form of a material, and where the numbers of the
+// chosen one come from.
+//
+// A preset is chosen for all materials of the subject. What cannot be done is said in the place of
+// the source, once; nothing is changed then.
 #pragma once
 
 #include "inspector/subject.h"
@@ -11,8 +16,6 @@ namespace ripstop {
 
 struct Preset;
 
-// A menu of fabrics, lines and spars above the form of a material, and where the numbers of the
-// chosen one come from.
 class PresetChooser final : public QWidget
 {
     Q_OBJECT
@@ -22,7 +25,7 @@ public:
 
     void refresh(); // names the preset that the materials have
 
-    // Gives it to all materials of the subject, as one edit.
+    // Gives the preset to all materials of the subject, as one edit.
     void apply(const Preset& preset);
 
 private:
@@ -30,7 +33,7 @@ private:
 
     Subject& m_subject;
     QToolButton* m_button;
-    QLabel* m_note;    // the source, or why it cannot be
+    QLabel* m_note;    // the source of the numbers, or why the preset cannot be taken
     QString m_warning; // to be shown once
 };
 

@@ -1,3 +1,10 @@
+// addRow() makes label, field, buttons and complaint of one property; addMenu() gives the label a
+// menu with what the buttons do and with the path for the command line. tipOf() puts help, unit,
+// range and effect into the tool tip.
+//
+// filter() shows the rows whose label, key or help has all words that are searched for. refresh()
+// asks the subject once for all things and shows, row by row, the common value, whether it differs
+// from the default, and whether it has an effect.
 #include "inspector/property_form.h"
 
 #include "document/words.h"
@@ -136,7 +143,7 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     addMenu(m_rows.back());
 }
 
-// What the buttons do, by a menu on the label; and by a key in the field.
+// Gives the label a menu with what the buttons do, and the field a key for the slider.
 void PropertyForm::addMenu(const Row& row)
 {
     const Property& property = *row.property;
@@ -231,7 +238,8 @@ void PropertyForm::refresh()
     }
 }
 
-// What is bold is lost when labels are first given the font of their window.
+// Labels lose their bold font when they are first given the font of their window, so it is set
+// again.
 void PropertyForm::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);

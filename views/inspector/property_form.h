@@ -1,3 +1,9 @@
+// The properties of one kind, a row each: label, field, a button that gives it a slider in the
+// tuning panel, and one that restores the default.
+//
+// The rows are made from the property table when the form is made and never change; refresh() only
+// shows values. What differs from the default has a bold label; what does nothing at the moment has
+// a pale one and says why in its tool tip.
 #pragma once
 
 #include "inspector/field.h"
@@ -14,8 +20,6 @@ namespace ripstop {
 class SliderShelf;
 class UsageWatch;
 
-// The properties of one kind, a row each: label, field, a button that gives it a slider in the
-// tuning panel, and one that restores the default. What differs from the default stands out.
 class PropertyForm final : public QWidget
 {
     Q_OBJECT
@@ -25,7 +29,7 @@ public:
                  QWidget* parent = nullptr);
 
     void refresh();                   // shows the values of the subject
-    int filter(const QString& words); // shows the rows about these words; how many there are
+    int filter(const QString& words); // shows the rows about these words and returns how many
     void leave();                     // commits or reverts what is being typed
     QWidget* field(std::string_view key, int axis) const;
 
@@ -39,7 +43,7 @@ private:
         QToolButton* slider;
         QToolButton* reset;
         Field field;
-        bool isChanged = false; // from the default
+        bool isChanged = false; // differs from the default
     };
 
     void showEvent(QShowEvent* event) override;

@@ -1,11 +1,14 @@
+// A label that changes its number when it is dragged sideways.
+//
+// Shift is finer, Ctrl coarser; the right button, pressed while dragging, takes the drag back. The
+// label only tells how far it has been dragged: what that means for a number is said in tuning.h.
+// It can also be pale, for what does nothing.
 #pragma once
 
 #include <QLabel>
 
 namespace ripstop {
 
-// A label that changes its number when it is dragged sideways. Shift is finer, Ctrl coarser; the
-// right button, pressed while dragging, takes the drag back.
 class ScrubLabel final : public QLabel
 {
     Q_OBJECT
@@ -14,11 +17,11 @@ public:
     explicit ScrubLabel(const QString& text, QWidget* parent = nullptr);
 
     void setScrubbing(bool on);
-    void setIdle(bool idle); // pale: what it names does nothing
+    void setIdle(bool idle); // shows the label pale, for what does nothing
 
 signals:
     void began();
-    void dragged(double distance); // px from where it began
+    void dragged(double distance); // pixels from where it began, finer or coarser with the keys
     void cancelled();
 
 private:
@@ -29,8 +32,8 @@ private:
     bool m_scrubbing = false; // can be dragged
     bool m_pressed = false;
     bool m_moving = false;
-    double m_last = 0.0;     // px
-    double m_distance = 0.0; // px
+    double m_last = 0.0;     // pixels
+    double m_distance = 0.0; // pixels
 };
 
 } // namespace ripstop

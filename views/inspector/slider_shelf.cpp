@@ -1,3 +1,7 @@
+// load() reads the sliders of the file that is open; take() keeps a new list, writes it and
+// announces it, and every change ends there. toggle(), setRange() and addUsual() make the new list
+// from the sliders whose things still exist. addUsual() adds, up to eight in all, what is mostly
+// tuned and has an effect.
 #include "inspector/slider_shelf.h"
 
 #include "document/document.h"
@@ -76,7 +80,7 @@ void SliderShelf::setRange(const Property& property, const std::vector<Id>& ids,
     take(std::move(sliders));
 }
 
-// The wind, the first materials and the solver.
+// Adds the wind, the settings of the solver and the first materials, in this order.
 void SliderShelf::addUsual()
 {
     const Scene& scene = m_document.scene();

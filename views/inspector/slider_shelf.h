@@ -1,3 +1,9 @@
+// The sliders that a person has at hand for the open scene.
+//
+// They are remembered with the settings of the program, by the scene's file, and not in the file:
+// what is being tuned is a matter of the desk, and a design that is only looked at stays
+// unmodified. The values are edits of the scene. Each change is written at once and announced by
+// changed().
 #pragma once
 
 #include "base/result.h"
@@ -9,9 +15,6 @@ namespace ripstop {
 
 class Document;
 
-// The sliders that a person has at hand for the open scene. They are remembered with the settings
-// of the program, by the scene's file, and not in the file: what is being tuned is a matter of the
-// desk, and a design that is only looked at stays unmodified. The values are edits of the scene.
 class SliderShelf final : public QObject
 {
     Q_OBJECT
@@ -19,11 +22,11 @@ class SliderShelf final : public QObject
 public:
     explicit SliderShelf(Document& document, QObject* parent = nullptr);
 
-    // Those whose things exist now.
+    // The sliders whose things exist now.
     std::vector<Slider> sliders() const;
     bool has(const Property& property, const std::vector<Id>& ids) const;
 
-    // Adds one, or takes it away when it is there. Too many things at once are refused.
+    // Adds a slider, or takes it away when it is there. Too many things for one slider are refused.
     std::optional<Failure> toggle(const Property& property, const std::vector<Id>& ids);
     void setRange(const Property& property, const std::vector<Id>& ids, const SliderRange& range);
     void addUsual(); // what is mostly tuned, as far as it has an effect

@@ -1,3 +1,9 @@
+// refs() finds the things again for each question, as an edit may have moved them. common() walks
+// over their values and stops when everything is known to differ.
+//
+// edit() and drag() make one edit for all things: values that are all alike are stored once, and
+// weighed() adds the masses that follow from a new density. pick() only notes the property; the
+// inspector does the rest.
 #include "inspector/subject.h"
 
 #include "document/document.h"
@@ -88,7 +94,8 @@ Edit Subject::settingOf(const Property& property, std::vector<Value> values) con
         tr("Set %1 of %2").arg(labelOf(property).toLower(), describe(m_document.scene(), m_ids));
     const Edit edit{Message::verbatim(label.toStdString()),
                     {SetValues{&property, m_ids, std::move(values)}}};
-    // where particles weigh less than the old density says, it was not theirs, and is only noted
+    // weighed() fails where a particle would be left without mass; then only the value itself is
+    // set.
     const Result<Edit> withMasses = weighed(m_document.scene(), edit);
     return withMasses ? *withMasses : edit;
 }

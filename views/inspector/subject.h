@@ -1,3 +1,9 @@
+// The things whose properties a form shows, and the way in which its fields write to them.
+//
+// Fields know neither selection nor document: they read what the things have in common and hand in
+// a Transform, which is applied to the value of each thing. Everything that is written goes through
+// edit() or drag(), so it is undoable and masses follow densities. It belongs to the thread of the
+// window.
 #pragma once
 
 #include "document/census.h"
@@ -13,7 +19,7 @@ namespace ripstop {
 
 class Document;
 
-// What to make of the value that a thing has now.
+// Makes the new value of a thing from the one that it has now.
 using Transform = std::function<Value(const Value&)>;
 
 Transform setTo(Value value);
@@ -22,9 +28,9 @@ Transform transformOf(TypedNumber typed, int axis = 0); // of a number, or of on
 // The value of a property of several things.
 struct Common
 {
-    Value value;                 // of the first
+    Value value;                 // the value of the first thing
     std::array<bool, 3> mixed{}; // by axis of a vector; all others use the first
-    bool isDefault = true;       // of all
+    bool isDefault = true;       // all things have the default
 };
 
 // The things whose properties a form shows, and the way in which its fields write to them.

@@ -1,3 +1,7 @@
+// show() takes the old rows away and adds one for each target of the item. A row has the name, the
+// value and the wanted value, and the difference in a colour that says whether the target is met;
+// that of the mass also has the button. spread() asks the model for the edit and pushes it, or says
+// why it cannot be done.
 #include "inspector/target_rows.h"
 
 #include "document/document.h"

@@ -1,3 +1,8 @@
+// What a part or group comes to, what it is meant to come to, and the difference, in a row for each
+// target that is set.
+//
+// A button spreads the missing or excess mass over the particles. The rows are made anew by show(),
+// which the inspector calls after each edit; the widget is hidden where there is no target.
 #pragma once
 
 #include "author/targets.h"
@@ -10,8 +15,6 @@ namespace ripstop {
 
 class Document;
 
-// What a part or group comes to, what it is meant to come to, and the difference, in a row for each
-// target that is set; a button brings the mass there. Hidden where there is no target.
 class TargetRows final : public QWidget
 {
     Q_OBJECT

@@ -1,3 +1,9 @@
+// Sums adds up particles, links and panels, wherever they come from, and puts the sums into words;
+// a panel whose corners do not all exist counts without an area.
+//
+// Each kind of item has a function: parts go through their tables, groups through their members,
+// materials count what is made of them. Parts and groups also say centre of gravity and inertia.
+// Many elements at once are added through Net, which finds corners together.
 #include "inspector/totals.h"
 
 #include "author/net.h"
@@ -58,7 +64,7 @@ struct Sums
         const auto corner = [&](Id id) -> const Particle* {
             if (const Particle* near = findRow(part.particles, id))
                 return near;
-            const auto ref = find(scene, id); // of another part
+            const auto ref = find(scene, id); // it may be of another part
             return ref && kindOf(*ref) == Kind::Particle ? std::get<const Particle*>(*ref)
                                                          : nullptr;
         };
@@ -91,7 +97,8 @@ struct Sums
     }
 };
 
-// "Centre of gravity 0, 1.2, 0.1 m · inertia 0.2, 0.1, 0.3 kg m²", about x, y and z through it.
+// The centre of gravity and the moments of inertia about x, y and z through it: "Centre of gravity
+// 0, 1.2, 0.1 m, inertia 0.2, 0.1, 0.3 kg m²".
 QString balance(const Scene& scene, const std::vector<Id>& ids)
 {
     const MassProperties weight = massPropertiesOf(scene, ids);

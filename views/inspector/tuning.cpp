@@ -1,3 +1,11 @@
+// scrubbed() and stepped() choose how a number reacts by its type and range: whole numbers by ones,
+// numbers that are never negative by factors, others by steps; results are rounded to what a person
+// would type.
+//
+// numberTransform() makes a change of one double into a change of any value of numbers.
+// makeSlider() makes a slider whose press, move and release are one gesture; vectors keep their
+// direction and change their length. Dragging keeps the values before, and each move is an edit
+// from these.
 #include "inspector/tuning.h"
 
 #include "document/document.h"
@@ -30,7 +38,7 @@ double rounded(double value)
     return QString::number(std::round(value / grid) * grid, 'g', 3).toDouble();
 }
 
-// Without the dust of binary sums.
+// Removes the dust of binary sums, so that 0.1 + 0.2 is 0.3.
 double exact(double value) { return QString::number(value, 'g', 12).toDouble(); }
 
 QString words(const char* text) { return QCoreApplication::translate("Field", text); }
@@ -43,7 +51,7 @@ Transform toMagnitude(const Property& property, double size)
             return Vec3(length > 0.0 ? Vec3(*vector * (size / length)) : Vec3(size, 0.0, 0.0));
         }
         if (std::holds_alternative<std::monostate>(before))
-            return clamped(property, size); // no longer the material's
+            return clamped(property, size); // it no longer follows the material
         return numberTransform(property, 0, [size](double) { return size; })(before);
     };
 }
@@ -91,7 +99,7 @@ Transform numberTransform(const Property& property, int axis, std::function<doub
             result[axis] = change(result[axis]);
             return result;
         }
-        return before; // absent
+        return before; // an absent number stays absent
     };
 }
 

@@ -1,4 +1,8 @@
 // How numbers are tuned by hand: by sliders, by dragging a label, by arrow keys.
+//
+// The functions at the top are pure: they say what a number becomes. Dragging applies such a change
+// to all things of a subject, always from the values before the drag, so that rounding does not add
+// up and one step of undo takes it all back.
 #pragma once
 
 #include "inspector/subject.h"
@@ -8,11 +12,12 @@ class QSlider;
 
 namespace ripstop {
 
-// A value after its label was dragged by `distance` px: numbers that cannot be negative double
-// every 100 px, others move by steps.
+// A value after its label was dragged by `distance` pixels. Numbers that are above 0 and cannot be
+// negative double every 100 pixels, whole numbers go by one every 8 pixels, and others by steps.
 double scrubbed(const Property& property, double before, double distance);
 
-// A value after arrow keys: by a tenth to a hundredth of itself, to a round number.
+// A value after arrow keys: it changes by a power of ten that is a tenth to a hundredth of itself,
+// and a whole number by one.
 double stepped(const Property& property, double before, int steps);
 
 // Keeps a number within the range of the property.
@@ -45,6 +50,6 @@ private:
 QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range);
 void showOn(QSlider& slider, const SliderRange& range, const Common& common);
 
-double magnitude(const Value& value); // a vector's length
+double magnitude(const Value& value); // of a vector its length; 0 for what is no number
 
 } // namespace ripstop

@@ -1,3 +1,10 @@
+// rebuild() follows the shelf and each edit: rows are made anew where sliders came or went, and
+// otherwise only show their values again. refresh() also notes the values of a slider that is new,
+// which reset() goes back to.
+//
+// captured() takes the present values of all rows; restoring() makes an edit of what differs from a
+// set of values. Switching sets, resetting and the words about the difference are all made from
+// these two.
 #include "inspector/tuning_panel.h"
 
 #include "document/document.h"
@@ -122,7 +129,7 @@ QWidget* TuningPanel::buildEmpty()
 
 void TuningPanel::addUsual() { m_sliders.addUsual(); }
 
-// New rows where sliders came or went; else only what they show.
+// Makes new rows where sliders came or went, and otherwise only shows their values.
 void TuningPanel::rebuild()
 {
     const std::vector<Slider> sliders = m_sliders.sliders();
@@ -202,7 +209,7 @@ TuningPanel::Set TuningPanel::captured() const
     return set;
 }
 
-// Only what differs, so that no change is empty.
+// An edit that sets only what differs, so that no change is empty.
 Edit TuningPanel::restoring(const Set& set, const QString& label) const
 {
     Edit edit{Message::verbatim(label.toStdString()), {}};
@@ -228,7 +235,7 @@ void TuningPanel::switchSets()
     m_active = 1 - m_active;
     const Set& next = m_sets[std::size_t(m_active)];
     if (next.empty())
-        m_sets[std::size_t(m_active)] = captured(); // B begins as A
+        m_sets[std::size_t(m_active)] = captured(); // a set that is new begins as the other one
     else
         apply(Set(next), m_active == 0 ? tr("Tuning set A") : tr("Tuning set B"));
     showSets();

@@ -1,3 +1,10 @@
+// The properties that are tuned while the design flies, whatever is selected.
+//
+// A value that is set here is an edit like any other, so the next step obeys it, undo takes a drag
+// back as one step, and saving writes it; nothing has to be carried over into the scene afterwards.
+//
+// Two sets of the values, A and B, are remembered while the window is open; one of them is in use.
+// The list of sliders is that of the shelf (slider_shelf.h).
 #pragma once
 
 #include "scene/edit.h"
@@ -21,11 +28,6 @@ class SliderShelf;
 class TuningRow;
 class UsageWatch;
 
-// The properties that are tuned while the design flies, whatever is selected. A value that is set
-// here is an edit like any other, so the next step obeys it, undo takes a drag back as one step,
-// and saving writes it; nothing has to be carried over into the scene afterwards.
-//
-// Two sets of the values, A and B, are remembered while the window is open; one of them is in use.
 class TuningPanel final : public QWidget
 {
     Q_OBJECT
@@ -68,7 +70,7 @@ private:
     Selection& m_selection;
     SliderShelf& m_sliders;
     std::unique_ptr<UsageWatch> m_usage;
-    std::vector<TuningRow*> m_rows; // of the layout
+    std::vector<TuningRow*> m_rows; // owned by the layout
     std::array<Set, 2> m_sets;
     int m_active = 0;
     Set m_kept;

@@ -1,3 +1,7 @@
+// The constructor lays out label, field, remove button, range and notes. rangeLine() makes slider,
+// ends and the switch to a logarithmic range; endEdit() makes the field of one end, which refuses
+// what the property or the slider cannot have. note() says what the slider acts on or why it acts
+// on nothing. refresh() shows all of it, and nothing where a thing of the slider no longer exists.
 #include "inspector/tuning_row.h"
 
 #include "document/document.h"

@@ -1,3 +1,8 @@
+// One property of the tuning panel: its value to type, a slider below with its range, and what is
+// to be known about it, such as that it does nothing.
+//
+// The row has a subject of its own, so it stays with its things whatever is selected. It only
+// announces what a person wants of range and row; the panel and the shelf do it.
 #pragma once
 
 #include "inspector/field.h"
@@ -15,8 +20,6 @@ class Complaint;
 class UsageWatch;
 class ValueEdit;
 
-// One property of the tuning panel: its value to type, a slider below with its range, and what is
-// to be known about it, such as that it does nothing.
 class TuningRow final : public QWidget
 {
     Q_OBJECT

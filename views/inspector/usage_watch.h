@@ -1,3 +1,7 @@
+// What the numbers of the open scene are for.
+//
+// The count behind it walks over the whole scene, so it is made when asked for, and again only
+// after edits that may change it. Forms ask it for each row that they show.
 #pragma once
 
 #include "scene/usage.h"
@@ -9,8 +13,6 @@ namespace ripstop {
 
 class Document;
 
-// What the numbers of the open scene are for. The count behind it is made when asked for, and again
-// only after edits that may change it.
 class UsageWatch final : public QObject
 {
     Q_OBJECT
@@ -18,8 +20,8 @@ class UsageWatch final : public QObject
 public:
     explicit UsageWatch(Document& document, QObject* parent = nullptr);
 
-    // Why the property does nothing for any of these things, as half a sentence; empty where it
-    // has an effect. Of very many things the first ones answer.
+    // Why the property does nothing for any of these things, as half a sentence; empty where it has
+    // an effect. Of more than 100 things only the first 100 are asked.
     QString whyIdle(const Property& property, const std::vector<Id>& ids);
 
     const Usage& usage();

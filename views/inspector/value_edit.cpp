@@ -1,3 +1,7 @@
+// judge() runs with each letter that is typed and complains. commit() announces a text that is not
+// broken; the new value then comes back through show(). leave() commits or reverts, as when the
+// focus goes. revert() shows the last value again. paintEvent() adds the unit and the outline of a
+// broken text.
 #include "inspector/value_edit.h"
 
 #include <QKeyEvent>
@@ -108,7 +112,7 @@ void ValueEdit::focusOutEvent(QFocusEvent* event)
     if (event->reason() != Qt::PopupFocusReason)
         leave();
     QLineEdit::focusOutEvent(event);
-    setCursorPosition(0); // of a long text, the front tells more
+    setCursorPosition(0); // the front of a long text tells more than its end
 }
 
 void ValueEdit::paintEvent(QPaintEvent* event)

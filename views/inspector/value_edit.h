@@ -1,3 +1,8 @@
+// A line that holds the text of a value.
+//
+// While a person types, the text is judged and a broken one gets a red outline; Enter commits,
+// Escape and leaving a broken text revert. A text that is being typed is not overwritten by values
+// from outside. The unit stands at the right end and is not part of the text.
 #pragma once
 
 #include <QLineEdit>
@@ -6,15 +11,12 @@
 
 namespace ripstop {
 
-// A line that holds the text of a value. While a person types, the text is judged and a broken one
-// gets a red outline; Enter commits, Escape and leaving a broken text revert. The unit stands at
-// the right end.
 class ValueEdit final : public QLineEdit
 {
     Q_OBJECT
 
 public:
-    // What is wrong with a text, as a sentence, or an empty one.
+    // Says what is wrong with a text, as a sentence; an empty one when the text is fine.
     using Judge = std::function<QString(const QString&)>;
 
     explicit ValueEdit(Judge judge, QWidget* parent = nullptr);

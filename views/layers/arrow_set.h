@@ -1,3 +1,8 @@
+// Many arrows in one colour, drawn as lines, for the layers of wind and vectors.
+//
+// An arrow is a shaft and four barbs, so that it reads from every side without a solid head. The
+// owner clears the set, adds the arrows of the instant and finishes; arrows without a length or
+// with one that is not finite are left out.
 #pragma once
 
 #include "base/vec3.h"
@@ -13,7 +18,6 @@
 
 namespace ripstop {
 
-// Many arrows in one colour, drawn as lines.
 class ArrowSet
 {
 public:

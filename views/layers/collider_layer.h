@@ -1,3 +1,9 @@
+// Colliders that have a surface, where the frame has them.
+//
+// Each is an actor of its own with the matrix of its collider, so that one that moves, turns or
+// grows costs no new surface. Actors are kept from one rebuild to the next while body and surface
+// are the same. A selected collider has the accent colour, a landscape that of the ground. Planes
+// are drawn by the ground layer.
 #pragma once
 
 #include "layers/layer.h"
@@ -10,8 +16,6 @@
 
 namespace ripstop {
 
-// Colliders that have an end: spheres, boxes, height fields and meshes, where the frame has them. A
-// selected one has the accent colour. Planes are drawn by the ground layer.
 class ColliderLayer final : public Layer
 {
 public:
@@ -29,7 +33,7 @@ private:
         vtkSmartPointer<vtkMatrix4x4> matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     };
 
-    Drawn taken(const ColliderBody& body); // as it is drawn already, or new
+    Drawn taken(const ColliderBody& body); // the actor that is drawn already, or a new one
 
     vtkRenderer* m_renderer = nullptr;
     std::vector<Drawn> m_drawn;

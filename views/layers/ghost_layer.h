@@ -1,3 +1,8 @@
+// Another run at the same time, or the design, as a pale shape that one sees through.
+//
+// It has a layout of its own and its own copy of the points, unlike the other layers, which share
+// those of the picture. Links and panels that are hidden in the picture are hidden in it, found by
+// their ids. Its frame comes by show() and not with the picture.
 #pragma once
 
 #include "layers/layer.h"
@@ -10,15 +15,13 @@
 
 namespace ripstop {
 
-// Another run at the same time, or the design, as a pale shape that one sees through. It has a
-// layout of its own; what is hidden in the picture is hidden in it.
 class GhostLayer final : public Layer
 {
 public:
     enum class Of { Run, Design };
     explicit GhostLayer(Of of);
 
-    void show(std::shared_ptr<const Frame> frame); // null: nothing
+    void show(std::shared_ptr<const Frame> frame); // null shows nothing
 
     void addTo(vtkRenderer& renderer) override;
     void setShown(bool shown) override;

@@ -1,3 +1,10 @@
+// rebuild() makes three actors for each plane: the disc, thin lines and bold lines, with depth
+// offsets that put the disc behind the shadow and the shadow behind the lines.
+//
+// update() finds the place below the middle of what is shown, and returns at once when the disc is
+// still near enough. Otherwise it draws the disc (rings and spokes of points whose opacity fades
+// outwards) and the lines (multiples of a round step, cut to the disc, in pieces that fade as
+// well).
 #include "layers/ground_layer.h"
 
 #include "look/collider_geometry.h"
@@ -57,7 +64,7 @@ struct Actor
     }
 };
 
-// 1 in the middle, 0 at the rim, smooth at both ends.
+// Opacity over the distance from the middle: 1 there, 0 at the rim, smooth at both ends.
 double fade(double share)
 {
     const double t = std::clamp(1.0 - share, 0.0, 1.0);
@@ -200,7 +207,7 @@ void GroundLayer::update(const Picture& picture)
         if (const Collider* plane = findItem<Collider>(picture.scene, ground->collider))
             ground->place(*plane, placeOf(picture.frame, ground->collider, *plane));
         const Vec3 below = middle + (ground->height - middle.dot(ground->normal)) * ground->normal;
-        // a disc that follows every sway would swim
+        // A disc that follows every sway would seem to swim.
         const Vec3 away = below - ground->centre;
         if (ground->radius == radius && away.norm() < 0.1 * radius
             && std::abs(away.dot(ground->normal)) < 1e-9 * radius)

@@ -1,3 +1,8 @@
+// Plane colliders: a disc of ground with a grid in round metres that fades out towards its rim.
+//
+// The disc is centred below what is shown and goes with it; its lines stay where they are in the
+// world, so that motion can be read against them. It is drawn anew only when it has to move by more
+// than a tenth of its radius or off its plane, or when its radius changes.
 #pragma once
 
 #include "layers/layer.h"
@@ -9,8 +14,6 @@
 
 namespace ripstop {
 
-// Plane colliders: a disc of ground with a grid in round metres that fades out towards its rim.
-// It is centred below what is shown and goes with it; its lines stay where they are in the world.
 class GroundLayer final : public Layer
 {
 public:

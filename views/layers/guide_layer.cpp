@@ -11,7 +11,7 @@ constexpr double stop = 0.25;     // of the reach, half of the stop at the end o
 constexpr double square = 0.6;    // of the reach, half a side
 constexpr double lineWidth = 2.5; // pixels
 
-// Two directions across the axis.
+// Two unit directions across the axis and across each other.
 std::pair<Vec3, Vec3> across(const Vec3& axis)
 {
     Eigen::Index least = 0;

@@ -1,3 +1,8 @@
+// Marks of particles that are free along a line or in a plane only.
+//
+// A piece of the line with stops at its ends, or a square in the plane, stands where the particle
+// is at the moment. Marks are shown whether or not particles are; those of pinned or hidden
+// particles are not. Their size is a share of what is shown, taken at each rebuild.
 #pragma once
 
 #include "layers/layer.h"
@@ -7,8 +12,6 @@
 
 namespace ripstop {
 
-// Particles that are free along a line or in a plane only: a piece of the line with stops at its
-// ends, or a square in the plane, where the particle is now. Whether or not particles are shown.
 class GuideLayer final : public Layer
 {
 public:

@@ -1,3 +1,8 @@
+// What is selected, in the accent colour: rings, thick lines, a veil over panels.
+//
+// An item stands for its elements: a part, a material or a group lights up as a whole. Cells are
+// chosen in rebuild(), which the stage also calls when the selection alone has changed; points are
+// those of the picture.
 #pragma once
 
 #include "layers/layer.h"
@@ -7,8 +12,6 @@
 
 namespace ripstop {
 
-// What is selected, in the accent colour: rings, thick lines, a veil over panels. An item stands
-// for its elements: a part, a material or a group lights up as a whole.
 class HighlightLayer final : public Layer
 {
 public:

@@ -1,4 +1,9 @@
-// One thing that the view draws. Layers share the points of a picture and never copy them.
+// One thing that the view draws.
+//
+// The stage owns all layers, adds them to its renderer once, and then calls rebuild() and update()
+// with a Picture, at most once each before VTK renders. Layers share the points of a picture and
+// never copy them (ghosts, which have another layout, are the exception). They never render by
+// themselves and run in the thread of the window only.
 #pragma once
 
 #include "layers/picture.h"

@@ -1,3 +1,7 @@
+// rebuild() collects the links of each kind that are shown and not torn, and chooses the width of
+// the lines. update() takes the points of the picture and paints: in one neutral colour where the
+// quantity belongs to panels, by points where it belongs to particles (speed), and by cells where
+// it belongs to links or where the colours are those of the materials.
 #include "layers/link_layer.h"
 
 #include "look/line_color.h"
@@ -12,7 +16,8 @@ constexpr std::array width{1.3, 2.4}; // pixels, by LinkKind
 // Dense fabric would drown in thick lines.
 constexpr std::size_t manyLinks = 3000;
 
-// The authors' colours, made to be seen. Neighbours in the table mostly have the same.
+// The authors' colours, made to be seen. Neighbours in the table mostly have the same colour, so
+// the last answer is kept.
 class SeenColors
 {
 public:

@@ -1,3 +1,8 @@
+// Links as lines: springs thin, rods thick; torn links are gone.
+//
+// There is one set of lines for each kind of link, as a line width belongs to an actor. Lines have
+// the author's colour, made to be seen before the sky, or the colour of the quantity that the view
+// shows. Dense fabric gets thin lines throughout.
 #pragma once
 
 #include "layers/layer.h"
@@ -9,7 +14,6 @@
 
 namespace ripstop {
 
-// Springs as thin lines, rods as thick ones. Torn links are gone.
 class LinkLayer final : public Layer
 {
 public:

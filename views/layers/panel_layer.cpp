@@ -1,3 +1,7 @@
+// The constructor says how the surface lies in depth and what the cloth is. rebuild() turns the
+// panels of a new layout to face alike, selects those that are shown and not gone, and places the
+// cloth; update() finds the normals of the frame and paints, by cells for colours of materials and
+// loads of panels, by points for quantities that particles have.
 #include "layers/panel_layer.h"
 
 #include "look/ripstop_image.h"
@@ -9,7 +13,7 @@ namespace ripstop {
 PanelLayer::PanelLayer()
 {
     m_mapper->SetInputData(m_mesh);
-    // behind the links and particles that lie in the surface
+    // The surface lies behind the links and particles that are in it, or they would flicker.
     m_mapper->SetResolveCoincidentTopologyToPolygonOffset();
     m_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 2.0);
     m_actor->SetMapper(m_mapper);

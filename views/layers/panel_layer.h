@@ -1,3 +1,8 @@
+// The fabric, shaded as a smooth surface that is lit from both sides.
+//
+// Panels are turned to face alike once per layout; normals are found anew for each frame. Panels
+// have the colour of their material, with cloth where particles have places on it, or the colour of
+// the quantity that the view shows. The shadow layer draws the same mesh.
 #pragma once
 
 #include "layers/layer.h"
@@ -10,7 +15,6 @@
 
 namespace ripstop {
 
-// The fabric, shaded as a smooth surface that is lit from both sides.
 class PanelLayer final : public Layer
 {
 public:

@@ -1,3 +1,7 @@
+// Particles as small balls, and pinned particles as diamonds.
+//
+// Both are points of a size in pixels, so that they look alike from far and near. They are two
+// layers, as pins stay shown when particles are hidden.
 #pragma once
 
 #include "layers/layer.h"

@@ -1,4 +1,8 @@
 // All that the layers need to know to draw one instant.
+//
+// The stage puts it together in prepare() and hands it to the layers; it refers to what the stage,
+// the document and the frame hold, and lives for that one call. Layers that need something later
+// take a copy of that.
 #pragma once
 
 #include "look/color_map.h"

@@ -1,3 +1,7 @@
+// The shadow of the fabric on the first plane collider: it tells how high things are.
+//
+// It draws the mesh of the panel layer once more, with a matrix that projects it along the rays of
+// the sun onto the plane. Without a shown plane that faces the sun there is no shadow.
 #pragma once
 
 #include "layers/layer.h"
@@ -8,10 +12,9 @@
 
 namespace ripstop {
 
-// Towards the sun, not unit.
+// Direction towards the sun, not of unit length. The stage places its light there, too.
 inline const Vec3 sunDirection(0.45, 1.0, 0.55);
 
-// The shadow of the fabric on the first plane collider: it tells how high things are.
 class ShadowLayer final : public Layer
 {
 public:

@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double lineWidth = 2.5; // px
+constexpr double lineWidth = 2.5; // pixels
 
 } // namespace
 

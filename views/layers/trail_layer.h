@@ -1,3 +1,7 @@
+// Lines along the ways that particles have come, fading towards their ends; off at first.
+//
+// The particles are those that trailed() names: selected ones, or those that probes look at. While
+// it is off, nothing is collected, and switching it begins anew.
 #pragma once
 
 #include "layers/layer.h"
@@ -9,7 +13,6 @@
 
 namespace ripstop {
 
-// Lines along the ways that particles have come, fading towards their ends. Off at first.
 class TrailLayer final : public Layer
 {
 public:

@@ -1,3 +1,7 @@
+// vectorsOf() takes the arrows from the frame, every n-th when there are too many to be told apart.
+// update() finds the scale: a steady range gives the value of the longest arrow, and the median
+// distance of the tails from their midst gives its length, so that arrows neither flicker nor
+// depend on one line that leads far away. Arrows that would be too short to be seen are left out.
 #include "layers/vector_layer.h"
 
 #include <vtkRenderer.h>
@@ -20,7 +24,7 @@ double median(std::vector<double>& values)
     return *middle;
 }
 
-// How far from their midst half of the tails are, m. A long line to a kite does not count, as it
+// Median distance of the tails from their midst, m. A long line to a kite does not count, as it
 // would in a box around them all.
 double spreadOf(const std::vector<VectorArrow>& arrows)
 {

@@ -1,3 +1,8 @@
+// Arrows on the elements: velocities, loads of the air on panels, or tensions of links.
+//
+// vectorsOf() says which arrows a frame has, in physical units; the layer scales and draws them.
+// Their scale is found from the arrows themselves, so that arrows of different quantities are about
+// as long.
 #pragma once
 
 #include "layers/arrow_set.h"
@@ -7,7 +12,7 @@
 
 namespace ripstop {
 
-// One arrow.
+// One arrow, not scaled yet.
 struct VectorArrow
 {
     Vec3 place; // m, its tail

@@ -1,4 +1,7 @@
-// Small helpers between our arrays and VTK's.
+// Small helpers between our arrays and VTK's: colours, arrays of colours, and cells.
+//
+// Layers use them in rebuild() and update(), in the thread of the window. Each of the three
+// colorBy...() functions takes away what another one has set, as VTK data keep their scalars.
 #pragma once
 
 #include "look/look.h"
@@ -69,7 +72,7 @@ inline void colorByProperty(vtkPolyData& data, vtkMapper& mapper)
     mapper.ScalarVisibilityOff();
 }
 
-// A network of another picture: cells of `Size` particles each.
+// Cells of `Size` particles each, by the indices of their points.
 template <std::size_t Size>
 vtkNew<vtkCellArray> cellsOf(std::span<const std::array<int, Size>> list)
 {

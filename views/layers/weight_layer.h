@@ -1,3 +1,7 @@
+// Pilots, payloads and bobs: free particles that carry a fair share of the mass of their part.
+//
+// They are drawn as big balls, whether or not particles are shown; Look::isWeight says which they
+// are.
 #pragma once
 
 #include "layers/layer.h"
@@ -7,8 +11,6 @@
 
 namespace ripstop {
 
-// Pilots, payloads and bobs: free particles that carry a fair share of the mass of their part, as
-// big balls, whether or not particles are shown.
 class WeightLayer final : public Layer
 {
 public:

@@ -14,7 +14,7 @@ namespace {
 constexpr int arrowsAcross = 2;  // to either side of the middle
 constexpr double longest = 0.85; // of the step between arrows
 
-// Steps of the grid, m: some for the size of what is shown.
+// Step of the grid, m, for the size of what is shown.
 double stepOf(const Eigen::AlignedBox3d& bounds)
 {
     const double size = bounds.isEmpty() ? 1.0 : std::max(bounds.diagonal().norm(), 0.2);

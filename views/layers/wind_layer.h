@@ -1,3 +1,7 @@
+// The wind around what is shown, as arrows on a grid; off at first.
+//
+// windField() says where arrows stand and which wind they show: the mean wind of the scene at that
+// place (profiles over height, jets) and the gust of the frame. The layer scales and draws them.
 #pragma once
 
 #include "layers/arrow_set.h"
@@ -15,13 +19,14 @@ struct WindArrow
 };
 
 // The wind on a grid around what is shown. The grid stands still in the world: its step is a round
-// number of metres and its places are multiples of it. Nothing where the air is calm or below y =
-// 0.
+// number of metres, and its places are multiples of it (half steps in height). Places below y = 0
+// and places where the air is calm get no arrow.
+//     gust    m/s, of the moment, added everywhere
+//     bounds  m, of what is shown; empty for nothing
 std::vector<WindArrow> windField(const Scene& scene, const Vec3& gust,
                                  const Eigen::AlignedBox3d& bounds);
 
-// Arrows for the wind field: profiles over height, jets, and the gust of the moment. The longest
-// arrow is nearly as long as a step of the grid.
+// Draws the arrows of the wind field. The longest arrow is nearly as long as a step of the grid.
 class WindLayer final : public Layer
 {
 public:

@@ -1,3 +1,12 @@
+// bodiesOf() walks over the colliders of the scene: it takes the data of each shape as far as
+// another thread has read or made them (Effort::None, so that the window never waits for a file),
+// and makes a surface only where shape, size or data differ from those of the body before.
+//
+// A surface is the mesh that the row of the shape gives, made into VTK cells; where the shape has
+// no normals of its own, VTK finds them and keeps sharp edges.
+//
+// The other functions turn between the frame of the body and the scene: points go one way, rays the
+// other.
 #include "look/collider_geometry.h"
 
 #include "scene/collider_shape.h"
@@ -17,7 +26,8 @@ namespace {
 // Where the shape has no normals of its own, faces that meet at more than this have an edge.
 constexpr double edgeAngle = 40.0; // degrees
 
-// In its own frame, a mesh in its own units: a collider that grows keeps its surface.
+// The shape in its own frame, and a mesh in its own units, so that a collider that only grows keeps
+// its surface.
 Solid solidOf(const ColliderBody& body)
 {
     Solid solid = solidOf(body.collider, {body.grid, body.mesh});
@@ -85,7 +95,7 @@ vtkSmartPointer<vtkPolyData> surfaceOf(const ColliderBody& body)
     return surfaceOf(rowOf(body.collider.shape).surface(solidOf(body)));
 }
 
-// Points of its own frame, in the scene.
+// Brings points from the frame of a body into the scene.
 std::vector<Vec3> inScene(const ColliderBody& body, const Vec3& place, std::vector<Vec3> points)
 {
     const Eigen::Matrix3d turn = turnAndScale(body.collider);

@@ -1,4 +1,9 @@
 // What a collider looks like, and where the view meets it.
+//
+// A body is made once for the shape of a collider and keeps its VTK surface; place, turn and scale
+// are applied by whoever draws it or asks it. Layers draw the surfaces; camera, occlusion and
+// picking ask for extremes, corners and rays. The shapes themselves are rows of a table in the
+// model (shapes/): nothing here asks which shape it is. All of it runs in the thread of the window.
 #pragma once
 
 #include "run/frame.h"
@@ -22,7 +27,7 @@ namespace ripstop {
 struct ColliderBody
 {
     Id id{};
-    Collider collider;                        // that it was made of
+    Collider collider;                        // what the body was made of
     std::shared_ptr<const HeightGrid> grid;   // of a height field; null when it is flawed
     std::shared_ptr<const TriangleTree> mesh; // of a mesh; null when it is flawed
     bool isLate = false;
@@ -37,10 +42,10 @@ std::vector<ColliderBody> bodiesOf(const Scene& scene, std::vector<ColliderBody>
 // Where a collider is in a frame, m; where it starts when the frame does not know it.
 Vec3 placeOf(const Frame& frame, Id id, const Collider& collider);
 
-// From its own frame to the scene, without its place.
+// From the frame of the collider to the scene: its turn and scale, without its place.
 Eigen::Matrix3d turnAndScale(const Collider& collider);
 
-// A landscape, which the camera does not step back from to have all of it in sight.
+// True for a landscape, which the camera does not step back from to have all of it in sight.
 bool isGround(const ColliderBody& body);
 
 // Points in the scene that are in sight when all of it is; none for a plane.

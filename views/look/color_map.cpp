@@ -7,7 +7,7 @@
 namespace ripstop {
 namespace {
 
-// lightness 0 .. 1, chroma, hue in degrees
+// A colour in the cylindrical form of OKLab: lightness 0 .. 1, chroma, hue in degrees.
 struct Lch
 {
     double lightness;
@@ -43,7 +43,7 @@ std::uint8_t encoded(double c)
     return std::uint8_t(std::lround(255.0 * s));
 }
 
-// Paler where the screen cannot show it.
+// Reduces the chroma until the screen can show the colour.
 Color toColor(Lch lch)
 {
     while (lch.chroma > 0.0 && !isShowable(linear(lch)))

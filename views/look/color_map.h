@@ -1,8 +1,8 @@
 // Colours for values, even to the eye: equal steps of the value look like equal steps of colour.
 //
-// Made in the OKLab space (Ottosson 2020), where lightness and hue are what we see. The sequential
-// map climbs evenly in lightness from violet over teal to yellow, so it reads in grey as well; the
-// diverging map is blue below zero, pale at zero and red above.
+// They are made in the OKLab space (Ottosson 2020), where lightness and hue are what we see. The
+// sequential map climbs evenly in lightness from violet over teal to yellow, so it reads in grey as
+// well; the diverging map is blue below zero, pale at zero and red above.
 #pragma once
 
 #include "look/look.h"

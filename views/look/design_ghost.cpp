@@ -12,7 +12,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>; // particles of design and of now
 
-// By id, as an edit or a tear may have made other rows.
+// Particles are paired by id, as an edit or a tear may have made other rows.
 Pairs pairsOf(const Layout& design, const Layout& now)
 {
     Pairs pairs;

@@ -1,3 +1,10 @@
+// facingAlike(): the sides of all panels are sorted, so that the two panels of an inner edge come
+// next to each other; two panels that run along their edge in the same direction face opposite
+// ways. A walk from panel to panel through these neighbours then decides for each panel whether it
+// is turned, beginning anew in each connected piece.
+//
+// smoothNormals(): adds the normal of each panel, twice its area long, to its corners, and makes
+// the sums unit.
 #include "look/fabric.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,12 @@
+// Directory finds the row of the scene for an id: rows of all parts are listed in ascending order
+// of id, and as a layout asks in nearly the same order, most answers are the row after the last
+// one.
+//
+// paintsOf() reads each material once. lookOf() then fills the arrays: particles (shown, weights,
+// places on the cloth), links, panels, each by a walk over the layout. What the scene no longer has
+// keeps the value "not shown".
+//
+// changesLook() asks the property of each change whether it shows; changes of structure always do.
 #include "look/look.h"
 
 #include <map>
@@ -10,8 +19,8 @@ namespace {
 
 constexpr Color unknownColor{150, 150, 150};
 
-// Where the elements of the scene are, by id. Not an array indexed by id: a file may number its
-// three particles in the billions.
+// Where the elements of the scene are, by id. It is not an array indexed by id, as a file may
+// number its three particles in the billions.
 class Directory
 {
 public:

@@ -1,4 +1,10 @@
 // What the scene says about the looks of the elements of a layout.
+//
+// A layout knows ids, ends and corners; colours, visibility, tear limits and strip widths belong to
+// parts and materials of the scene. A Look is that, resolved into one array per quantity with an
+// entry for each row of the layout. The stage makes it again when changesLook() says that an edit
+// may show, or when the layout differs, and never per frame. Layers, picking and occlusion read it,
+// in the thread of the window.
 #pragma once
 
 #include "run/frame.h"
@@ -12,7 +18,7 @@ namespace ripstop {
 
 using Color = std::array<std::uint8_t, 3>; // red, green, blue, 0 .. 255
 
-// What a link tears at.
+// The rule and the limit at which a link tears.
 struct TearBound
 {
     TearRule rule = TearRule::Never;
@@ -41,7 +47,7 @@ Look lookOf(const Scene& scene, const Layout& layout);
 // tables. Most edits change numbers of the physics and do not.
 bool changesLook(const Edit& edit);
 
-// "#c8553d"; grey when it cannot be read.
+// Reads a colour such as "#c8553d"; a text that cannot be read gives grey.
 Color colorFromText(const std::string& text);
 
 } // namespace ripstop

@@ -1,3 +1,7 @@
+// valuesOf() has one case for each quantity. Quantities of links go through takeLinks(), which also
+// gives each particle the largest value of the links that end there, so that panels can be shaded
+// between their corners. Arrays of a frame may be shorter than its layout, so loops go as far as
+// both reach. peakOf() looks for the largest value in the array that the quantity belongs to.
 #include "look/quantity_values.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,8 @@
 // The quantities that the view can be coloured by, taken from a frame.
+//
+// A choice (ColorBy) becomes an array of values, in SI units, for particles, links or panels;
+// layers map them to colours, the legend names them, and peakOf() says where the largest one is.
+// They are taken once per picture by the stage, in the thread of the window.
 #pragma once
 
 #include "look/look.h"
@@ -29,7 +33,7 @@ struct QuantityValues
 // membrane force per width, as the strength of fabrics is given; links without a width read 0.
 QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look);
 
-// Where the largest value is.
+// The largest value of a frame, and where it is.
 struct Peak
 {
     std::uint32_t id = 0; // of a link, panel or particle; 0 when there is none
@@ -37,7 +41,7 @@ struct Peak
 };
 Peak peakOf(const Frame& frame, const QuantityValues& values);
 
-// Values that lie on either side of zero with a different meaning: pulled or pressed.
+// True for quantities whose values mean something else below zero than above: pressed or pulled.
 constexpr bool isSigned(ColorBy colorBy)
 {
     return colorBy == ColorBy::Strain || colorBy == ColorBy::Tension || colorBy == ColorBy::Stress;

@@ -14,7 +14,8 @@ constexpr int patience = 120;       // frames, about 2 s
 constexpr double negligible = 1e-9; // rounding noise of a network at rest, in any unit
 constexpr double pressed = 0.1;     // share of the bound below zero that counts as compression
 
-// What all but so many values stay below, or above when `before` says so.
+// The value that all but `few` values do not go beyond: the upper end, or the lower end when
+// `before` is std::less.
 template <typename Before>
 double allBut(std::size_t few, std::vector<double>& values, Before before)
 {

@@ -1,9 +1,9 @@
 // A range of colours that follows the values without flicker.
 //
 // Its ends are short numbers, at most half again as far as the values go. It widens at once when
-// values leave it, and narrows only after they have stayed far inside for a while. Of many values
-// the largest few are let go, one of 200: a link about to tear would otherwise paint all others
-// alike.
+// values leave it, and narrows only after they have stayed far inside for 120 frames, about two
+// seconds. Of many values the largest few are let go, one of 200: a link about to tear would
+// otherwise paint all others alike. Arrows take their scale from such a range, too.
 #pragma once
 
 #include <span>

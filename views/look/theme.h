@@ -1,3 +1,8 @@
+// The colours of everything in the view that is not the author's own.
+//
+// There is one set for light desktops and one for dark ones. The viewport chooses by the palette of
+// the application and hands the set to its layers, overlays and tools; a Theme is a plain value
+// that each of them may keep.
 #pragma once
 
 #include <QColor>
@@ -6,7 +11,7 @@ class QPalette;
 
 namespace ripstop {
 
-// The colours of everything in the view that is not the author's own.
+// One set of colours. The defaults are invalid colours: take light(), dark() or from().
 struct Theme
 {
     QColor skyTop;

@@ -1,4 +1,8 @@
 // The ways that some particles have come lately.
+//
+// It collects places from frames as they are shown, at most one every 0.02 s of simulated time, and
+// forgets what is older than 5 s. The trail layer draws the lines. A particle that begins to be
+// followed has no past: its places before are not a number.
 #pragma once
 
 #include "run/frame.h"

@@ -1,3 +1,6 @@
+// Items that the outline adds, made so that they are useful at once.
+//
+// The functions only make the entry; the outline pushes the edit that adds it.
 #pragma once
 
 #include "scene/edit.h"

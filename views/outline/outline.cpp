@@ -1,3 +1,12 @@
+// The constructor lays out search, add button and tree over model and filter. addCollider() and
+// add() make items; removeSelected() asks first when more would go than what is selected.
+//
+// takeFromTree() and showSelection() carry the selection between tree and document; m_syncing keeps
+// one from answering the other. Elements have no rows, so a table is shown as selected when all its
+// rows are.
+//
+// search() passes the text to the filter; takeSearch() selects what it has found, or the thing with
+// an id such as #17. eventFilter() gives the tree and the search box their keys.
 #include "outline/outline.h"
 
 #include "author/element_counts.h"
@@ -34,7 +43,8 @@ using Sort = OutlineModel::Node::Sort;
 
 QIcon iconOf(Kind kind) { return icon(QString::fromUtf8(kindName(kind).data())); }
 
-// The materials of links and panels, the members of groups, the targets of controls and probes.
+// What the things point at: the materials of links and panels, the members of groups, the targets
+// of controls and probes.
 std::vector<Id> pointedAt(const Scene& scene, const std::vector<Id>& ids)
 {
     std::vector<Id> result;
@@ -250,12 +260,12 @@ void Outline::takeFromTree()
         ids.insert(ids.end(), some.begin(), some.end());
     }
     m_selection.set(std::move(ids));
-    m_tree->viewport()->update(); // "3 of 152"
+    m_tree->viewport()->update(); // details such as "3 of 152" have changed
 }
 
 void Outline::showSelection()
 {
-    m_tree->viewport()->update(); // "3 of 152"
+    m_tree->viewport()->update(); // details such as "3 of 152" have changed
     if (m_syncing)
         return;
     const QScopedValueRollback syncing(m_syncing, true);
@@ -321,7 +331,7 @@ void Outline::takeSearch()
 
 bool Outline::eventFilter(QObject* watched, QEvent* event)
 {
-    // Names come first: details get what they need, but less than half of the width.
+    // Names come first: details get what they need, but no more than a third of the width.
     if (watched == m_tree && event->type() == QEvent::Resize)
         m_tree->header()->resizeSection(
             OutlineModel::Detail,

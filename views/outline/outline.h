@@ -1,3 +1,9 @@
+// The tree of everything in the scene: settings, parts with their tables, materials, groups,
+// colliders, winds, controls, probes and plots.
+//
+// What is selected here is selected everywhere, and the other way round. It also adds, renames,
+// hides and removes items, each as one edit; a search leaves only the rows that have a text in name
+// or detail.
 #pragma once
 
 #include "scene/property.h"
@@ -17,8 +23,6 @@ class OutlineFilter;
 class OutlineModel;
 class Selection;
 
-// The tree of everything in the scene: settings, parts with their tables, materials, groups,
-// colliders, winds, controls and probes. What is selected here is selected everywhere.
 class Outline final : public QWidget
 {
     Q_OBJECT
@@ -41,7 +45,7 @@ private:
     void takeFromTree();  // tree -> Selection
     void showSelection(); // Selection -> tree
     void search(const QString& text);
-    void takeSearch(); // Enter in the search box
+    void takeSearch(); // by Enter in the search box
     void addCollider(ColliderShape shape);
     void add(Kind kind, Entry entry);
     bool eventFilter(QObject* watched, QEvent* event) override;

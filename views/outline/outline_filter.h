@@ -1,3 +1,6 @@
+// The outline without empty lists, and while something is searched for, without what differs.
+//
+// It stands between the model and the tree; lists stay while one of their items fits.
 #pragma once
 
 #include <QSortFilterProxyModel>

@@ -1,3 +1,10 @@
+// An index keeps what its parent is: nothing for a section, the row of the section for an item, the
+// id of the part for a table; node() makes of it what the row stands for.
+//
+// data(), setData() and toggleShown() read from and write to the document. reset() takes the items
+// of a new scene. follow() compares the ids with the scene after an edit that adds or removes
+// items, and inserts and removes single rows; what rows say is announced as changed at most every
+// 100 ms, as it may depend on any other thing.
 #include "outline/outline_model.h"
 
 #include "document/document.h"
@@ -255,8 +262,8 @@ void OutlineModel::follow(const Edit& applied)
         m_saysAgain.start();
 }
 
-// What a row says may hang on any other thing (members, counts). Painting them all takes too long
-// for each edit of a slider that is pulled.
+// Announces all rows as changed. What a row says may depend on any other thing (members, counts),
+// and painting them all takes too long for each edit of a slider that is pulled.
 void OutlineModel::sayAgain()
 {
     const auto refresh = [this](const QModelIndex& parent) {

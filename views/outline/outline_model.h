@@ -1,3 +1,13 @@
+// The scene as a tree:
+//
+//     Settings
+//     Parts          kite             Particles, Links, Panels
+//     Materials      dacron
+//     Groups ... Plots
+//
+// The model keeps only ids; all else is read from the document when it is shown. After an edit the
+// ids are compared with the scene, so that rows come and go one by one and nothing collapses. Names
+// and visibility are written as edits of the document. It belongs to the thread of the window.
 #pragma once
 
 #include "scene/edit.h"
@@ -12,15 +22,6 @@ namespace ripstop {
 class Document;
 class Selection;
 
-// The scene as a tree:
-//
-//     Settings
-//     Parts          kite             Particles, Links, Panels
-//     Materials      dacron
-//     Groups ... Probes
-//
-// The model keeps only ids; all else is read from the document when it is shown. After an edit the
-// ids are compared with the scene, so that rows come and go one by one and nothing collapses.
 class OutlineModel final : public QAbstractItemModel
 {
     Q_OBJECT

@@ -1,3 +1,7 @@
+// Changes of document and selection only mark the masses as old. show() is called for each picture
+// and weighs again when they are; weigh() notes the mass of each particle of the layout, 0 for
+// those that are not meant. place() sums up mass times place of the frame. paintEvent() draws the
+// sign and the card with the mass beside it, in grams below one kilogram.
 #include "overlays/centre_mark.h"
 
 #include "author/movable.h"
@@ -58,7 +62,8 @@ void CentreMark::show(const std::shared_ptr<const Frame>& frame, const Camera& c
     update();
 }
 
-// What a tear has doubled shares the mass of what it was.
+// Masses are those of the scene, found by id. A twin that a tear has made has the id of whom it
+// came from, so it counts with the authored mass as well.
 void CentreMark::weigh()
 {
     const std::vector<Id> meant = particlesOf(m_document.scene(), m_selection.ids());

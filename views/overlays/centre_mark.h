@@ -1,3 +1,8 @@
+// Marks the centre of gravity of what is selected, or of the whole design, and says its mass.
+//
+// Masses are those of the scene, noted for each layout and again after an edit or another
+// selection; places are those of the frame, so that the mark goes with the flight. It is a
+// transparent widget over the view that takes no mouse. It is off at first.
 #pragma once
 
 #include "camera/camera_projection.h"
@@ -16,8 +21,6 @@ namespace ripstop {
 class Document;
 class Selection;
 
-// Marks the centre of gravity of what is selected, or of the whole design, where it is at this
-// instant, and says its mass. Off at first.
 class CentreMark final : public QWidget
 {
     Q_OBJECT
@@ -44,8 +47,8 @@ private:
     Theme m_theme = Theme::light();
     Camera m_camera;
     std::shared_ptr<const Frame> m_frame;
-    std::shared_ptr<const Layout> m_weighed; // what the masses are those of
-    std::vector<double> m_mass;              // [particles] kg, 0 of what is not meant
+    std::shared_ptr<const Layout> m_weighed; // the layout that the masses belong to
+    std::vector<double> m_mass;              // [particles] kg, 0 for those that are not meant
     double m_total = 0.0;                    // kg
     bool m_marked = false;
 };

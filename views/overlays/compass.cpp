@@ -1,3 +1,7 @@
+// Directions become pixels by onScreen(), without perspective, along the axes of the camera. The
+// ring is painted first; the axes follow from back to front; the wind lies over both. A wind that
+// is seen end on has no length to draw and becomes a circle, with a dot when it comes towards the
+// eye.
 #include "overlays/compass.h"
 
 #include <QPainter>
@@ -101,12 +105,12 @@ void Compass::paintWind(QPainter& painter) const
     if (speed == 0.0)
         return;
 
-    // from the upwind edge of the ring to the lee edge
+    // The arrow runs from the upwind edge of the ring to the lee edge.
     const Vec3 direction = m_wind / speed;
     const QPointF tail = onScreen(-0.98 * direction), tip = onScreen(0.98 * direction);
     const QPointF along = tip - tail;
     const double length = std::hypot(along.x(), along.y());
-    if (length < 6.0) { // seen end on: a dot coming, a cross going
+    if (length < 6.0) { // seen end on: a circle, with a dot when the wind comes
         painter.setPen(QPen(m_theme.wind, 3.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(onScreen(Vec3::Zero()), 9.0, 9.0);

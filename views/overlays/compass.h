@@ -1,3 +1,8 @@
+// Shows in the corner of the view which way the axes point and where the wind blows.
+//
+// The wind is an arrow across a level ring, with its speed below. The viewport places the widget,
+// tells it the camera and the mean wind of the frame, and it paints only when one of them has
+// changed.
 #pragma once
 
 #include "camera/camera.h"
@@ -7,8 +12,6 @@
 
 namespace ripstop {
 
-// In the corner of the view: which way the axes point, and the wind as an arrow that blows across
-// a level ring, with its speed.
 class Compass final : public QWidget
 {
     Q_OBJECT
@@ -25,7 +28,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QPointF onScreen(const Vec3& direction) const; // of the unit sphere
+    QPointF onScreen(const Vec3& direction) const; // pixel of a point of the unit sphere
     void paintRing(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintWind(QPainter& painter) const;

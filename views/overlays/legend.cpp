@@ -1,3 +1,8 @@
+// captionOf() says name and unit of each quantity. setScale() takes quantity, range and colours,
+// returns when nothing of it has changed, and otherwise sizes the widget for its widest text;
+// setPeak() follows with each picture. marks() finds the round numbers: four or five steps over the
+// range. paintEvent() draws card, title, bar, marks and peak. A release of the mouse in the lowest
+// line means the peak, any other one the range.
 #include "overlays/legend.h"
 
 #include <QMouseEvent>

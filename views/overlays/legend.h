@@ -1,3 +1,8 @@
+// The scale of colours beside the view: name, unit and round numbers at a bar.
+//
+// The largest value of the moment stands below it. A click on the bar asks for another range, one
+// on the largest value goes to what has it. It is hidden when the view shows materials. Values come
+// in SI units and are shown in the unit of the legend, which is per cent for shares.
 #pragma once
 
 #include "look/color_map.h"
@@ -11,9 +16,6 @@
 
 namespace ripstop {
 
-// The scale of colours: name, unit and round numbers beside a bar, the largest value of the moment
-// below it. A click on the bar asks for another range, one on the largest value goes to what has
-// it. Hidden when the view shows materials.
 class Legend final : public QWidget
 {
     Q_OBJECT
@@ -28,7 +30,7 @@ public:
 
     QString title() const { return m_title; }
     QString unit() const { return m_unit; }
-    const ValueRange& range() const { return m_range; } // in that unit
+    const ValueRange& range() const { return m_range; } // in the unit of the legend
     ValueRange meant(const ValueRange& shown) const     // in SI units
     {
         return {shown.low / m_shown, shown.high / m_shown};
@@ -43,7 +45,7 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override; // neither is the view's
+    void mousePressEvent(QMouseEvent* event) override; // kept from the view, as is the release
     void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
@@ -61,7 +63,7 @@ private:
     QString m_unit;
     QString m_unknown; // said instead of the peak
     bool m_isKnown = true;
-    double m_shown = 1.0; // what values are multiplied by
+    double m_shown = 1.0; // factor from SI units to the unit of the legend
     Peak m_peak;
 };
 

@@ -10,7 +10,7 @@ namespace ripstop {
 void paintOver(QImage& picture, std::initializer_list<QWidget*> overlays, QSize view)
 {
     const double scale = double(picture.height()) / std::max(view.height(), 1);
-    const int wider = int(picture.width() / scale) - view.width(); // than the view
+    const int wider = int(picture.width() / scale) - view.width(); // pixels of the view
     QPainter painter(&picture);
     painter.scale(scale, scale);
     for (QWidget* overlay : overlays) {

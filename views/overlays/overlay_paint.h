@@ -1,3 +1,8 @@
+// Paints widgets that lie over a view into a picture of it.
+//
+// A picture that is saved has another size than the view, so the overlays are scaled with its
+// height and those on the right are moved to its right edge. It is for the thread of the window, as
+// it renders widgets.
 #pragma once
 
 #include <QImage>
@@ -9,9 +14,9 @@ class QWidget;
 
 namespace ripstop {
 
-// Paints the overlays that are not hidden over a picture of a view of this size, as large as they
-// are for the height of the picture; those of its right half keep their distance from the right
-// edge.
+// Paints the overlays that are not hidden over a picture of a view of this size (pixels of the
+// view). They are as large in it as they are for the height of the view; those of its right half
+// keep their distance from the right edge.
 void paintOver(QImage& picture, std::initializer_list<QWidget*> overlays, QSize view);
 
 } // namespace ripstop

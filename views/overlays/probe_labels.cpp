@@ -1,3 +1,7 @@
+// Edits mark the cards as old; collect() then sorts the probes of the scene by target. show() takes
+// frame and camera of each picture. paintEvent() makes the text of each card from the frame, finds
+// the middle of its target in the picture, and moves the card down while it lies over one that is
+// painted already.
 #include "overlays/probe_labels.h"
 
 #include "base/quantity.h"
@@ -12,10 +16,10 @@
 namespace ripstop {
 namespace {
 
-constexpr int corner = 12; // px, from the edge of the view
-constexpr int aside = 10;  // px, from what is measured
-constexpr int padding = 6; // px
-constexpr int dot = 3;     // px
+constexpr int corner = 12; // pixels, from the edge of the view
+constexpr int aside = 10;  // pixels, from what is measured
+constexpr int padding = 6; // pixels
+constexpr int dot = 3;     // pixels
 
 Vec3 middleOf(const std::vector<Vec3>& places)
 {

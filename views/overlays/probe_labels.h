@@ -1,3 +1,8 @@
+// What probes read, on cards beside what they look at; off at first.
+//
+// Probes of one target share a card; those of the whole scene have one in the upper left corner.
+// Values are those of the frame, in the units of its layout; a value that is not known is a dash.
+// It is a transparent widget over the view that takes no mouse.
 #pragma once
 
 #include "camera/camera_projection.h"
@@ -15,8 +20,6 @@ namespace ripstop {
 
 class Document;
 
-// What probes read, on cards beside what they look at. Those of one target share a card; those of
-// the whole scene have one in the upper left corner. Off at first.
 class ProbeLabels final : public QWidget
 {
     Q_OBJECT
@@ -49,7 +52,7 @@ private:
     Camera m_camera;
     std::shared_ptr<const Frame> m_frame;
     std::vector<Card> m_cards;
-    bool m_old = true; // the cards
+    bool m_old = true; // the cards have to be collected again
 };
 
 } // namespace ripstop

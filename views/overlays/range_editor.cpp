@@ -1,3 +1,7 @@
+// open() fills the two lines with the range of the legend and stands beside it. typed() reads both
+// lines as numbers with units and complains about the first that it cannot take. take() closes the
+// form and emits the range in SI units; the other button emits none, so that the range follows the
+// values.
 #include "overlays/range_editor.h"
 
 #include "document/words.h"
@@ -60,7 +64,7 @@ QString RangeEditor::complaint() const
     return m_complaint->isHidden() ? QString() : m_complaint->text();
 }
 
-// Nothing after a complaint.
+// The range that is typed; nothing after a complaint.
 std::optional<ValueRange> RangeEditor::typed()
 {
     const auto complain = [this](QLineEdit* line, const QString& text) {

@@ -1,3 +1,8 @@
+// A small form over the view for the values at both ends of the colours.
+//
+// Enter takes what is typed, in the unit of the legend or any other of its kind; Escape leaves it.
+// What cannot be read, or a range without extent, is answered by a sentence in the form, and
+// nothing is emitted.
 #pragma once
 
 #include "look/steady_range.h"
@@ -13,8 +18,6 @@ namespace ripstop {
 
 class Legend;
 
-// A small form over the view for the values at both ends of the colours. Enter takes what is typed,
-// in the unit of the legend or any other of its kind; Escape leaves it.
 class RangeEditor final : public QFrame
 {
     Q_OBJECT
@@ -29,7 +32,8 @@ public:
     QString complaint() const; // why it cannot be taken; empty when it can
 
 signals:
-    void chosen(const std::optional<ripstop::ValueRange>& range); // in SI units; none follows
+    // The range in SI units; nothing lets it follow the values.
+    void chosen(const std::optional<ripstop::ValueRange>& range);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -1,3 +1,10 @@
+// Edits start a timer; when it runs out, check() asks the follower. Its findings come in two
+// signals, the problems first and the figures of stability right after them; the second one
+// rebuilds the list. noteStop() adds why the player stopped, until a frame of a running simulation
+// comes.
+//
+// told() leaves out what the list beside tells; rebuild() makes a row of each finding and announces
+// the counts, those of the list beside included.
 #include "problems/problem_list.h"
 
 #include "document/document.h"
@@ -70,7 +77,7 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
     connect(&player.follower(), &Follower::checked, this,
             [this](const std::vector<Finding>& problems) { m_problems = problems; });
     connect(&player.follower(), &Follower::examined, this,
-            [this](const std::vector<Finding>& findings) { // comes right after the other
+            [this](const std::vector<Finding>& findings) { // this comes right after checked()
                 m_stability->showFindings(findings);
                 rebuild();
             });
@@ -97,7 +104,7 @@ void ProblemList::check() { m_player.follower().check(); }
 void ProblemList::noteStop(const QString& why, quint32 culprit)
 {
     if (why == m_player.problem())
-        return; // the check says it too
+        return; // the check says it as well
     m_stops = {{Severity::Error, Message::verbatim(why.toStdString()), {Id{culprit}}}};
     rebuild();
 }

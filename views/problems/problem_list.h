@@ -1,3 +1,10 @@
+// What keeps the scene from running, what will run but hardly as meant, and why the simulation
+// stopped.
+//
+// A click selects the culprit. Beside it stands how near the design is to what its solver can
+// follow; a warning that is told there, with its repair, is not told twice. The check runs on the
+// thread of the follower, shortly after the last edit, and its findings arrive as signals in the
+// thread of the window.
 #pragma once
 
 #include "scene/check.h"
@@ -16,10 +23,6 @@ class Player;
 class Selection;
 class StabilityList;
 
-// What keeps the scene from running, and what will run but hardly as meant; and why the
-// simulation stopped. A click selects the culprit. Beside it stands how near the design is to what
-// its solver can follow; a warning that is told there, with its repair, is not told twice. The
-// check runs on a thread of its own, shortly after the last edit.
 class ProblemList final : public QWidget
 {
     Q_OBJECT
@@ -37,13 +40,13 @@ signals:
 private:
     void check();
     void noteStop(const QString& why, quint32 culprit);
-    std::vector<Finding> told() const; // here: what the list beside does not tell
+    std::vector<Finding> told() const; // what is told here, as the list beside does not tell it
     void rebuild();
 
     Selection& m_selection;
     Player& m_player;
     std::vector<Finding> m_problems;
-    std::vector<Finding> m_stops; // of the run, at most one
+    std::vector<Finding> m_stops; // why the run stopped, at most one
     QTimer m_delay;
     QStackedLayout* m_pages;
     QLabel* m_empty;

@@ -1,3 +1,7 @@
+// showFindings() makes a row of each finding: sign, sentence, and a button where there is a repair.
+// fitRows() gives rows the height of their sentences, again whenever the width changes. outdate()
+// disables the buttons after an edit; repair() pushes a copy of the edit, as the list is made anew
+// by that.
 #include "problems/stability_list.h"
 
 #include "document/document.h"

@@ -1,3 +1,6 @@
+// The field that opens in a cell of the sheet: a list for a choice, a line for all else.
+//
+// The line takes text as it is typed, with units where there are any; the model judges it.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -6,7 +9,6 @@ namespace ripstop {
 
 class SheetModel;
 
-// The field that opens in a cell: a list for a choice, a line for all else.
 class CellEditor final : public QStyledItemDelegate
 {
     Q_OBJECT

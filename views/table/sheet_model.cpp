@@ -1,3 +1,10 @@
+// reload() takes the ids of the sheet, cuts them to the limit and starts to sort. startSort() reads
+// the keys of the column and gives them to a thread; a change meanwhile only marks the answer as
+// stale, so that one thread runs at a time.
+//
+// data() reads a cell from the scene by the property of its column: switches as check marks,
+// choices by their labels, numbers in few digits. setData() makes an edit of what was typed by the
+// same function that pasting uses, or emits why it was refused.
 #include "table/sheet_model.h"
 
 #include "document/document.h"
@@ -152,7 +159,7 @@ QVariant SheetModel::data(const QModelIndex& index, int role) const
         if (!property.choices.empty())
             return choiceLabel(std::get<std::string>(property.get(*thing)));
         if (property.optional && std::holds_alternative<std::monostate>(property.get(*thing)))
-            return QString(QChar(0x2013)); // the material's
+            return QString(QChar(0x2013)); // the number is the material's
         [[fallthrough]];
     case Qt::EditRole: {
         const QString cell = QString::fromStdString(cellText(m_document.scene(), *thing, column));
@@ -216,13 +223,14 @@ bool SheetModel::setData(const QModelIndex& index, const QVariant& value, int ro
             ? (value.toInt() == Qt::Checked ? QStringLiteral("yes") : QStringLiteral("no"))
             : value.toString();
     if (role == Qt::EditRole && typed == data(index, Qt::EditRole).toString())
-        return true; // left as it was
+        return true; // the text is as it was
     const SheetColumn& column = m_columns[std::size_t(index.column())];
     auto edit = pasted(m_document.scene(), {m_ids[std::size_t(index.row())]}, {column},
                        typed.toStdString());
     if (!edit) {
         const QString sentence = translated(edit.message());
-        emit refused(sentence.mid(sentence.indexOf(QStringLiteral(": ")) + 2)); // one cell
+        // the place before the colon is not needed, as there is one cell only
+        emit refused(sentence.mid(sentence.indexOf(QStringLiteral(": ")) + 2));
         return false;
     }
     emit refused({});

@@ -1,3 +1,9 @@
+// The rows of a sheet for a view.
+//
+// Cells are read from the scene when they are painted, so that a table of a million rows costs its
+// ids. The order by a column is found by a thread of its own, from keys that are read before it
+// starts; the rows change when its answer arrives in the thread of the window. All functions belong
+// to that thread.
 #pragma once
 
 #include "author/sheet.h"
@@ -11,8 +17,6 @@ namespace ripstop {
 
 class Document;
 
-// The rows of a sheet for a view. Cells are read from the scene when they are painted, so that
-// a table of a million rows costs its ids; the order by a column is found by a thread.
 class SheetModel final : public QAbstractTableModel
 {
     Q_OBJECT
@@ -21,7 +25,7 @@ public:
     explicit SheetModel(Document& document, QObject* parent = nullptr);
 
     void show(SheetOf sheet); // without rows until the next limit or reload
-    // Only these rows; ascending. Nothing takes the limit away.
+    // Shows only these rows, in ascending order; nothing takes the limit away.
     void limitTo(std::optional<std::vector<Id>> ids);
     void reload(); // rows may have come or gone
 
@@ -50,15 +54,15 @@ private:
     Document& m_document;
     SheetOf m_sheet = SheetOf::Particles;
     std::vector<SheetColumn> m_columns;
-    std::vector<Id> m_rows; // that are shown, ascending
+    std::vector<Id> m_rows; // the rows that are shown, ascending
     std::vector<Id> m_ids;
     std::size_t m_total = 0;
     std::optional<std::vector<Id>> m_limit;
     int m_sortColumn = 0;
     Qt::SortOrder m_sortOrder = Qt::AscendingOrder;
-    bool m_isBusy = false;  // sorting
-    bool m_isStale = false; // since it began
-    std::jthread m_sorter;  // last: ends before the rest is destroyed
+    bool m_isBusy = false;  // a thread is sorting
+    bool m_isStale = false; // something changed since the sorting began
+    std::jthread m_sorter;  // it is the last member, so that it ends before the rest is destroyed
 };
 
 } // namespace ripstop

@@ -1,3 +1,10 @@
+// The constructor lays out the choice of sheet, filter, count, complaint and table. reload() finds
+// the rows that condition and selection leave, later while the panel is hidden; an edit calls it
+// only when it may add or remove rows.
+//
+// selectMarked() carries marks into the selection. copy() writes the block around the marked cells
+// with tabs; paste() reads one value for all marked cells, or a block, and makes one edit of it or
+// complains. eventFilter() keeps the keys of copy, paste and select all for the cells.
 #include "table/sheet_panel.h"
 
 #include "document/document.h"
@@ -141,7 +148,7 @@ void SheetPanel::showSheet(SheetOf sheet)
     reload();
 }
 
-// The rows that the filter and the selection leave; later, while nobody sees them.
+// Shows the rows that the filter and the selection leave; later, while nobody sees them.
 void SheetPanel::reload()
 {
     m_isStale = !isVisible();
@@ -179,7 +186,7 @@ void SheetPanel::describe()
 
 void SheetPanel::complain(const QString& sentence) { m_complaint->tell(sentence); }
 
-// Of the header and what stands in the first rows.
+// Makes columns as wide as the header and what stands in the first rows.
 void SheetPanel::widenColumns()
 {
     constexpr int looked = 30;
@@ -230,7 +237,7 @@ void SheetPanel::copy()
     QApplication::clipboard()->setText(block);
 }
 
-// One value goes into all marked cells, a block into as many as it has.
+// Pastes one value into all marked cells, or a block into as many cells as it has.
 void SheetPanel::paste()
 {
     const QItemSelection marked = m_table->selectionModel()->selection();

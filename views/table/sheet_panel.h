@@ -1,3 +1,8 @@
+// Particles, links, lines, panels or materials as a spreadsheet.
+//
+// It is sorted by a click on a column, filtered by a condition, edited in place, copied to and
+// pasted from other spreadsheets. The rows that are marked are selected in the design. While it is
+// hidden it does nothing but note that its rows are old.
 #pragma once
 
 #include "author/condition.h"
@@ -20,9 +25,6 @@ class Complaint;
 class Document;
 class Selection;
 
-// Particles, links, lines, panels or materials as a spreadsheet: sorted by a click on a column,
-// filtered by a condition, edited in place, copied to and pasted from other spreadsheets. The rows
-// that are marked are selected in the design.
 class SheetPanel final : public QWidget
 {
     Q_OBJECT
@@ -63,7 +65,7 @@ private:
     Complaint* m_complaint;
     QTableView* m_table;
     QTimer m_soon;         // the filter is looked at when typing pauses
-    bool m_isStale = true; // the rows, while the panel is hidden
+    bool m_isStale = true; // the rows are old, as the panel was hidden
     bool m_isMarking = false;
 };
 

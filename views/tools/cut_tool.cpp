@@ -1,3 +1,10 @@
+// press(), move() and release() collect the stroke in pixels; a stroke no longer than a click is
+// left to the view.
+//
+// cutUnder() makes a cut of it: points at even distances along the stroke (so that a slow hand cuts
+// no finer than a quick one), for each point how deep the cut reaches (behind the first fabric, or
+// behind everything), and for each the piece of the ray down to there. Where the stroke runs beside
+// the fabric, the depth is that of the nearest point that has some.
 #include "tools/cut_tool.h"
 
 #include "camera/occlusion.h"
@@ -17,8 +24,8 @@ namespace ripstop {
 namespace {
 
 constexpr double stride = 3.0;    // pixels, between points of the stroke as it is drawn
-constexpr double spacing = 8.0;   // pixels, between those that it is cut with, at least
-constexpr std::size_t most = 200; // of those
+constexpr double spacing = 8.0;   // pixels, about, between points that it is cut with
+constexpr std::size_t most = 200; // points of a cut; those of a longer stroke lie farther apart
 constexpr double none = std::numeric_limits<double>::infinity();
 
 // Points at even distances along a stroke.
@@ -44,7 +51,8 @@ std::vector<QPointF> evenly(const std::vector<QPointF>& stroke)
     return points;
 }
 
-// How deep the first fabric lies under each point, and a little behind it; infinite without one.
+// How far away the first fabric under each point lies, and a little behind it, m; infinite where
+// there is none.
 std::vector<double> depthsOf(const CameraView& view, const std::vector<QPointF>& points)
 {
     const std::vector<OnScreen> particles = projected(view);
@@ -68,7 +76,8 @@ std::vector<double> depthsOf(const CameraView& view, const std::vector<QPointF>&
     return depths;
 }
 
-// Where there is no fabric, as deep as at the nearest point that has some.
+// Gives points without fabric the depth of the nearest point that has some, or `otherwise` when
+// none has.
 void fillGaps(std::vector<double>& depths, double otherwise)
 {
     const std::vector<double> found = depths;
@@ -140,7 +149,7 @@ bool CutTool::release(const QMouseEvent& event, const CameraView& view)
     for (std::size_t i = 1; i < stroke.size(); ++i)
         length += (stroke[i] - stroke[i - 1]).manhattanLength();
     if (length < QApplication::startDragDistance())
-        return false; // a click
+        return false; // this was a click
     m_player.handle(std::make_shared<const Cut>(cutUnder(view, stroke, m_depth())));
     return true;
 }

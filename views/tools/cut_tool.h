@@ -1,6 +1,10 @@
 // The knife: a stroke with the left button cuts the links and the fabric that it crosses;
 // base/hands.h and tearing/cutting.h say how. It takes what is seen, or all that lies behind it as
 // well.
+//
+// A cut is an input of the run and not an edit: the player hands it to the simulation, which notes
+// it with its step. The stroke becomes a cut when the button is released; Escape gives it up until
+// then.
 #pragma once
 
 #include "tools/picker.h"

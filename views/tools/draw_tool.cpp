@@ -1,3 +1,12 @@
+// spotAt() finds the place under the mouse: a particle that is there, else a place on the panel
+// under the mouse, else the place where the ray meets the plane (inPlane(), with the grid).
+//
+// click() acts on it by shape: a particle, a link from the last particle of the chain, or the next
+// corner of a panel. New particles, parts and materials are made only where the settings name none.
+// Each click is pushed as one edit, and a sentence says what has been drawn.
+//
+// paint() shows the chain, the place under the mouse, and its coordinates or the length from the
+// last particle.
 #include "tools/draw_tool.h"
 
 #include "author/elements.h"
@@ -17,7 +26,8 @@ namespace {
 constexpr double spotRadius = 5.0; // pixels
 constexpr double wordsGap = 14.0;  // pixels, from the mouse
 
-// Where the ray meets the plane through a point, m; nothing where it runs along it or away.
+// Where the ray meets the plane through a point, m; nothing where it runs along the plane or away
+// from it.
 std::optional<Vec3> meeting(const CameraProjection::Ray& ray, const Vec3& point, const Vec3& normal)
 {
     const double slope = ray.direction.dot(normal);
@@ -118,7 +128,7 @@ std::optional<DrawTool::Spot> DrawTool::spotAt(QPointF at, Qt::KeyboardModifiers
     return spot ? std::optional(Spot{*spot, noId}) : std::nullopt;
 }
 
-// Through the last particle that was clicked, or the origin.
+// The place in the plane through the last particle that was clicked, or through the origin, m.
 std::optional<Vec3> DrawTool::inPlane(QPointF at, bool snaps,
                                       const CameraProjection& projection) const
 {

@@ -1,3 +1,10 @@
+// Draws by clicks: particles in a plane, on panels or where particles are already; links from click
+// to click, until the last particle is clicked again; panels by three clicks.
+//
+// Each click is one step of the history. The tool draws in the design, so `begin` takes the
+// simulation back there before it changes. What is drawn is put together by Drawing of the model;
+// sentences about it go to `drawn`. The settings outlive the tool and are changed by the bar above
+// the view.
 #pragma once
 
 #include "author/drawing.h"
@@ -23,7 +30,7 @@ struct DrawSettings
 
     Plane plane = Plane::Facing;
     double grid = 0.1;  // m, in the plane
-    bool snaps = true;  // to the grid; Ctrl does the other thing
+    bool snaps = true;  // to the grid; Ctrl does the opposite
     bool onMesh = true; // a place on a panel is taken as it is
     Id part{};          // where new particles go; noId: a new part
     Id material{};      // of links and panels; noId: a new one
@@ -33,9 +40,7 @@ struct DrawSettings
     double mass = 0.01; // kg, of a particle; of the whole line where it has several segments
 };
 
-// Draws by clicks: particles in the plane, on panels or where particles are already; links from
-// click to click, until the last particle is clicked again; panels by three clicks. Each click is
-// one step of the history.
+// The tool for one of the shapes; it is made anew when another shape is chosen.
 class DrawTool final : public Tool
 {
 public:
@@ -56,7 +61,7 @@ private:
     struct Spot
     {
         Vec3 place;         // m
-        Id particle = noId; // that is there already
+        Id particle = noId; // the one that is there already
     };
 
     std::optional<Spot> spotAt(QPointF at, Qt::KeyboardModifiers keys,

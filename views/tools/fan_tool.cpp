@@ -1,3 +1,9 @@
+// fanAt() makes the jet: its target is what the cursor is on, or the plane of the focus beside it;
+// its nozzle is as wide as a share of the picture there and stands a few radii before the target.
+//
+// While the left button is down, blow() hands the jet to the player whenever cursor, camera or
+// settings have changed it. The wheel changes the settings, within their limits. Release, Escape
+// and the end of the tool all go through cancel(), so that no jet is left blowing.
 #include "tools/fan_tool.h"
 
 #include "document/player.h"
@@ -116,7 +122,7 @@ bool FanTool::wheel(const QWheelEvent& event, const CameraView& view)
     return true;
 }
 
-// What it blows at moves away under the cursor.
+// What the jet blows at may move away under the cursor, so the jet is aimed again.
 void FanTool::moved(const CameraView& view)
 {
     if (m_jet)
@@ -132,7 +138,7 @@ bool FanTool::cancel()
     return true;
 }
 
-// The nozzle, the edge of the jet where it meets what it blows at, and lines between them.
+// Paints the nozzle, the edge of the jet where it meets what it blows at, and lines between them.
 void FanTool::paint(QPainter& painter, const Theme& theme, const CameraView& view)
 {
     if (!m_jet)

@@ -1,6 +1,9 @@
 // The fan: while the left button is down a jet of wind blows from before the eye at what is under
-// the cursor. Its nozzle is a tenth of the picture wide there; the wheel makes it blow harder, and
-// with Ctrl the jet wider.
+// the cursor.
+//
+// Its nozzle is a tenth of the picture wide there; the wheel makes it blow harder, and with Ctrl
+// the jet wider. The jet is an input of the run, as a wind of the scene would be; it ends with the
+// button, with Escape and with the tool.
 #pragma once
 
 #include "tools/hand_settings.h"
@@ -38,10 +41,10 @@ private:
 
     Player& m_player;
     HandSettings& m_settings;
-    std::function<void()> m_changed; // the settings, by the wheel
+    std::function<void()> m_changed; // called when the wheel has changed the settings
     QPointF m_cursor;                // pixels
     std::optional<Airflow> m_jet;    // while it blows
-    bool m_isDown = false;           // the button, though Escape may have stopped the jet
+    bool m_isDown = false;           // the button is down, though Escape may have stopped the jet
     double m_reach = 0.0;            // m, from the nozzle to what it blows at
 };
 

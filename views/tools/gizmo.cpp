@@ -1,3 +1,10 @@
+// handles() says which handles can be seen from here: an arrow end on and a square edge on are left
+// out. shape() and behindShape() give their lines in the picture, and at() takes the nearest of
+// these within a few pixels.
+//
+// shift(), factors() and angle() turn a way of the cursor into metres, factors and radians: along
+// an axis by the plane through it that faces the eye most, in a plane by the meeting with the ray,
+// freely by pixels. Where a ring is seen edge on, its angle is read along its line instead.
 #include "tools/gizmo.h"
 
 #include <Eigen/Geometry>
@@ -44,14 +51,14 @@ Vec3 onPlane(const CameraProjection::Ray& ray, const Vec3& place, const Vec3& no
     return ray.origin + normal.dot(place - ray.origin) / cosine * ray.direction;
 }
 
-// Where along the axis the cursor is, m from the pivot: on the plane through the axis that the
-// picture shows best.
+// Where along the axis the cursor is, m from the pivot. It is measured on the plane through the
+// axis that the picture shows best; an axis that is seen end on gives 0.
 double alongAxis(const Gizmo& gizmo, const Vec3& axis, QPointF cursor)
 {
     const Vec3 back = gizmo.projection.camera().back();
     const Vec3 across = back - axis.dot(back) * axis;
     if (across.norm() < 1e-3)
-        return 0.0; // end on
+        return 0.0; // the axis is seen end on
     return axis.dot(onPlane(gizmo.projection.rayAt(cursor), gizmo.pivot, across.normalized())
                     - gizmo.pivot);
 }
@@ -118,7 +125,7 @@ QPolygonF Gizmo::shape(Handle handle) const
         add(Vec3::Zero());
         add(axis);
     } else {
-        // the half that faces the eye, from one end to the other
+        // A ring is drawn as the half that faces the eye, from one end to the other.
         const Vec3 eye = projection.towardsEye(pivot);
         const Vec3 inPlane = eye - axis.dot(eye) * axis;
         const Vec3 front = inPlane.norm() > 1e-6 ? Vec3(inPlane.normalized()) : first;
@@ -218,7 +225,7 @@ double Gizmo::angle(Handle handle, QPointF at) const
     const Vec3 axis = turningAxis(handle);
     const Vec3 eye = projection.towardsEye(pivot);
     if (std::abs(axis.dot(eye)) < edgeOn) {
-        // edge on, the ring is a line: along it, a radius of pixels is one radian
+        // Seen edge on, the ring is a line: along it, a radius of pixels is one radian.
         const Vec3 along = axis.cross(eye).normalized();
         const double size = projection.metresPerPixel(pivot);
         const auto start = centre(), end = projection.pixel(pivot + size * along);

@@ -19,10 +19,11 @@ enum class Shaping { None, Move, Turn, Scale };
 
 struct Handle
 {
-    // Free: along the picture, about the line of sight, or evenly in all directions.
+    // Free moves in the plane of the picture, turns about the line of sight, or scales evenly in
+    // all directions.
     enum class Sort { None, Axis, Plane, Free };
     Sort sort = Sort::None;
-    int axis = 0; // along it, about it, or across the plane
+    int axis = 0; // the axis to move along or turn about, or that is across the plane
 
     explicit operator bool() const { return sort != Sort::None; }
     friend bool operator==(const Handle&, const Handle&) = default;
@@ -41,14 +42,15 @@ struct Gizmo
     // The handle within a few pixels, drawn nearest to the cursor.
     Handle at(QPointF cursor) const;
 
-    // Where the hand has brought the handle from `from` to `to`.
+    // What a drag of the handle with the cursor from `from` to `to`, pixels, comes to.
     Vec3 shift(Handle handle, QPointF from, QPointF to) const;   // m
     Vec3 factors(Handle handle, QPointF from, QPointF to) const; // of the axes, above 0
-    // rad about turningAxis(); differences count, and they jump by a whole turn.
+    // The angle of the cursor about turningAxis(), rad. Only differences count, and they jump by a
+    // whole turn.
     double angle(Handle handle, QPointF at) const;
     Vec3 turningAxis(Handle handle) const; // unit
 
-    // For drawing; empty when it cannot be seen, as an arrow end on.
+    // Lines for drawing, pixels; empty for what cannot be seen, such as an arrow end on.
     QPolygonF shape(Handle handle) const;  // line of an axis or ring, outline of a square
     QPolygonF behindShape(int ring) const; // the half of a ring that lies behind
     std::vector<Handle> handles() const;   // that can be seen

@@ -1,3 +1,10 @@
+// Drawing paints one gizmo: the far halves of the rings first and faintly, then each handle that
+// can be seen, in the colour of its axis or, when it is held or under the cursor, in a colour of
+// its own. Axes and rings have a rim, so that they can be seen before any ground; arrows end in
+// heads, scale handles in boxes.
+//
+// label() writes what the drag comes to on a card beside the centre. paintEvent() asks the tool for
+// its gizmo and paints nothing when there is none.
 #include "tools/gizmo_overlay.h"
 
 #include "tools/transform_tool.h"
@@ -52,7 +59,7 @@ private:
         return handle.sort == Handle::Sort::Free ? m_theme.text : m_theme.axis(handle.axis);
     }
 
-    // a light or dark rim keeps it visible before any colour
+    // A light or dark rim keeps the line visible before any colour.
     void line(const QPolygonF& shape, const QColor& color, double width)
     {
         QColor rim = m_theme.card;

@@ -1,3 +1,8 @@
+// Draws the handles of the transform tool over the view, and beside them what a drag comes to.
+//
+// It is a transparent widget that takes no mouse: the tool watches the events of the view itself,
+// and this only paints what the tool says. The viewport calls refresh() whenever it places its
+// overlays.
 #pragma once
 
 #include "look/theme.h"
@@ -9,7 +14,6 @@ namespace ripstop {
 
 class TransformTool;
 
-// Draws the handles of the tool over the view, and beside them what a drag comes to.
 class GizmoOverlay final : public QWidget
 {
     Q_OBJECT

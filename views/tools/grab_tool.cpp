@@ -1,3 +1,13 @@
+// take() decides by what is under the cursor: controls that have it as a target are steered; a
+// collider is carried from where hands have brought it before; all else is gripped, by the
+// particles around the place and their shares in it (gripOf()).
+//
+// move() begins to pull only when the cursor has gone farther than a hand trembles, so that a click
+// stays a click. pull() turns the cursor in the plane of the picture through the gripped place into
+// commands of controls or notes of the hand, which the player hands to the simulation.
+//
+// letGo() ends a pull; cancel() also puts a carried collider back. paint() shows spring and force
+// as the frame says them, which may be less than what was asked for.
 #include "tools/grab_tool.h"
 
 #include "document/document.h"
@@ -24,7 +34,8 @@ constexpr double depthPerNotch = 0.04; // of the distance to the eye
 
 QString translated(const char* text) { return QCoreApplication::translate("GrabTool", text); }
 
-// Shares of the corners in a place of their plane.
+// Shares of the three corners in a place of their plane (barycentric coordinates, none below 0);
+// equal shares for corners in one line.
 Vec3 sharesOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& place)
 {
     const Vec3 normal = (b - a).cross(c - a);
@@ -60,7 +71,7 @@ Grip gripOf(const Frame& frame, const Picked& picked)
     return grip;
 }
 
-// The cursor in the plane of the picture through a place.
+// The cursor in the plane parallel to the picture through a place, m.
 Vec3 cursorIn(const CameraView& view, const Vec3& plane, QPointF cursor)
 {
     const CameraProjection::Ray ray = CameraProjection(view).rayAt(cursor.x(), cursor.y());
@@ -119,7 +130,7 @@ bool GrabTool::press(const QMouseEvent& event, const CameraView& view)
     return m_held.has_value();
 }
 
-// A hand trembles while it clicks.
+// A hand trembles while it clicks, so a drag begins only after some pixels.
 bool GrabTool::move(const QMouseEvent& event, const CameraView& view)
 {
     if (!m_held)
@@ -243,7 +254,7 @@ void GrabTool::paint(QPainter& painter, const Theme& theme, const CameraView& vi
         paintCarry(painter, theme, view);
 }
 
-// The spring from where the fabric is to where the hand is, and the force beside it.
+// Paints the spring from where the fabric is to where the hand is, and the force beside it.
 void GrabTool::paintPull(QPainter& painter, const Theme& theme, const CameraView& view) const
 {
     const CameraProjection projection(view);

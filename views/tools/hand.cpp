@@ -31,7 +31,7 @@ std::vector<double> Hand::pull(const Camera& camera, double pictureHeight, doubl
     Eigen::Matrix2Xd axes(2, Eigen::Index(m_axes.size()));
     for (std::size_t i = 0; i < m_axes.size(); ++i)
         axes.col(Eigen::Index(i)) << m_axes[i].dot(camera.right()), m_axes[i].dot(camera.up());
-    // the damping lets go of axes that are hardly seen from the side
+    // The damping lets go of axes that are hardly seen from the side.
     constexpr double damping = 1e-3;
     const Eigen::Matrix2d square = axes * axes.transpose() + damping * Eigen::Matrix2d::Identity();
     const Eigen::VectorXd values = axes.transpose() * square.inverse() * way;

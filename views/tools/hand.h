@@ -1,4 +1,8 @@
 // A hand that drags what controls move: it turns a way in the picture into values of controls.
+//
+// The axes of the controls, as the picture shows them, are the columns of a small matrix; the
+// values are the damped least-squares solution, so that of several controls each takes its share
+// and an axis that points at the eye takes nothing. It is a plain value that a drag keeps.
 #pragma once
 
 #include "camera/camera.h"

@@ -20,7 +20,8 @@ double rounded(double value)
     return decade * std::round(value / decade);
 }
 
-// Of the fabric, if there is any: a kite is not as large as its line is long.
+// Bounds of the fabric, or of all particles where there is none: a kite is not as large as its line
+// is long.
 Eigen::AlignedBox3d bounds(const Scene& scene)
 {
     std::vector<bool> isCorner(std::size_t(scene.nextId), false); // by id

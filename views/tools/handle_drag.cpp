@@ -1,3 +1,9 @@
+// follow() takes the cursor and counts the angle turned so far, whole turns included. numbers()
+// comes to numbers along or about the axes in this order: what is typed, else what snaps (a goal,
+// the grid, 15 degrees, tenths), else where the hand is; axes that the handle does not change stay
+// idle. motion() makes a motion of them and told() a sentence.
+//
+// The step of the grid is a round number that is at least twelve pixels long in the picture.
 #include "tools/handle_drag.h"
 
 #include <QCoreApplication>
@@ -16,7 +22,7 @@ constexpr double gridPixels = 12.0; // a step of the grid is at least this long
 
 double rounded(double value, double step) { return step * std::round(value / step); }
 
-// m, of 1, 2 or 5 times a power of ten.
+// Step of the grid, m: 1, 2 or 5 times a power of ten.
 double gridStep(const Gizmo& gizmo)
 {
     const double least = gridPixels * gizmo.projection.metresPerPixel(gizmo.pivot);

@@ -1,3 +1,9 @@
+// under() goes through the kinds in the order in which a person aims: particles within eight
+// pixels, links within five, from the nearest to the farthest, each only if no panel or collider
+// hides the place; then whichever of panel and collider the ray meets first.
+//
+// particlesNear() and linksNear() measure in the picture. The place on a link is found with the
+// depths of its ends, as half way in the picture is not half way in the world.
 #include "tools/picker.h"
 
 #include "camera/occlusion.h"
@@ -59,7 +65,7 @@ std::vector<Near> linksNear(const Picker& picker, std::span<const OnScreen> poin
         const double away = std::hypot(a.x + t * dx - x, a.y + t * dy - y);
         if (!(away < linkReach))
             continue;
-        // half way along a link in the picture is not half way along it where one end is near
+        // Half way along a link in the picture is not half way along it where one end is near.
         const bool flat = picker.view.camera.orthographic;
         const double share = flat ? t : t * a.depth / ((1.0 - t) * b.depth + t * a.depth);
         found.push_back({away, i, share});

@@ -1,4 +1,8 @@
 // Finds the element under the cursor.
+//
+// It answers from the same arrays that are drawn, and by exact rays: an element is found only where
+// it can be seen. One question projects all particles, so it is asked for clicks and, at intervals,
+// for what the mouse is on. A Picker refers to the picture of now and is never kept.
 #pragma once
 
 #include "camera/camera_projection.h"
@@ -22,7 +26,7 @@ struct Pickable
 
     bool links() const { return wanted.links && drawn.links; }
     bool panels() const { return wanted.panels && drawn.panels; }
-    // Pins are always drawn. Who wants particles and nothing else gets those without a dot, too.
+    // Pins are always drawn. Who wants particles and nothing else gets those without a dot as well.
     bool particles(bool pinned) const
     {
         return wanted.particles && (drawn.particles || pinned || (!wanted.links && !wanted.panels));
@@ -35,7 +39,7 @@ struct Picked
     enum class Sort { Nothing, Particle, Link, Panel, Collider };
     Sort sort = Sort::Nothing;
     Id id = noId;
-    std::size_t element = 0;   // its place in the frame; not of a collider
+    std::size_t element = 0;   // its index in the arrays of the frame; unused for a collider
     Vec3 place = Vec3::Zero(); // m, on it
 };
 
@@ -51,7 +55,7 @@ struct Picker
     Picked under(double x, double y) const;
 };
 
-// [particles] where they are in the picture.
+// Where all particles are in the picture, [particles].
 std::vector<OnScreen> projected(const CameraView& view);
 
 } // namespace ripstop

@@ -1,3 +1,11 @@
+// press() offers the event to the tool in use and then, with Ctrl, to the other tool; who takes it
+// is busy until the buttons are up. move(), release() and wheel() go to the busy tool, or else to
+// the one in use; keys go to the busy tool only. Each asks for a paint, so that the tool shows what
+// it does.
+//
+// hover() notes the place of the mouse and starts a timer; when it runs out, lookUnderMouse() picks
+// and announces another element. paintEvent() draws that element in the colour of text, and then
+// the tool.
 #include "tools/pointing.h"
 
 #include "camera/camera_projection.h"
@@ -55,7 +63,8 @@ void Pointing::setTheme(const Theme& theme)
     update();
 }
 
-// A hidden overlay must not cost a picture of the window.
+// An overlay with nothing to show must not cost a picture of the window, so it updates only when it
+// has something.
 void Pointing::moved()
 {
     if (active() || m_hovered != noId)

@@ -1,3 +1,11 @@
+// Region sorts the sides of its outline by line of pixels, so that a place asks only the few that
+// cross its line, and counts windings.
+//
+// Taker projects all particles once, notes which lie inside, and prepares the occlusion unless all
+// that lies there is wanted. It then takes particles, links and panels: those whose particles are
+// all inside and of which some place can be seen (three places on a link, four on a panel). Each
+// kind is shared out among threads and collected in order, so that the answer does not depend on
+// how many there are.
 #include "tools/region_select.h"
 
 #include "camera/occlusion.h"
@@ -25,8 +33,8 @@ Region::Region(std::vector<Eigen::Vector2d> outline)
     }
 }
 
-// The winding number: how often the outline crosses the line to the right of the place upwards,
-// less how often downwards.
+// The winding number decides: how often the outline crosses the line to the right of the place
+// upwards, less how often downwards.
 bool Region::contains(double x, double y) const
 {
     if (!m_box.contains(Eigen::Vector2d(x, y)))
@@ -115,7 +123,7 @@ private:
             for (std::size_t i = from; i < to; ++i)
                 taken[i] = takes(i);
         };
-        constexpr std::size_t share = 20000; // worth a thread
+        constexpr std::size_t share = 20000; // rows that are worth a thread
         const std::size_t most = m_through ? 1 : std::max(1U, std::thread::hardware_concurrency());
         const std::size_t shares = std::clamp<std::size_t>(count / share, 1, most);
         {
@@ -163,7 +171,7 @@ std::vector<Id> elementsIn(const CameraView& view, const Pickable& pickable, con
         taker.takeLinks(ids);
     if (pickable.panels())
         taker.takePanels(ids);
-    std::ranges::sort(ids); // a tear may have doubled some
+    std::ranges::sort(ids); // a tear may have doubled some ids
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     return ids;
 }

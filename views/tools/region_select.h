@@ -1,4 +1,7 @@
 // What lies in a part of the picture: the elements that a box or a lasso takes.
+//
+// Large designs are looked at on several threads, which are started for the call and have ended
+// when it returns; the caller sees an ordinary function. The frame is immutable meanwhile.
 #pragma once
 
 #include "tools/picker.h"
@@ -25,7 +28,7 @@ private:
         Eigen::Vector2d from, to;
     };
     Eigen::AlignedBox2d m_box;
-    // one line of pixels meets few sides of a lasso, so sides are kept by line
+    // One line of pixels meets few sides of a lasso, so sides are kept by line.
     std::vector<std::vector<Side>> m_sides;
 };
 

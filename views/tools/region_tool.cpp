@@ -1,3 +1,7 @@
+// press() begins a path, follow() makes a box or a lasso of it, and release() takes what lies
+// inside and changes the selection as the keys say; a drag that is no longer than a click is left
+// to the view. cancel() empties the path while the button is still down, so that the release after
+// it does nothing. paint() draws the outline and a plus or minus sign for the keys.
 #include "tools/region_tool.h"
 
 #include "document/selection.h"

@@ -1,3 +1,7 @@
+// Box and lasso: a drag with the left button goes around what is to be selected.
+//
+// It replaces the selection; with Shift it adds to it, with Ctrl it takes away. Escape gives up the
+// drag. What can be taken, and how deep, is asked when the button is released.
 #pragma once
 
 #include "tools/region_select.h"
@@ -11,8 +15,6 @@ namespace ripstop {
 
 class Selection;
 
-// Box and lasso: a drag with the left button goes around what is to be selected. It replaces the
-// selection; with Shift it adds to it, with Ctrl it takes away. Escape gives up the drag.
 class RegionTool final : public Tool
 {
 public:
@@ -39,7 +41,7 @@ private:
     Selection& m_selection;
     std::function<Options()> m_options;
     std::vector<QPointF> m_path; // of the drag under way, pixels; empty when there is none
-    bool m_far = false;          // it has gone farther than a hand trembles
+    bool m_far = false;          // the drag has gone farther than a hand trembles
     bool m_givenUp = false;      // by Escape, while the button is still down
     Qt::KeyboardModifiers m_keys;
 };

@@ -28,7 +28,7 @@ public:
 
     virtual bool wheel(const QWheelEvent&, const CameraView&) { return false; }
 
-    // A key while a gesture is under way; what the tool takes is nobody's shortcut then.
+    // A key while a gesture is under way; a key that the tool takes is nobody's shortcut then.
     virtual bool takesKey(const QKeyEvent&) const { return false; }
     virtual void key(const QKeyEvent&, const CameraView&) {}
 
@@ -42,7 +42,7 @@ public:
     // the pointer.
     virtual bool cancel() { return false; }
 
-    // Over the picture, after each event and each instant.
+    // Paints over the picture, after each event and each instant.
     virtual void paint(QPainter&, const Theme&, const CameraView&) {}
 
     // True where a click takes what is under the cursor, so that the view shows it beforehand.

@@ -1,3 +1,6 @@
+// addGroup() makes a button for each action. arrange() then places all groups: below each other
+// with a line between them, and in a new column where a group, or a single button of a long one,
+// has no room in the height of the view. paintEvent() paints the card and the lines.
 #include "tools/tool_strip.h"
 
 #include <QAction>

@@ -1,3 +1,8 @@
+// The tools of the view and what they take, in a column over its corner.
+//
+// The buttons show actions of the window, which decide what they do. In a low view the groups that
+// have no room below stand beside; the strip arranges itself again whenever the view or its own
+// place changes.
 #pragma once
 
 #include <QFrame>
@@ -7,8 +12,6 @@ class QToolButton;
 
 namespace ripstop {
 
-// The tools of the view and what they take, in a column over its corner; in a low view the groups
-// that have no room below stand beside.
 class ToolStrip final : public QFrame
 {
     Q_OBJECT
@@ -16,7 +19,7 @@ class ToolStrip final : public QFrame
 public:
     explicit ToolStrip(QWidget* view);
 
-    // After what is there already, with a line between.
+    // Adds a group after what is there already, with a line between.
     void addGroup(const QList<QAction*>& actions);
 
 protected:

@@ -1,3 +1,13 @@
+// The tool watches the events of the view: press() takes hold of a handle and begins a gesture,
+// move() steps it, release() ends it; keys keep to an axis, type numbers or take everything back.
+// step() makes an edit from the state at the press each time, so that a drag is one step of the
+// history and adds up no rounding.
+//
+// gizmo() says where the handles are: on the pivot of what is selected, or where a drag has brought
+// them. The pivot is found when it is asked for and forgotten when document, selection, kind of
+// pivot or state of the player change.
+//
+// shape() makes the same edit from numbers that are typed.
 #include "tools/transform_tool.h"
 
 #include "document/document.h"
@@ -157,7 +167,7 @@ std::optional<Gizmo> TransformTool::gizmo() const
     return gizmo;
 }
 
-// Links only matter where they are bound anew.
+// What is selected, as it can be moved. Links only matter where they are bound anew.
 Movable TransformTool::movable() const
 {
     return movableOf(m_document.scene(), m_selection.ids(),
@@ -263,7 +273,7 @@ bool TransformTool::release(const QMouseEvent& event)
     if (event.button() != Qt::LeftButton)
         return m_drag.has_value();
     if (!m_drag)
-        return std::exchange(m_spent, false); // not a click
+        return std::exchange(m_spent, false); // it was not a click
     end();
     m_spent = false;
     return true;
@@ -354,7 +364,7 @@ bool TransformTool::eventFilter(QObject* watched, QEvent* event)
         used = release(*static_cast<QMouseEvent*>(event));
         break;
     case QEvent::ShortcutOverride: {
-        // accepted, the key comes as a press and not as a shortcut
+        // A key that is accepted here comes as a press and not as a shortcut.
         const bool escape = static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
         if (m_drag || (escape && m_shaping != Shaping::None))
             event->accept();

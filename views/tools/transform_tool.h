@@ -50,10 +50,11 @@ public:
     void setSnap(Snap snap) { m_snap = snap; }
 
     bool isAtDesign() const; // no run is shown
-    void goToDesign();       // and says so, where one is
+    void goToDesign();       // where a run is shown; it then says so
     bool acts() const;       // there are handles to take hold of
 
-    // Of the drag under way, or of none: m along the axes, degrees about them, factors.
+    // Numbers of the drag under way, or those that change nothing: m along the axes, degrees about
+    // them, factors.
     Vec3 numbers() const;
     void shape(const Vec3& numbers); // as typed: one step of the history
     QString told() const;            // what the drag comes to, in words; empty without one
@@ -65,7 +66,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    void changed(); // anything of the above
+    void changed(); // anything that the functions above tell
     void said(const QString& message);
 
 private:
@@ -91,11 +92,11 @@ private:
         Id id;
         Vec3 place; // m
     };
-    // Nearest to the cursor, and none of `without`, which are in ascending order.
+    // The particle nearest to the cursor, and none of `without`, which are in ascending order.
     std::optional<Under> particleUnder(QPointF cursor, const std::vector<Id>& without) const;
     Movable movable() const; // what is selected
     CameraProjection projection() const;
-    void forget(); // where the pivot was
+    void forget(); // makes gizmo() find the pivot again
 
     Document& m_document;
     Selection& m_selection;
@@ -114,7 +115,7 @@ private:
     std::optional<Drag> m_drag;
     bool m_spent = false; // the drag is over by a key, and the button still down
 
-    // of the selection, found when it is asked for; empty where nothing can be moved
+    // Of the selection, found when it is asked for; empty where nothing can be moved.
     mutable bool m_known = false;
     mutable std::optional<Vec3> m_place; // m
     mutable Eigen::Matrix3d m_own;

@@ -1,3 +1,11 @@
+// Setters note what has changed. prepare() then does, once per picture and only as far as needed:
+// looks of the elements for another layout or edit, bodies of colliders (again while one is late),
+// points and bounds of the frame, the ghost of the design, values and range of the quantity; with
+// these it makes a Picture, rebuilds the layers that are out of date and updates the others.
+//
+// place() puts the VTK camera where ours is, with clipping planes around all that is drawn.
+//
+// The order of layers() is the order in which they are added to the renderer.
 #include "viewport/stage.h"
 
 #include "look/design_ghost.h"
@@ -65,7 +73,7 @@ void Stage::setTheme(const Theme& theme)
 void Stage::setBackdropShown(bool shown)
 {
     const QColor bottom =
-        shown ? m_theme.skyBottom : QColor(Qt::black); // what is left adds nothing
+        shown ? m_theme.skyBottom : QColor(Qt::black); // black adds nothing to a picture
     m_renderer->SetGradientBackground(shown);
     m_renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
     m_renderer->SetBackground2(m_theme.skyTop.redF(), m_theme.skyTop.greenF(),
@@ -187,7 +195,7 @@ std::vector<Vec3> Stage::subjectPoints() const
 std::vector<Vec3> Stage::pointsOf(const Scene& scene, const std::vector<Id>& ids) const
 {
     auto places = m_frame ? placesOf(*m_frame, scene, ids) : std::vector<Vec3>();
-    if (places.empty() && !ids.empty()) // too new for the frame
+    if (places.empty() && !ids.empty()) // they are too new for the frame
         places = placesOf(*sceneFrame(scene), scene, ids);
     for (const ColliderBody& body : m_bodies)
         if (m_frame && std::ranges::binary_search(ids, body.id))
@@ -231,7 +239,7 @@ void Stage::prepare(const Scene& scene)
 {
     if (!m_frame)
         return;
-    // after an edit of values the layout is another one with the same in it
+    // After an edit of values the layout is another object with the same content.
     const bool otherLayout =
         m_layout != m_frame->layout && (!m_layout || *m_layout != *m_frame->layout);
     const bool otherFrame = m_drawn != m_frame;
@@ -273,7 +281,7 @@ void Stage::prepare(const Scene& scene)
 
 void Stage::place(const Camera& camera)
 {
-    // what is drawn lies within this far of the focus
+    // Everything that is drawn lies within this distance of the focus.
     const Vec3 middle = m_bounds.isEmpty() ? camera.focus : Vec3(m_bounds.center());
     double reach = (middle - camera.focus).norm() + 1.2 * groundRadius(m_bounds);
     if (!m_landscape.isEmpty())

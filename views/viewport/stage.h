@@ -1,6 +1,10 @@
 // Everything that is drawn, as VTK sees it: renderer, lights, camera and layers.
 //
-// Setters only note what has changed. prepare() brings the layers up to date, once per picture.
+// Setters only note what has changed. prepare() brings the layers up to date, once per picture; it
+// returns at once when nothing has changed, so picking and fitting may call it as well. Coordinates
+// are those of the frame, in place and without a copy: the stage holds the frame for as long as VTK
+// may read them. It belongs to the thread of the window and never asks for a picture by itself;
+// that is for the viewport.
 #pragma once
 
 #include "camera/camera.h"
@@ -36,18 +40,18 @@ public:
     void show(std::shared_ptr<const Frame> frame);
     void setTheme(const Theme& theme);
     void setColorBy(ColorBy colorBy);
-    void setFixedRange(std::optional<ValueRange> range); // of the quantity of now
+    void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
     void setSelected(std::vector<Id> ids);
     void setBackdropShown(bool shown); // the sky; on at first
     void setPixelRatio(double ratio);
-    void sceneChanged() { m_lookIsOld = true; } // what it says about looks
-    void designChanged() { m_design.reset(); }  // what it says about places
+    void sceneChanged() { m_lookIsOld = true; } // what the scene says about looks
+    void designChanged() { m_design.reset(); }  // what the scene says about places
     void setDesignShown(bool shown);            // as a ghost; off at first
 
     void prepare(const Scene& scene);
     void place(const Camera& camera);
 
-    void setPanelsShown(bool shown); // and their shadow
+    void setPanelsShown(bool shown); // panels and their shadow
     void setWindShown(bool shown);   // the field of arrows
     void setVectors(Vectors vectors);
 
@@ -57,10 +61,10 @@ public:
     GhostLayer ghost{GhostLayer::Of::Run};
     TrailLayer trails;
 
-    // As of the last prepare().
+    // What follows is as of the last prepare().
     const std::shared_ptr<const Frame>& frame() const { return m_frame; }
-    // What a designer looks at first: the fabric and what it carries. Everything when there is
-    // none.
+    // Places that a designer looks at first, m: the fabric and what it carries, or everything when
+    // there is no fabric.
     std::vector<Vec3> subjectPoints() const;
     std::vector<Vec3> pointsOf(const Scene& scene, const std::vector<Id>& ids) const;
     const Look& look() const { return m_look; }
@@ -69,11 +73,11 @@ public:
     const Theme& theme() const { return m_theme; }
     ColorBy colorBy() const { return m_colorBy; }
     Peak peak() const { return m_frame ? peakOf(*m_frame, m_values) : Peak{}; }
-    bool isKnown() const { return m_values.isKnown; } // what the view is coloured by
+    bool isKnown() const { return m_values.isKnown; } // something has that quantity
     ValueRange range() const { return fixedRange().value_or(m_range.range()); }
     const ColorMap& colors() const;
 
-    // Of all that is shown but the ground.
+    // Places of all that is shown but the ground, m.
     std::vector<Vec3> shownPoints() const;
 
 private:
@@ -100,7 +104,7 @@ private:
     WindLayer m_wind;
     VectorLayer m_vectors;
     GhostLayer m_designGhost{GhostLayer::Of::Design};
-    std::shared_ptr<const Frame> m_design; // null: to be made when it is shown
+    std::shared_ptr<const Frame> m_design; // null until it is made for showing
     bool m_designShown = false;
 
     std::shared_ptr<const Frame> m_frame; // keeps the coordinates alive
@@ -119,7 +123,7 @@ private:
     double m_pixelRatio = 1.0;
     bool m_lookIsOld = true;
     bool m_layersAreOld = true;
-    bool m_selectionIsOld = true; // which concerns its highlight alone
+    bool m_selectionIsOld = true; // concerns only the layers that show it
 
     vtkNew<vtkAOSDataArrayTemplate<double>> m_coordinates;
     vtkNew<vtkPoints> m_points;

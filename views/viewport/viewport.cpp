@@ -1,3 +1,11 @@
+// Frames and scene: a frame of the player is shown as it comes; an edit shows at once only where it
+// changes looks or where no simulation runs, and otherwise with the next frame. prepare() runs
+// before each picture, place() also when only what lies over the picture changes.
+//
+// The widget: the constructor stacks overlays and connects document, selection and player; the
+// setters pass on what the menus choose and ask for a picture; image() renders one for files.
+//
+// The camera: fitting, preset views, following. The mouse and keys are in viewport_input.cpp.
 #include "viewport/viewport.h"
 
 #include "look/scene_frame.h"

@@ -43,7 +43,7 @@ public:
     // Shows this instant until the next one; the player's frames come by themselves.
     void show(std::shared_ptr<const Frame> frame);
     using QWidget::show;
-    void showGhost(std::shared_ptr<const Frame> frame); // another run, over it; null: none
+    void showGhost(std::shared_ptr<const Frame> frame); // another run over this one, or null
     const std::shared_ptr<const Frame>& frame() const;  // null before the first
 
     ColorBy colorBy() const;
@@ -51,7 +51,7 @@ public:
 
     // In the unit of the quantity (strain: 1). Without one the range follows the values.
     void setFixedRange(std::optional<ValueRange> range); // of the quantity that is shown
-    void editRange();                                    // asks for one, beside the legend
+    void editRange();                                    // asks for a range, beside the legend
     ValueRange range() const;                            // what the colours mean now
     const Legend& legend() const;
 
@@ -63,27 +63,27 @@ public:
     void setCentreShown(bool shown);    // of gravity, off at first
     void setVectors(Vectors vectors);   // arrows on the elements; none at first
     void setDesignShown(bool shown);    // as a ghost; off at first
-    void setTrailsShown(bool shown);    // of selected particles, or of those with probes; off
+    void setTrailsShown(bool shown);    // of selected or probed particles; off at first
     void setProbesShown(bool shown);    // what they read, beside what they look at; off at first
 
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
     void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
-    void look(const Camera& camera);      // as from there, once more
+    void look(const Camera& camera);      // shows the view as from there again
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
     void setOrthographic(bool orthographic);
     const Camera& camera() const;
 
-    // Also chosen by itself whenever the palette changes.
+    // The viewport also chooses a theme by itself whenever the palette changes.
     void setTheme(const Theme& theme);
 
-    // The view as it is now, in device pixels.
-    enum class Overlays { With, Without }; // legend and compass
+    // The view as it is now, in device pixels; with all that lies over it, if wanted.
+    enum class Overlays { With, Without };
     QImage image(Overlays overlays = Overlays::With);
 
-    // The same in another size, in pixels, with the overlays as large as they are in the view.
-    // A transparent one has no sky.
+    // The view in another size, in pixels; of what lies over it only legend and compass, as large
+    // as they are in the view. A transparent picture has no sky.
     struct Shot
     {
         QSize size;
@@ -93,7 +93,7 @@ public:
     QImage image(const Shot& shot);
 
     TransformTool& transformTool();
-    HandSettings& hands(); // how hard they pull and blow
+    HandSettings& hands(); // how hard hands pull and blow
 
     Id pick(QPointF place); // noId when nothing is there
     Pointing& pointing();   // the tool in use, and what the mouse is on

@@ -1,4 +1,8 @@
 // The inside of the viewport: what it shows, and what the mouse is about.
+//
+// Only viewport.cpp and viewport_input.cpp include it, so that users of the viewport see neither
+// VTK nor the overlays. Members are made in the order of their declaration: the screen with its
+// render window before the stage that draws into it, and the overlays after what they lie over.
 #pragma once
 
 #include "camera/chase.h"
@@ -61,7 +65,7 @@ public:
     void fitNow();
 
     template <typename Change>
-    void draw(Change change) // with the change
+    void draw(Change change) // makes the change and asks for a picture
     {
         change();
         screen.renderSoon();

@@ -1,4 +1,9 @@
 // What the mouse and the keyboard do in the viewport, when no tool takes them.
+//
+// Each event goes to Pointing first. A press only notes its place; a move beyond the distance that
+// a hand trembles becomes a drag, which turns or shifts the camera; a release without a drag is a
+// click, which selects or asks for a menu. A camera that a person has moved is no longer fitted by
+// itself.
 #include "viewport/viewport_data.h"
 
 #include <QApplication>

@@ -1,3 +1,12 @@
+// VTK draws into a framebuffer of its own in the OpenGL context of the widget; ContextBridge
+// answers VTK whether that context is current. paintGL() renders anew only when the picture is old
+// and then copies the framebuffer to that of Qt, so that painting something above the widget costs
+// a copy alone.
+//
+// Where OpenGL runs in software, pictures in motion are drawn without smooth edges; a timer asks
+// for one with them when nothing has changed for a while.
+//
+// picture(size) renders at another size for files and leaves the widget to paint itself again.
 #include "viewport/vtk_widget.h"
 
 #include <QOpenGLContext>
@@ -55,8 +64,8 @@ VtkWidget::VtkWidget(QWidget* parent)
     m_window->AddObserver(vtkCommand::WindowMakeCurrentEvent, bridge);
     m_window->AddObserver(vtkCommand::WindowIsCurrentEvent, bridge);
     m_window->SetOwnContext(false);
-    m_window->SetReadyForRendering(false); // until initializeGL
-    m_window->SetFrameBlitModeToNoBlit();  // paintGL does it
+    m_window->SetReadyForRendering(false); // until initializeGL() has run
+    m_window->SetFrameBlitModeToNoBlit();  // paintGL() copies the picture
     m_still.setSingleShot(true);
     m_still.setInterval(stillTime);
     connect(&m_still, &QTimer::timeout, this, [this] {
@@ -111,7 +120,7 @@ QImage VtkWidget::picture()
 {
     m_isOld |= !m_isFine;
     m_isFine = true;
-    return grabFramebuffer(); // paints
+    return grabFramebuffer(); // this paints the picture first
 }
 
 QImage VtkWidget::picture(QSize size, Backdrop backdrop)

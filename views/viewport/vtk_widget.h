@@ -1,3 +1,9 @@
+// A Qt widget that shows a VTK render window. It only paints: the mouse belongs to its parent.
+//
+// VTK has such a widget of its own, but a packaged VTK is often built against another major version
+// of Qt than ours; this one needs nothing of VTK beyond its OpenGL backend. As every widget it
+// belongs to the thread of the window; renderSoon() is cheap and may be called many times between
+// two pictures.
 #pragma once
 
 #include <QOpenGLWidget>
@@ -10,10 +16,6 @@
 
 namespace ripstop {
 
-// A Qt widget that shows a VTK render window. It only paints: the mouse belongs to its parent.
-//
-// VTK has such a widget of its own, but a packaged VTK is often built against another major
-// version of Qt than ours; this one needs nothing of VTK beyond its OpenGL backend.
 class VtkWidget final : public QOpenGLWidget
 {
     Q_OBJECT
@@ -28,10 +30,10 @@ public:
     // again, as Qt asks for whenever something above this widget is painted.
     void renderSoon();
 
-    // As it is seen when nothing moves, with smooth edges.
+    // The picture as it is seen when nothing moves, with smooth edges, in device pixels.
     QImage picture();
 
-    // The same in another size, in pixels; with nothing behind things if wanted.
+    // Renders the view in another size, in pixels, and without anything behind things if wanted.
     enum class Backdrop { Shown, Transparent };
     QImage picture(QSize size, Backdrop backdrop);
 
@@ -49,9 +51,9 @@ private:
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     QMetaObject::Connection m_contextDies;
-    bool m_isOld = true;   // the last picture
-    bool m_isFine = true;  // with smooth edges
-    bool m_isSlow = false; // no graphics card: each sample costs
+    bool m_isOld = true;   // the last picture is out of date
+    bool m_isFine = true;  // the picture has smooth edges
+    bool m_isSlow = false; // OpenGL runs in software, so each sample costs
     QTimer m_still;        // runs out when the picture has not changed for a while
 };
 
