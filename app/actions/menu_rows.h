@@ -21,7 +21,7 @@ MenuRows insertRows(const Workbench& bench); // a row for each builder
 MenuRows designRows(const Workbench& bench); // what shapes the design
 MenuRows drawRows(const Workbench& bench);
 MenuRows viewRows(const Workbench& bench);
-MenuRows languageRows(const Workbench& bench); // what is chosen is heard at the next start
+MenuRows languageRows(const Workbench& bench); // the choice is kept for the next start
 MenuRows runRows(const Workbench& bench);      // what is done to a run by hand, and made of it
 MenuRows tuningRows(const Workbench& bench);   // sliders and sets of their values
 MenuRows timelineRows(const Workbench& bench); // what looks back at runs

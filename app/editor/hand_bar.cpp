@@ -1,3 +1,8 @@
+// Stages: the constructor takes the actions of the three tools; addFields() lists the numbers as
+// rows of limits, a reader and a writer, so that one function reads what is typed into any of them
+// (take()); layOut() puts them into one line over the hint. refresh() shows the bar for the tool
+// that is on, with its fields: a number that is left to the program stands as a grey placeholder,
+// and a field that has the focus is not overwritten while one types.
 #include "editor/hand_bar.h"
 
 #include "actions/actions.h"

@@ -1,3 +1,9 @@
+// What the command line of the editor asks for, and how it is read.
+//
+// Only main() reads it; Screenshot gets a copy. readOptions() knows no scene: names of items,
+// docks and actions are checked by main() once there is something to look them up in. An
+// application object has to exist, since the parser uses it; --help and --version print and end
+// the program.
 #pragma once
 
 #include "editor/theme_choice.h"
@@ -12,7 +18,6 @@
 
 namespace ripstop {
 
-// What the command line asks for.
 struct Options
 {
     QString scene;      // empty: the start page
@@ -32,7 +37,7 @@ struct Options
     QStringList docks; // in front
 };
 
-// Nothing, and a sentence in `error`, when the arguments make no sense.
+// Returns nothing, and a sentence in `error`, when the arguments make no sense.
 std::optional<Options> readOptions(const QStringList& arguments, QString& error);
 
 } // namespace ripstop
