@@ -1,3 +1,10 @@
+// Stages: the constructor decides which of the three uses it has: a part of the open design, an
+// insertion into it, or a new design with a view of its own. Each change goes through buildSoon(),
+// which waits for a pause in typing, and post(), which reads the form and gives the thread a
+// numbered job; collect() takes the outcome on the thread of the window and drops those of an
+// older number. preview() shows it, as a gesture in the history of the open design, unless it has
+// too many particles; takeBack() undoes that before the next preview, before it is accepted and
+// when it is dismissed.
 #include "dialogs/builder_dialog.h"
 
 #include "dialogs/figures_text.h"
@@ -199,7 +206,7 @@ void BuilderDialog::showParameters()
     post();
 }
 
-// What the part was built with.
+// Fills the form with what the part was built with.
 void BuilderDialog::showValuesOf(const Part& part)
 {
     m_form->setValues(part.parameters);
@@ -283,7 +290,7 @@ void BuilderDialog::collect()
 {
     auto outcome = m_worker.take();
     if (!outcome || outcome->number != m_number || m_delay.isActive())
-        return; // of values that have changed since
+        return; // it was built of values that have changed since
     if (!outcome->refusal.empty())
         return refuse(translated(outcome->refusal));
     m_outcome = std::move(outcome);

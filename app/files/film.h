@@ -22,7 +22,7 @@ struct FilmFormat
     const char* note;
     Alpha alpha;        // what a transparent picture comes to
     const char* filter; // of ffmpeg, null for pictures, which need no ffmpeg
-    const char* codec;  // the same, words with blanks between them
+    const char* codec;  // arguments of ffmpeg with blanks between them, null for pictures
 };
 
 std::span<const FilmFormat> filmFormats();
@@ -35,7 +35,7 @@ QString whyNoFilm(const FilmFormat& format);
 // All pictures have the same size.
 using DrawFrame = std::function<QImage(const std::shared_ptr<const Frame>&)>;
 
-// Made, filled and destroyed by one thread; `draw` is called by that.
+// The sink has to be made, filled and destroyed by one thread, which also calls `draw`.
 Result<std::unique_ptr<FrameSink>> openFilm(const FilmFormat& format, const QString& target,
                                             double picturesPerSecond, DrawFrame draw);
 
