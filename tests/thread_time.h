@@ -13,7 +13,7 @@ inline double threadTime()
     return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
 }
 
-// How much longer the same work may take in this build.
+// How much longer work may take in this build than in a plain one.
 #ifdef __SANITIZE_THREAD__
 inline constexpr double slowdown = 10.0; // 5 to 15, as the manual of the thread sanitizer says
 #else

@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(shop.viewport.frame(), live);
     }
 
-    // Who plays on leaves the past, and the run goes on where it stood.
+    // Playing on leaves the past, and the run goes on where it stood.
     void playingGoesOnLive()
     {
         TimelineShop shop;

@@ -40,7 +40,7 @@ inline bool isNear(const Vec3& got, const Vec3& expected, double tolerance)
     return (got - expected).norm() <= tolerance;
 }
 
-// For QVERIFY2: lives until the next call.
+// The text is for QVERIFY2 and lives until the next call.
 inline const char* told(double got, double expected)
 {
     static char text[120];

@@ -38,7 +38,7 @@ struct Coefficients
     double drag;
 };
 
-// Of a plate at this angle of attack, rad.
+// The coefficients of a plate at this angle of attack, rad.
 Coefficients plate(const Material& material, double alpha)
 {
     const Vec3 wind = 10.0 * Vec3(std::cos(alpha), std::sin(alpha), 0.0);

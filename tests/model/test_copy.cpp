@@ -1,3 +1,10 @@
+// Copies, mirrors, arrays, welding, alignment and splitting (author/copy.h, author/align.h,
+// author/operation.h).
+//
+// Stages: a strip of two cells with known counts is copied and mirrored, then welded, weighed,
+// aligned and split; the numbers follow from counting its rows. after() checks for each edit that
+// undo and redo give the scenes back and that the outcome has no error. At the end every operation
+// is tried on designs of all builders, and a large design is timed.
 #include "author/copy.h"
 
 #include "author/align.h"

@@ -106,7 +106,8 @@ private slots:
             QVERIFY(isNear(touch->normal, normal, 1e-14));
             QVERIFY(isNear(touch->surface, rim + margin * normal, 1e-14));
             QVERIFY(!touchCylinder(drum, margin, rim + 0.2 * normal, rim + 0.101 * normal));
-            // without a margin, who came by the cap stays on it, and who came by the side on that
+            // without a margin, a particle that came by the cap stays on it, and one that came by
+            // the side stays on the side
             const Vec3 deep = rim - 0.01 * normal;
             const auto byCap = touchCylinder(drum, 0.0, deep + 0.1 * Vec3::UnitY(), deep);
             QVERIFY(byCap && isNear(byCap->normal, Vec3::UnitY(), 0.0));

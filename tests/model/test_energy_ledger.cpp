@@ -257,7 +257,7 @@ private slots:
         QVERIFY2(std::abs(out.work.residual) < 1e-3, told(out.work.residual, 0.0));
     }
 
-    // Who reads the ledger changes nothing of the flight.
+    // Reading the ledger changes nothing of the flight.
     void doesNotDisturb()
     {
         const auto towed = [](bool asked) {

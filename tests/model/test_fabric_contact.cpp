@@ -134,7 +134,7 @@ private slots:
         QVERIFY2(top < 0.2, told(top, 0.0)); // it has come down
     }
 
-    // The same without contact goes through itself: the test above sees something.
+    // Without contact the fabric goes through itself, which proves that the test above can fail.
     void foldedSheetWithout()
     {
         System system = sheet(folded);
@@ -237,7 +237,7 @@ private slots:
         QCOMPARE_LT(run(system, 40).position[std::size_t(stone)].y(), -0.2);
     }
 
-    // Who meets whom does not depend on threads.
+    // Which particles meet which panels does not depend on threads.
     void sameBits()
     {
         System system = sheet(folded);

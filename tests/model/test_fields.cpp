@@ -97,7 +97,7 @@ QString named(std::string_view name)
     return QString::fromLatin1(name.data(), qsizetype(name.size()));
 }
 
-// Whoever is equal is so in each field that is compared, and the one that differs is named.
+// Two values are equal when each compared field is, and the field that differs is named.
 template <typename T>
 QString wrongInComparison()
 {

@@ -128,7 +128,7 @@ private slots:
     // v = g sin(angle) t along the wire, and x = v t / 2 but for half a step of Euler's.
     void aBeadSlidesDownAWire_data();
     void aBeadSlidesDownAWire();
-    // In a plane that leans by the angle, the pull down the slope is the same.
+    // In a plane that leans by the angle, the pull down the slope is the same as along the line.
     void aPuckSlidesDownAPlane();
     // The ends of a trammel run round an ellipse: with equal masses, x^2 + y^2 = L^2 is a circle in
     // the plane of (x, y) and its angle grows evenly. A projection takes 2 w^2 h of the energy per

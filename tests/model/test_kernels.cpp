@@ -52,7 +52,8 @@ int another(Dice& dice, int particle)
     return (particle + 1 + dice.below(particles - 1)) % particles;
 }
 
-// Of each law, rough and smooth, some gone, some without area; not a multiple of four.
+// Panels of each law, rough and smooth, some gone, some without area; their number is not a
+// multiple of four.
 System panels(std::uint32_t seed, double speed, int count = 403)
 {
     constexpr std::array laws{AirLaw::None, AirLaw::Paper, AirLaw::LinearNormal, AirLaw::LiftDrag};

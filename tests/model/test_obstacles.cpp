@@ -252,8 +252,9 @@ private slots:
             const Vec3& x = state.position[i];
             if (kind == "ball") {
                 QVERIFY2(x.norm() >= 0.1 - 1e-9, told(x.norm(), 0.1));
-                // Who was aimed at the ball has lost what went into it: at 0.09 m from the line
-                // through the middle that leaves 0.9 of the speed, and no less is lost nearer.
+                // A particle that was aimed at the ball has lost what went into it: at 0.09 m from
+                // the line through the middle that leaves 0.9 of the speed, and no less is lost
+                // nearer.
                 const Vec3& start = system.start.position[i];
                 const Vec3 way = system.start.velocity[i] / speed;
                 if ((start - start.dot(way) * way).norm() < 0.09)

@@ -166,7 +166,7 @@ private slots:
              1e-12);
         (void)apply(scene, undo);
         QVERIFY(scene == before);
-        // of unknown density it is only noted
+        // of a material of unknown density it is only noted
         (void)apply(scene, *assignment(scene, "cloth.arealDensity="));
         (void)apply(scene, *assignment(scene, "cloth.arealDensity=0.04"));
         NEAR(mass(), density + 1.0, 1e-12);

@@ -292,7 +292,7 @@ private slots:
         QCOMPARE(handWork(scene, partId(scene)).removed, std::size_t(1));
     }
 
-    // Two of the same: only the one that is meant changes, with its own groups and probes.
+    // Of two parts of one builder only the chosen one changes, with its own groups and probes.
     void onlyTheOneThatIsMeant()
     {
         InsertWish wish;

@@ -22,7 +22,7 @@ struct Ring
     Id part{};
 };
 
-// Of lines, with a wave of k turns about the radius 1 m.
+// A ring of lines, with a wave of k turns about the radius 1 m.
 Ring ring(int count, int turns, double height)
 {
     Ring made;

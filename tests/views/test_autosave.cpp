@@ -1,3 +1,9 @@
+// Copies of unsaved work and their recovery (document/autosave.h, document/rescue.h).
+//
+// Stages: what is kept and what is forgotten while a program lives; then this program starts
+// itself with --crash-in, changes a scene and is killed, and the copy that it left is recovered;
+// then copies that are older than the file or damaged, folders that cannot be written, and files
+// that another program has changed. Folders are temporary.
 #include "document/autosave.h"
 #include "document/document.h"
 #include "document/follower.h"
@@ -37,7 +43,7 @@ struct Desk
     }
 };
 
-// What the program does that is killed: opens a file, changes it, keeps it, and is gone.
+// What the killed program does: it opens a file, changes it, keeps a copy, and kills itself.
 [[noreturn]] void crash(const QString& folder)
 {
     Desk desk(folder);

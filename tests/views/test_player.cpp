@@ -1,3 +1,9 @@
+// The player: simulation on its own thread as the window sees it (document/player.h).
+//
+// Stages: play, step and reset of a falling pair, whose fall is known exactly; edits that reach a
+// run and those that wait for the reset; scenes that cannot run and their cure; the stop after an
+// explosion; controls; and many edits with an early end, for the thread sanitizer. Frames are
+// waited for, never assumed after a time.
 #include "document/document.h"
 #include "document/player.h"
 #include "run/simulation.h"
@@ -59,7 +65,7 @@ private slots:
         QTest::qWait(50);
         QCOMPARE(qint64(player.frame()->step), step); // and stays there
 
-        // the same bits as a simulation without a window
+        // the frame has the same bits as a simulation without a window
         Simulation simulation(*compile(document.scene()));
         simulation.runUntil(time);
         const auto expected = simulation.frame();

@@ -178,7 +178,7 @@ private slots:
         QVERIFY(other.plots.view(1).plot() == plot);
     }
 
-    // Plots are no matter of the simulation: the run goes on with the same system.
+    // Plots do not concern the simulation: the run goes on with the same system.
     void plotsDoNotDisturbTheRun()
     {
         Desk desk;

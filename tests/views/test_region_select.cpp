@@ -89,7 +89,7 @@ struct View
         }));
     }
 
-    // In the picture, pixels; of a view from the front.
+    // Where a place is in the picture of a view from the front, in pixels.
     QPointF at(double x, double y, double z) const
     {
         const Camera& camera = viewport.camera();
