@@ -1,4 +1,8 @@
 // The window in French: nothing English is left on it, and nothing but words depends on it.
+//
+// Stages: the catalogue against what lupdate and the tables have; then the whole window is walked
+// and its texts compared with those in English; sentences of the engine, plurals and numbers; and
+// what must not depend on the language: files, and what is typed.
 #include "actions/keys_dialog.h"
 #include "app/window_shop.h"
 #include "author/operation.h"

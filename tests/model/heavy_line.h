@@ -1,8 +1,8 @@
 // A heavy load on a light line, the case that the direct solver was made for: 10 m in 100 rods
 // with 1 g between them, which sweeps alone leave far too long.
 //
-// Masses are in kg, lengths in m, time steps in s. The direct solver and the automatic choice are
-// tested with it.
+// Masses are in kg, lengths in m, time steps in s. test_direct.cpp and test_direct_block.cpp use
+// it.
 #pragma once
 
 #include "model/systems.h"

@@ -1,5 +1,9 @@
 // A run for a paper: what is in its bundle, that it flies again to the same bits, and what is said
 // when it does not.
+//
+// Stages: a bundle is written, flown again and compared; its command lines and its files are
+// tried; then recordings; then what differs or is wrong is told; and writing is whole or not at
+// all, also over an older bundle.
 #include "bundle/bundle.h"
 #include "io/scene_file.h"
 #include "model/cli_call.h"

@@ -1,5 +1,9 @@
 // Cylinders: distances and ways in, and particles that lie on them, slide and fly at them. Caps as
 // floors are among the floors of test_obstacles.
+//
+// Stages: distances from outside and inside and at the rim; then ways that cross a thin cylinder
+// in one step from any side; then motion on it (sliding, leaving, friction, over the rim) against
+// closed forms.
 #include "assembly/finish.h"
 #include "model/systems.h"
 #include "shapes/cylinder.h"

@@ -1,5 +1,8 @@
 // The work of air, hands, dampers and contact, and what the solver makes of energy, where theory
 // knows the numbers.
+//
+// Stages: one account after another on a system that only it concerns (dampers, gravity, hands,
+// air, bounces, tears); then that reading disturbs nothing, and that frames keep the ledger.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,5 +1,9 @@
 // Particles that are free along a line or in a plane only, against mechanics: beads on wires, a
 // trammel, a pendulum on a trolley, and what every solver makes of them.
+//
+// Stages: motions along wires and in planes against mechanics; that nothing leaves its guide,
+// whatever the solver and the number of threads; hands and contact on guides; and how scenes say
+// guides, turn them, weld them, and count them in rigidity.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

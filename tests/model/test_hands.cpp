@@ -1,4 +1,8 @@
 // What hands do to a run: pulls, pins, fans and colliders that are carried.
+//
+// Stages: pulls against springs and statics, their limit and momentum; stiff hands and hands at
+// nothing; pins, fans and carried colliders; then bits at any number of threads, edits while
+// something is held, and settling.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,5 +1,9 @@
 // Kernels that take four panels, springs, particles or rods at a time (parallel/simd_pack.h): with
 // and without vector instructions, alone or beside others, each gets the same bits.
+//
+// Stages: panels, springs, contacts and rods are each computed with and without vector
+// instructions and compared by their bits, in numbers that do not fill the last pack; between them
+// stand the law of a spring by hand, and work that is shared out among threads.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,4 +1,8 @@
 // Files of meshes: formats, refusals, and the command line that brings them in.
+//
+// Stages: each format is read as the same mesh; units and axes; then refusals, huge, scrambled and
+// missing files, none of which may crash; at the end the command line, and a flight that is
+// exported and brought in again.
 #include "model/cli_call.h"
 #include "model/meshes.h"
 #include "shapes/mesh_file.h"

@@ -1,5 +1,8 @@
 // Particles on boxes, hills and meshes, at rest and in motion (validation B1 to B3, B7, B8), and
 // obstacles that move.
+//
+// Stages: rest, bounce and slides against closed forms; fast particles at thin bodies and in
+// corners; then obstacles that move: paths, belts, walls, lifts, and controls.
 #include "assembly/finish.h"
 #include "contact/obstacle_motion.h"
 #include "model/systems.h"

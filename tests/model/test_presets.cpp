@@ -1,4 +1,8 @@
 // Presets of materials, and weighing by their densities.
+//
+// Stages: what presets set and the numbers that they are derived from; then weighing by densities,
+// with undo and with particles of unknown mass; one preset after another; and what is refused,
+// also on the command line.
 #include "model/material_sheets.h"
 
 #include "builders/builder.h"

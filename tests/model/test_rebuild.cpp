@@ -1,4 +1,9 @@
 // Designs that go into an open scene, are built again with other parameters, and are detached.
+//
+// Stages: every builder is inserted into an empty and into another scene; then parts are built
+// again with the same and with each other parameter, where what was tuned by hand must stay; then
+// what is lost is counted, and parts are detached. after() checks undo for each edit. A new
+// builder is covered without a change here.
 #include "author/insert.h"
 #include "author/rebuild.h"
 #include "author/transform.h"

@@ -1,4 +1,8 @@
 // Recordings: what was flown can be looked at, computed again to the bit, saved and opened.
+//
+// Stages: frames and moments against the run that they were recorded from, and runs that go on or
+// are computed again; memory that spills to disk; files, whole, damaged and foreign; reading while
+// it grows; and the comparison of runs, also on the command line.
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "io/recording_file.h"

@@ -1,4 +1,8 @@
 // Selections from selections: counts follow from the geometry of a sheet of n x n particles.
+//
+// Stages: growing, shrinking, connected parts, edges and loops; other kinds, similar things and
+// groups; then conditions, on elements, items and measured quantities, with the words for wrong
+// ones; and the time on a large sheet.
 #include "author/condition.h"
 #include "author/group.h"
 #include "author/select.h"

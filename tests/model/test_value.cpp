@@ -1,4 +1,8 @@
 // Values as people type them, and what a property refuses.
+//
+// Stages: texts of each type that are read and those that are refused, with the words of the
+// refusal; limits of properties; that every shown value and every default can be typed again to
+// the last bit; and the nearest word that is proposed for a mistyped one.
 #include "scene/property.h"
 
 #include <QtTest>

@@ -1,5 +1,9 @@
 // Wings with the vortex law: how they are cut into strips, tears, edges. What the law gives is in
 // the cases of ripstop-cli verify.
+//
+// Stages: how panels become strips, where the nose is, and what tears take away; then the vortex
+// lattice of the tests (vortex_lattice.h) is held against print and against the cases; then shapes
+// that are no wings, and a glider that starts in trim and flies straight.
 #include "assembly/finish.h"
 #include "base/vortex_wing.h"
 #include "builders/builder.h"

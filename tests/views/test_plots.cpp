@@ -1,5 +1,9 @@
 // The panels of the plots dock that a scene keeps, the marks of what happened, and curves that are
 // longer than the screen is wide.
+//
+// Stages: plots and their ways of looking as edits, undone and saved; runs that plots must not
+// disturb; marks of events; then the range of values, peaks among many samples, and sixty curves
+// of ten minutes.
 #include "document/document.h"
 #include "document/player.h"
 #include "document/recordings.h"
