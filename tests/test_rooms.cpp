@@ -184,7 +184,7 @@ static QMap<QString, QStringList> nounsOf(const QString& room)
     return nouns;
 }
 
-// From a noun by others back to it; empty when there is no such way.
+// The way from a noun by others back to it; it is empty when there is none.
 static QString wayBack(const QString& noun, const QMap<QString, QStringList>& nouns)
 {
     Reached reached;

@@ -112,7 +112,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
 BuilderDialog::~BuilderDialog()
 {
     if (m_preview)
-        delete m_preview->view; // before the document that it shows
+        delete m_preview->view; // it has to go before the document that it shows
 }
 
 void BuilderDialog::layOut()
@@ -201,7 +201,7 @@ void BuilderDialog::showParameters()
         connect(m_table, &QPlainTextEdit::textChanged, this, &BuilderDialog::buildSoon);
     }
     layout->addStretch(1);
-    m_scroll->setWidget(page); // the page before it is deleted
+    m_scroll->setWidget(page); // setWidget() deletes the page before
     m_scroll->setMinimumWidth(page->minimumSizeHint().width() + 20);
     post();
 }
@@ -279,7 +279,7 @@ void BuilderDialog::post()
     m_delay.stop();
     m_outcome.reset();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
-    const int number = ++m_number; // what is being built is not wanted any more
+    const int number = ++m_number; // outcomes of older numbers are dropped
     if (std::optional<BuildJob> wanted = job()) {
         wanted->number = number;
         m_worker.post(std::move(*wanted));
@@ -356,7 +356,7 @@ void BuilderDialog::accept()
 void BuilderDialog::reject()
 {
     m_delay.stop();
-    ++m_number; // what comes now is not wanted
+    ++m_number; // an outcome that still comes is dropped
     takeBack();
     QDialog::reject();
 }

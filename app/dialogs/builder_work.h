@@ -24,7 +24,7 @@ struct BuildJob
     InsertWish wish;
     std::shared_ptr<const Scene> scene;
     Id part{};
-    Id nextId{1}; // of the open scene now; a preview that was taken back has used some
+    Id nextId{1}; // of the open scene when the job is posted, since previews use up ids
     int number = 0;
 };
 
@@ -36,7 +36,7 @@ struct BuildOutcome
     Scene scene;            // a new one, when the job has neither ground nor scene
     Edit edit;              // of the open scene, otherwise
     std::vector<Id> bodies; // to be selected: parts and obstacles that come, or the part
-    int substeps = 0;       // that the scene is raised to, 0 where it has enough
+    int substeps = 0;       // to which the scene is raised, or 0 where it has enough
     HandWork lost;          // of a part that is built again
     std::size_t letGo = 0;  // references of other items to what goes
 };

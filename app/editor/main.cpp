@@ -93,7 +93,7 @@ int main(int argc, char** argv)
         (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
     }
 
-    QSurfaceFormat format; // before the application exists
+    QSurfaceFormat format; // has to be set before the application exists
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
@@ -145,7 +145,7 @@ int main(int argc, char** argv)
     if (stays)
         QMetaObject::invokeMethod(
             &window, [&] { window.keptWork().keepIn(rescueFolder()); }, Qt::QueuedConnection);
-    if (!options->mesh.isEmpty()) // once the window is there to ask over
+    if (!options->mesh.isEmpty()) // queued, because the dialog needs the window below it
         QMetaObject::invokeMethod(
             &window, [&] { window.arrivals().importMesh(options->mesh); }, Qt::QueuedConnection);
     if (!options->action.isEmpty()) {

@@ -231,7 +231,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return event->ignore();
     if (m_memory == Memory::Keep) {
         if (!isSceneShown())
-            showScene(); // the layout to remember is that with docks
+            showScene(); // because the layout to be kept is the one with docks
         QSettings settings;
         settings.setValue("window/geometry", saveGeometry());
         settings.setValue("window/state", saveState(layoutVersion));

@@ -25,9 +25,8 @@ namespace {
 
 constexpr int slicesPerPicture = 120; // one sample of the plots each
 constexpr int settlingTurns = 6;      // of the event loop, until docks and view have their sizes
-constexpr int openingTurns =
-    50; // of the event loop, until an action has opened its dialog, if it has one
-constexpr int dialogTurns = 200; // of the event loop, until a dialog shows its preview
+constexpr int openingTurns = 50;      // of the event loop, until the dialog of an action is open
+constexpr int dialogTurns = 200;      // of the event loop, until a dialog shows its preview
 
 } // namespace
 

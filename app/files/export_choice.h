@@ -33,10 +33,7 @@ struct ExportChoice
     const FilmFormat* film() const;   // null when it is something else
     bool isSeries() const;            // whether it has frames
     bool isBundle() const;
-    bool isFlown() const
-    {
-        return isSeries() || isBundle();
-    } // is more than the moment on the screen
+    bool isFlown() const { return isSeries() || isBundle(); } // needs a whole run
 };
 
 std::vector<ExportChoice> exportChoices();

@@ -2,8 +2,7 @@
 // needs. Every change leads to showPreview(), which says what would be written, or by whyNot() why
 // nothing can be. start() asks before it replaces files, then writes at once (writeNow()) or on a
 // thread: write() chooses recording or simulation as the source and opens the sink of the format;
-// writeBundle() does the same for a bundle. watch() polls progress and ends it. The destructor
-// lets the event loop run while it waits, because a thread that draws waits for this one.
+// writeBundle() does the same for a bundle. watch() polls progress and ends it.
 #include "files/export_dialog.h"
 
 #include "bundle/bundle.h"
@@ -348,7 +347,7 @@ void ExportDialog::browse()
     if (file.isEmpty())
         return;
     m_target->setText(file);
-    m_mayReplace = file; // the file dialog has asked
+    m_mayReplace = file; // the file dialog has asked already
 }
 
 void ExportDialog::start()

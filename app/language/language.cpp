@@ -67,7 +67,7 @@ void Translation::install(Language language)
     const bool isFrench = language == Language::French
                           || (language == Language::System && system.language() == QLocale::French);
     const bool fits = system.language() == (isFrench ? QLocale::French : QLocale::English);
-    QLocale::setDefault(fits       ? system // the system has its own way of writing dates
+    QLocale::setDefault(fits       ? system // which has its own way of writing dates
                         : isFrench ? QLocale(QLocale::French, QLocale::France)
                                    : QLocale(QLocale::English, QLocale::UnitedStates));
     if (!isFrench)

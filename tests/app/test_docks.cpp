@@ -31,7 +31,7 @@ struct OpenWindow : WindowShop
     }
 };
 
-// Of those that lie behind each other.
+// Whether it is the one in front of docks that lie behind each other.
 bool isInFront(const QDockWidget& dock) { return !dock.visibleRegion().isEmpty(); }
 
 bool has(const QMenu& menu, const QAction* wanted)

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int patience = 20000; // ms
 
-// With a narrow blank between number and unit.
+// Puts a narrow blank between number and unit.
 QString spaced(QString text)
 {
     static const QRegularExpression place("(\\d) (c?m)\\b");
@@ -167,7 +167,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             editor.player.frame() && editor.player.frame()->position.size() == 8u, patience);
 
-        // and in the middle of the view
+        // the fabric is in the middle of the view
         editor.selection.clear(); // which has a colour of its own
         QTRY_VERIFY_WITH_TIMEOUT(hasFabric(editor.window.viewport().image()), 2000);
 

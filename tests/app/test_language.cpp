@@ -87,7 +87,7 @@ bool hasWords(const QString& text)
     return text.contains(word);
 }
 
-// Of a widget and all in it, whatever stands on it or helps with it.
+// Reads the texts of a widget and of all in it: what stands on it and what helps with it.
 class Reader
 {
 public:

@@ -73,7 +73,7 @@ private slots:
         QTest::keyClick(&strip, Qt::Key_End);
         QTRY_VERIFY(shop.looksAt(1.0));
 
-        // and the mouse
+        // the mouse does so as well
         QTest::mouseClick(&strip, Qt::LeftButton, {}, {strip.placeOf(0.25), strip.height() / 2});
         QTRY_VERIFY(shop.looksAt(0.25));
 
@@ -207,7 +207,7 @@ private slots:
         QTRY_VERIFY(shop.looksAt(0.5));
         QCOMPARE(shop.player.frame()->hash, hash);
 
-        // and it goes on
+        // the opened run goes on from a moment
         shop.runs.seekTime(0.25);
         shop.run("continueHere");
         QTRY_VERIFY(!shop.player.isLookingBack() && shop.player.frame()

@@ -65,7 +65,7 @@ inline PreparedMesh preparedOf(const PolygonMesh& mesh, const MeshShape& shape =
     return *result;
 }
 
-// Nothing given: rods along edges.
+// The fabric without any choice made: it has rods along its edges.
 inline MeshFabric plainFabric(double density = 0.1)
 {
     MeshFabric fabric;

@@ -253,7 +253,7 @@ private slots:
                  plan.reason.english().c_str());
     }
 
-    // Nothing to hold: as many substeps as the author says.
+    // Without rods there is no strain to hold, so it makes as many substeps as the author says.
     void withoutRods()
     {
         System system = emptySystem(0.01);

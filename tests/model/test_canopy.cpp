@@ -256,7 +256,7 @@ private slots:
                 != std::string::npos);
     }
 
-    // From a mouth that is all but shut, thrown or let go, straight or bent.
+    // The canopy starts with a mouth that is all but shut, thrown or let go, straight or bent.
     void opensFromAnyStart_data()
     {
         QTest::addColumn<double>("mouth");

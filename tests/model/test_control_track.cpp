@@ -65,7 +65,7 @@ private slots:
         }
         QCOMPARE(stateHash(again.state()), stateHash(pilot.state()));
 
-        // and another design that has a control of that name
+        // the track can also be read for another design that has a control of that name
         const Scene other = glider(10.5);
         const auto onOther = readControlTrack(file, other);
         QVERIFY2(onOther, onOther ? "" : onOther.message().english().c_str());

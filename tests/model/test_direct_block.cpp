@@ -54,7 +54,7 @@ class TestDirectBlock : public QObject
     Q_OBJECT
 
 private slots:
-    // Against a dense factorisation of the same matrix.
+    // The block factorisation equals a dense factorisation of the same matrix.
     void blockCholesky()
     {
         const int nodes = 20;

@@ -37,7 +37,7 @@ double distanceTo(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p)
     return std::min({toEdge(a, b), toEdge(b, c), toEdge(c, a)});
 }
 
-// Of all particles from panels that they do not belong to.
+// The least distance of particles from panels that they do not belong to.
 double leastDistance(const System& system, const State& state)
 {
     double least = std::numeric_limits<double>::infinity();

@@ -291,7 +291,7 @@ void TestGuides::aRodHoldsABeadOnASlope()
     addPin(system, toPin);
     addBead(system, Vec3::Zero(), 0.5, Guide::Line, up);
     const double expected = weight * std::sin(slope) / std::cos(between);
-    // so that the angle is right where it comes to rest
+    // the rod is shorter by its stretch, so that the angle is right where the bead comes to rest
     addRod(system, 0, 1, 1.0 - compliance * expected, compliance);
     system.rods.back().resists = Resists::Tension;
     finish(system);

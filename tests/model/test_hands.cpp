@@ -293,7 +293,7 @@ private slots:
         const Vec3 load = panelLoads(system, state)[0];
         QVERIFY2(isNear(load, Vec3(expected, 0.0, 0.0), 1e-12 + 1e-9 * expected),
                  told(load, Vec3(expected, 0.0, 0.0)));
-        // and that is what moves it
+        // this load is what moves the panel
         state = run(system, state, 1);
         const double speed = expected / 3.0 * 1e-3;
         QVERIFY(isNear(state.velocity[0], Vec3(speed, 0.0, 0.0), 1e-12 + 1e-9 * speed));

@@ -85,7 +85,8 @@ System panels(std::uint32_t seed, double speed, int count = 403)
     return system;
 }
 
-// Of each kind, slack and taut, some torn, one without length; not a multiple of four.
+// Springs of each kind, slack and taut, some torn, one without length; their number is not a
+// multiple of four.
 System springs(std::uint32_t seed, int count = 401)
 {
     Dice dice(seed);
@@ -276,7 +277,7 @@ private slots:
         }
     }
 
-    // Whom a panel stands beside changes nothing. Corners at rest, so that the apparent wind is
+    // The panels in the same pack change nothing. Corners are at rest, so that the apparent wind is
     // the wind to the last bit.
     void panelsAlone()
     {
@@ -334,7 +335,7 @@ private slots:
         }
     }
 
-    // Enough of them to be shared out, in parts that do not end with a group of four.
+    // There are enough panels to be shared out among threads, in parts that do not end with a pack.
     void threads()
     {
         const System cloth = panels(23, 3.0, 30001);

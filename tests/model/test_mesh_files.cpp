@@ -285,7 +285,8 @@ private slots:
         QCOMPARE(info.json()["particles"].toInt(), 8);
         QCOMPARE(info.json()["panels"].toInt(), 12);
 
-        // once more, into that scene, of the same material and as key=value
+        // the mesh comes once more, into that scene, of the same material, with options as
+        // key=value
         const Outcome more = call({"import", mesh, "scale=0.5", "shear=springs", "--into", scene,
                                    "--material", "fabric", "-o", scene});
         QCOMPARE(more.error, QString());

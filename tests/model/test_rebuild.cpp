@@ -239,7 +239,7 @@ private slots:
         QVERIFY(itemNamed<Wind>(changed, "gusts"));
         QCOMPARE(changed.settings.sweeps, 17);
         QVERIFY(isClean(changed));
-        // and back: the gusts go, and the tail with its group
+        // the way back: the gusts go, and the tail with its group
         changed = changing(changed, {{"gusts", 0.0}, {"tail_length", 0.0}});
         QVERIFY(!itemNamed<Wind>(changed, "gusts"));
         QVERIFY(!itemNamed<Group>(changed, "tail nodes"));

@@ -1,8 +1,7 @@
 // The runner's thread: pacing, mailboxes, edits and resets while it plays.
 //
 // Stages: the mailbox; standing, stepping and playing until a time; edits while it plays and
-// frames that are whole; pace and pauses; commands, trouble, and a prompt stop. Each test waits
-// for frames, not for times, except where pace itself is tested.
+// frames that are whole; pace and pauses; commands, trouble, and a prompt stop.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

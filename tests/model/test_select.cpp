@@ -207,7 +207,7 @@ private slots:
     {
         const Sheet s;
         QCOMPARE(countsOf(s.scene, boundary(s.scene, {})), (Counts{4 * (n - 1), 4 * (n - 1), 0}));
-        // of one cell, its four corners; its diagonal is inside, and is no link
+        // the edge of one cell is its four corners; its diagonal is inside, and is no link
         const std::vector<Id> cell{s.part().panels[0].id, s.part().panels[1].id};
         QCOMPARE(countsOf(s.scene, boundary(s.scene, cell)), (Counts{4, 4, 0}));
     }

@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(text(Id{5}, column(SheetOf::Links, "tearLimit")), std::string());
     }
 
-    // From a spreadsheet: tabs, carriage returns, units, decimals with a comma.
+    // A spreadsheet gives tabs, carriage returns, units, and decimals with a comma.
     void aBlockIsPasted()
     {
         Scene scene = small();

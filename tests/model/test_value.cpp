@@ -26,7 +26,7 @@ const Property* propertyAt(const QString& path)
     return kind ? findProperty(*kind, path.section('.', 1).toStdString()) : nullptr;
 }
 
-// Not inlined, because GCC 12 then takes parts of the variant for uninitialized.
+// This is not inlined, because GCC 12 would take parts of the variant for uninitialized.
 [[gnu::noinline]] Value value(Value v) { return v; }
 
 } // namespace

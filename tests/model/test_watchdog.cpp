@@ -72,7 +72,7 @@ private slots:
         QVERIFY(!simulation.step());
         QCOMPARE(stateHash(simulation.state()), hash);
 
-        // and names element, time and cause
+        // the message names element, time and cause
         const QString message = QString::fromStdString(simulation.trouble()->message.english());
         QCOMPARE(simulation.trouble()->particle, Key(42));
         QVERIFY2(message.contains("42"), qPrintable(message));

@@ -25,7 +25,7 @@ Scene sceneOf(ColliderShape shape)
 
 Collider& colliderOf(Scene& scene) { return std::get<Collider>(scene.items.front().item); }
 
-// As the engine has made its shape.
+// The body of the collider, as the engine has made its shape.
 ColliderBody bodyOf(const Scene& scene)
 {
     (void)gridOf(scene, std::get<Collider>(scene.items.front().item));

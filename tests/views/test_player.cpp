@@ -2,8 +2,7 @@
 //
 // Stages: play, step and reset of a falling pair, whose fall is known exactly; edits that reach a
 // run and those that wait for the reset; scenes that cannot run and their cure; the stop after an
-// explosion; controls; and many edits with an early end, for the thread sanitizer. Frames are
-// waited for, never assumed after a time.
+// explosion; controls; and many edits with an early end, for the thread sanitizer.
 #include "document/document.h"
 #include "document/player.h"
 #include "run/simulation.h"
@@ -177,7 +176,7 @@ private slots:
         document.replace(fallingPair());
         QTRY_VERIFY(shown(player, 0.0));
 
-        // at once while nothing has moved
+        // a new place is shown at once while nothing has moved
         document.push(setValue(document.scene(), Id{2}, "position", Vec3(0, 20, 0)));
         QTRY_COMPARE(height(player, 2), 20.0);
 

@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(drawn.low, -40.0);
         QVERIFY(std::is_sorted(drawn.time.begin(), drawn.time.end()));
 
-        // as far as one looks, and one sample beyond either end
+        // the curve goes as far as one looks, and one sample beyond either end
         const DrawnCurve part = drawnCurve(time, value, {10.0, 10.1, 800, false});
         QCOMPARE(part.time.size(), 102);
         QVERIFY(part.high <= 1.0);

@@ -110,7 +110,7 @@ private slots:
         QCOMPARE(designGhost(held, now)->position, held->position);
     }
 
-    // As long as five seconds of the run, of the particles that are followed.
+    // Trails are as long as five seconds of the run, and belong to the particles that are followed.
     void trails()
     {
         Trails trails;
@@ -223,7 +223,7 @@ private slots:
         QVERIFY(vectorsOf(now, Vectors::None).empty());
     }
 
-    // Of many there is every n-th.
+    // Of many vectors only every n-th is drawn.
     void notTooMany()
     {
         Frame now = frame();
