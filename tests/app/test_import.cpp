@@ -1,4 +1,7 @@
 // A mesh brought in by hand: the dialog, the edit that comes of it, and the ways there.
+//
+// Stages: the dialog and its refusals; the import as one step of the history and its cancelling;
+// the ways there (drop, menu, start page); then large meshes, and the preview by its pixels.
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"

@@ -1,4 +1,7 @@
 // The timeline in the window: what ran is looked back at, marked, gone on from, saved and opened.
+//
+// Stages: looking back by keys, mouse and actions; playing on live; going on from an exact state;
+// events, bookmarks and loops; files; and no memory for recordings.
 #include "document/recordings.h"
 #include "files/run_files.h"
 #include "io/recording_file.h"

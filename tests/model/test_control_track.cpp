@@ -1,4 +1,7 @@
 // Control tracks: what a pilot did is written down, and flies again to the same bits.
+//
+// Stages: a flight with commands is written, read and flown again; tracks of new runs; names that
+// are awkward or double; then the hands in a track, read, written, and refused.
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "io/control_track.h"

@@ -1,5 +1,8 @@
 // Exported flights opened by the programs that they are for: Blender and ParaView, without a
 // window. Where one of them is not installed, its test says so and does not run.
+//
+// Stages: a flight is exported, a script is run by the program, and the greatest distance that the
+// script prints, frame by frame, has to be small.
 #include "export/export_run.h"
 #include "export/surface.h"
 #include "model/sample_scenes.h"

@@ -1,4 +1,8 @@
 // Fabric and lines against fabric: what is folded stays apart.
+//
+// Stages: a folded sheet with contact, and without it as a control; momentum of one particle and
+// one panel; lines, large panels and panels that are gone; and the same bits at any number of
+// threads.
 #include "assembly/finish.h"
 #include "contact/fabric_contact.h"
 #include "model/systems.h"

@@ -1,4 +1,7 @@
 // Lists of fields: nothing is missing from them, and all that walks over fields follows them.
+//
+// Stages: names, differences and clearing of fields; then bytes, recordings, hashes and
+// carry-over, each of which has to follow the list of fields and to need no list of its own.
 #include "assembly/carry_over.h"
 #include "base/bytes.h"
 #include "measure/diagnostics.h"

@@ -1,5 +1,9 @@
 // Smoothing against what it does to waves: on a ring of n particles a wave of k turns has the
 // eigenvalue 1 - f (1 - cos(2 pi k / n)) in one pass, with f negative in Taubin's second.
+//
+// Stages: the eigenvalue of each wave; then what must stay (borders, what is not selected) and
+// what becomes of rest lengths; then the operation as an edit that can be undone, and its
+// refusals.
 #include "model/systems.h"
 
 #include "author/operation.h"

@@ -1,4 +1,8 @@
 // What is told of a design before its first step, and what repairs do.
+//
+// Stages: a sound chain; then each reason by which a design is poor (time step, mass ratio,
+// iterations, lengths, tears at once, loose or double elements) with its measure by hand and what
+// its repair does.
 #include "author/stability.h"
 
 #include <QtTest>

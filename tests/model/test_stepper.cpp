@@ -1,4 +1,8 @@
 // The step as a whole: substeps, viscosity, pins, changing systems under a running state.
+//
+// Stages: time and substeps, viscosity and pins on systems of few particles; then one stepper for
+// several systems, another time step in flight, and empty systems; at the end the period of a
+// pendulum.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,4 +1,8 @@
 // What stops a simulation, and what it says.
+//
+// Stages: a step that is too long is stopped with element, time and cause, and goes on after a
+// cure; then explicit Euler, numbers that are none, mass ratios, and torn springs that are not to
+// blame.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

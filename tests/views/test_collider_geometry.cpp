@@ -1,4 +1,7 @@
 // Colliders in the view: what is kept from picture to picture, what is drawn, and where a ray ends.
+//
+// Stages: shapes come from the engine and are kept while they are right; what is drawn of large
+// fields; colliders without a size; then rays at the ground, a cylinder and a box.
 #include "look/collider_geometry.h"
 #include "scene/collider_shape.h"
 

@@ -1,4 +1,7 @@
 // Colours by tear limit, the peak, and arrows on elements.
+//
+// Stages: colours by tear load and stress; the ghost of the design; trails; the range of colours
+// and the peak; then arrows, and how many of them are drawn.
 #include "layers/vector_layer.h"
 #include "look/design_ghost.h"
 #include "look/quantity_values.h"
