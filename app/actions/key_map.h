@@ -37,8 +37,8 @@ signals:
 
 private:
     static void show(QAction& action, const QKeySequence& keys);
-    void wear(QAction& action,
-              const QKeySequence& keys); // shows them from now on, and keeps them for the next run
+    // shows them from now on, and keeps them for the next run
+    void wear(QAction& action, const QKeySequence& keys);
 
     std::vector<QAction*> m_actions;
     std::map<const QAction*, QKeySequence> m_usual;

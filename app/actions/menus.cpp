@@ -159,8 +159,8 @@ void Menus::restoreView()
 {
     const QSettings settings;
     for (QAction* action : m_viewToggles) {
-        const bool isOne =
-            action->actionGroup() != nullptr; // one of a group: it is only switched on
+        // one of a group: it is only switched on
+        const bool isOne = action->actionGroup() != nullptr;
         const bool kept =
             settings.value("view/" + action->objectName(), action->isChecked()).toBool();
         if (kept != action->isChecked() && (kept || !isOne))

@@ -38,8 +38,8 @@ public:
         return m_panels.the<Panel>();
     }
 
-    bool show(const QString& id)
-        const; // brings it before the others of its area; false when there is none
+    // brings it before the others of its area; false when there is none
+    bool show(const QString& id) const;
     QList<QAction*> toggles() const; // that show and hide them, by their ids
 
     void hideAll() const;

@@ -132,8 +132,8 @@ void HandBar::layOut(QAction* through)
     bold.setBold(true);
     m_title->setFont(bold);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
-    auto* button =
-        new QToolButton; // it has a text of its own, which a default action would replace
+    // it has a text of its own, which a default action would replace
+    auto* button = new QToolButton;
     button->setCheckable(true);
     button->setChecked(through->isChecked());
     button->setIcon(through->icon());
@@ -193,8 +193,8 @@ void HandBar::refresh()
 
 void HandBar::take(const Field& field)
 {
-    if (!field.edit
-             ->isModified()) // the shown number is rounded and must not be taken for a typed one
+    // the shown number is rounded and must not be taken for a typed one
+    if (!field.edit->isModified())
         return;
     const QString text = field.edit->text().trimmed();
     const auto typed = typedNumber(text.toStdString(), field.unit.toStdString()).number;

@@ -45,8 +45,8 @@ QPalette paletteOf(const Colors& colors)
     for (const QPalette::ColorRole role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, colors.faint);
-    palette.setColor(QPalette::Disabled, QPalette::Light,
-                     colors.base); // embossed edge of disabled text
+    // embossed edge of disabled text
+    palette.setColor(QPalette::Disabled, QPalette::Light, colors.base);
     return palette;
 }
 

@@ -90,8 +90,8 @@ private:
     void start();
     bool mayWrite();          // asks before it replaces a file
     QString writeNow() const; // returns the failure, or an empty text
-    QString
-    write(const Job& job); // runs on the other thread; returns the failure, or an empty text
+    // runs on the other thread; returns the failure, or an empty text
+    QString write(const Job& job);
     QString writeBundle(const Job& job);
     Result<std::unique_ptr<FrameSink>> open(const Job& job);
     void watch();

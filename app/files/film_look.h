@@ -1,7 +1,7 @@
 // How the pictures of a film are to look, and the caption that is painted into them.
 //
 // The export dialog fills it; the view draws what concerns the scene, and paintCaption() the rest.
-// It paints on a QImage, on the thread that owns the picture.
+// It paints on a QImage, on the calling thread.
 #pragma once
 
 #include "run/frame.h"

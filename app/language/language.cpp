@@ -75,8 +75,8 @@ void Translation::install(Language language)
     if (m_qt.load("qtbase_fr", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&m_qt);
     if (m_own.load(":/translations/ripstop_fr.qm"))
-        QCoreApplication::installTranslator(
-            &m_own); // Qt asks it first, because it was installed last
+        // Qt asks it first, because it was installed last
+        QCoreApplication::installTranslator(&m_own);
 }
 
 bool Translation::eventFilter(QObject* target, QEvent* event)
