@@ -1,5 +1,6 @@
-// Time that the calling thread has worked, ms: unlike a clock on the wall it is not longer on a
-// machine that is busy with something else.
+// The time that the calling thread has worked, in ms. Unlike a clock on the wall it is not longer
+// on a machine that is busy with something else, so that tests can bound it; bounds are multiplied
+// by `slowdown`, since the thread sanitizer makes all work slower.
 #pragma once
 
 #include <ctime>

@@ -1,5 +1,10 @@
-// Films and pictures of a flight. Pictures are drawn by the view, films made of them by the program
-// ffmpeg.
+// Films and pictures of a flight. Pictures are drawn by the view, films are made of them by the
+// program ffmpeg, which has to be installed; whyNoFilm() says so where it is not.
+//
+// The formats are a table, from which the export dialog makes its choices. A sink takes frames one
+// after another (FrameSink) and leaves nothing behind when it is destroyed before it has finished.
+// Failures are sentences, those of ffmpeg in its own words. Sizes are in pixels, rates in pictures
+// per second.
 #pragma once
 
 #include "export/frame_sink.h"

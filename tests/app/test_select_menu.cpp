@@ -125,7 +125,7 @@ private slots:
         QCOMPARE(editor.count(), std::size_t(2)); // two corners
         editor.trigger("allRods");                // there are none: the selection stays
         QCOMPARE(editor.count(), std::size_t(2));
-        editor.trigger("shrink"); // that leaves nothing
+        editor.trigger("shrink"); // shrinking leaves nothing
         QCOMPARE(editor.count(), std::size_t(0));
         editor.trigger("selectAll");
         editor.trigger("deselect");

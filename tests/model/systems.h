@@ -1,5 +1,6 @@
-// The small systems of the cases (verify/small_systems.h), and the words with which a test reports
-// a number.
+// The small systems of the cases (verify/small_systems.h) for tests of the engine, with obstacles
+// that cost as much as any, comparisons by an absolute tolerance, and the words with which a test
+// reports a number. Lengths are in m.
 #pragma once
 
 #include "verify/small_systems.h"

@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(flown.exitCode, 4);
         QVERIFY2(flown.error.contains("scene.ripstop.json"), qPrintable(flown.error));
         const QJsonObject difference = flown.json()["difference"].toObject();
-        QCOMPARE(difference["step"].toInt(), 1); // of still air it is the first
+        QCOMPARE(difference["step"].toInt(), 1); // in still air the first step differs
         QVERIFY(difference["particle"].isDouble());
     }
 

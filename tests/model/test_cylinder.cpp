@@ -163,7 +163,7 @@ private slots:
                 const Vec3 from = dice.vector(3.0), to = dice.vector(3.0);
                 if (nearestOnCylinder(drum, from).distance < margin)
                     continue;
-                double least = 1e9; // of the distance on the way
+                double least = 1e9; // least distance on the way
                 for (int step = 0; step <= 200; ++step)
                     least = std::min(
                         least, nearestOnCylinder(drum, from + step / 200.0 * (to - from)).distance);

@@ -394,7 +394,7 @@ private slots:
         }
 
         told = {};
-        for (int step = 0; step < 45; ++step) { // what was told up to there
+        for (int step = 0; step < 45; ++step) { // orders that were given up to there
             Simulation nobody(*system);
             act(nobody, step);
         }

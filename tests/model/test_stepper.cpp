@@ -263,7 +263,7 @@ private slots:
         Stepper stepper;
         State state = system.start;
         std::vector<double> crossings; // through the lowest point towards -x
-        double amplitude = 0.0;        // of the last swing
+        double amplitude = 0.0;        // amplitude of the last swing
         for (int i = 0; i < 12000; ++i) {
             const double x = state.position[1].x();
             stepper.step(system, state);

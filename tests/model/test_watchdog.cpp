@@ -44,7 +44,7 @@ class TestWatchdog : public QObject
 private slots:
     void stepTooLong_data()
     {
-        QTest::addColumn<double>("factor"); // of the longest stable step
+        QTest::addColumn<double>("factor"); // multiple of the longest stable step
         QTest::addColumn<bool>("stops");
         QTest::newRow("just below the limit") << 0.99 << false;
         QTest::newRow("just above the limit") << 1.02 << true;

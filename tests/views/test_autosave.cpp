@@ -68,7 +68,8 @@ private slots:
         Desk desk(folder.path());
         desk.document.replace(fallingPair(), "sketch");
         QVERIFY(desk.change(0.3));
-        QVERIFY(leftBehind(folder.path()).isEmpty()); // its program lives
+        // its program still runs, so it is not left behind
+        QVERIFY(leftBehind(folder.path()).isEmpty());
         const QStringList copies = QDir(folder.path()).entryList({"*.ripstop.json"});
         QCOMPARE(copies.size(), 1);
         Document copy;
@@ -87,7 +88,7 @@ private slots:
         QCOMPARE(filesIn(folder.path()), QStringList());
         QVERIFY(desk.change(0.4));
         QVERIFY(!filesIn(folder.path()).isEmpty());
-        desk.document.history().undo(); // as saved
+        desk.document.history().undo(); // back to what was saved
         QCOMPARE(filesIn(folder.path()), QStringList());
     }
 

@@ -47,7 +47,7 @@ private slots:
     void shapesOfTheEngineAreTaken()
     {
         Scene scene = sceneOf(ColliderShape::HeightField);
-        colliderOf(scene).seed = 4711; // that no other test has made
+        colliderOf(scene).seed = 4711; // a seed that no other test has used
         std::vector<ColliderBody> bodies = bodiesOf(scene, {});
         QVERIFY(bodies.front().isLate && !bodies.front().surface);
         Eigen::AlignedBox3d around;

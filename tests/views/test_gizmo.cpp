@@ -151,7 +151,7 @@ private slots:
         view.move(from + QPoint(80, 0)); // the button is still down
         QVERIFY(view.document.scene() == before);
         view.release(from + QPoint(80, 0));
-        QVERIFY(view.selection.contains(Id{3})); // that was no click
+        QVERIFY(view.selection.contains(Id{3})); // the drag was not taken for a click
         QCOMPARE(view.tool.shaping(), Shaping::Move);
         view.key(Qt::Key_Escape);
         QCOMPARE(view.tool.shaping(), Shaping::None);
