@@ -145,7 +145,7 @@ private slots:
     void noKeyIsComparedOrLookedUp_data()
     {
         QTest::addColumn<QString>("pattern");
-        QTest::addColumn<QString>("example"); // of what is to be found
+        QTest::addColumn<QString>("example"); // an example of what is to be found
         // clang-format off
         QTest::newRow("compared")           << R"re([kK]ey\b(?:\(\))?\s*[!=]=\s*"(\w+)")re"      << "if (set->property->key == \"mass\")";
         QTest::newRow("the other way")      << R"re("(\w+)"\s*[!=]=\s*[\w.()>-]*[kK]ey\b)re"    << "\"mass\" != property.key";

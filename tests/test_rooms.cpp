@@ -1,5 +1,9 @@
 // The plan of the house: who may include whom, and what stays out of which room. The rooms
 // themselves are said in rooms.txt.
+//
+// Stages: folders against rooms.txt; includes of every file against what its room may include;
+// types and nouns, of which each has one place; then the lengths of files, and habits that are not
+// wanted, found by patterns.
 #include <QtTest>
 
 #include <QDirIterator>
@@ -180,7 +184,7 @@ static QMap<QString, QStringList> nounsOf(const QString& room)
     return nouns;
 }
 
-// From a noun by others back to it; empty when there is no such way.
+// The way from a noun by others back to it; it is empty when there is none.
 static QString wayBack(const QString& noun, const QMap<QString, QStringList>& nouns)
 {
     Reached reached;

@@ -1,5 +1,6 @@
-// Time that the calling thread has worked, ms: unlike a clock on the wall it is not longer on a
-// machine that is busy with something else.
+// The time that the calling thread has worked, in ms. Unlike a clock on the wall it is not longer
+// on a machine that is busy with something else, so that tests can bound it; bounds are multiplied
+// by `slowdown`, since the thread sanitizer makes all work slower.
 #pragma once
 
 #include <ctime>
@@ -13,7 +14,7 @@ inline double threadTime()
     return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
 }
 
-// How much longer the same work may take in this build.
+// How much longer work may take in this build than in a plain one.
 #ifdef __SANITIZE_THREAD__
 inline constexpr double slowdown = 10.0; // 5 to 15, as the manual of the thread sanitizer says
 #else

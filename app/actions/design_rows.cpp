@@ -1,3 +1,8 @@
+// Stages: Shaper holds what these actions do to the selection: transform tools, operations with a
+// dialog, alignment, pins, copies. Each goes back to the design first where the change would
+// otherwise meet a run, and says in the status bar what has to be selected when there is nothing
+// to do. addAlignRows() makes the rows for three axes and three sides; designRows() has the table
+// of all others and puts those rows before Flatten.
 #include "actions/menu_rows.h"
 
 #include "actions/workbench.h"
@@ -26,7 +31,7 @@ constexpr std::array<std::array<const char*, 3>, 3> alignIds{
      {"alignLeastZ", "alignMiddleZ", "alignMostZ"}}};
 constexpr std::array<const char*, 3> distributeIds{"distributeX", "distributeY", "distributeZ"};
 
-// What shapes the design: it goes there from a run first.
+// What shapes the design. It leaves a run that is shown and goes back to the design first.
 class Shaper
 {
 public:

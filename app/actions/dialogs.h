@@ -1,3 +1,9 @@
+// The dialogs that actions open beside the main window.
+//
+// The workbench holds one of these, and actions call it. Each dialog is made when it is first
+// asked for; those without a mode stay open while one works, and asking again raises them. The key
+// table and the palette are modal and end before their function returns. All belongs to the thread
+// of the window.
 #pragma once
 
 #include <QPointer>
@@ -19,8 +25,6 @@ class SettleDialog;
 class VerificationDialog;
 class Viewport;
 
-// The windows beside the main one. Each is made when it is asked for, and most stay open while one
-// works.
 class Dialogs final
 {
 public:

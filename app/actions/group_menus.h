@@ -1,5 +1,8 @@
-// The parts of the Select menu that depend on the groups of the scene. The menus put them below the
-// rows of that menu, one of which groups the selection.
+// The parts of the Select menu that depend on the groups of the scene. The menus put them below
+// the rows of that menu, one of which groups the selection.
+//
+// Both functions belong to the thread of the window. Changes of groups are edits of the document
+// and can be undone.
 #pragma once
 
 class QMenu;

@@ -1,3 +1,7 @@
+// Stages: a row for each builder comes from the table of builders, with a line between families,
+// so that a new builder needs nothing here. Shop holds the two actions on a part that a builder
+// made: building it again with other parameters, and detaching it, for which it first says what is
+// lost.
 #include "actions/menu_rows.h"
 
 #include "actions/workbench.h"

@@ -1,3 +1,9 @@
+// The keys of actions as this user wants them.
+//
+// What differs from the usual keys is kept in the settings from run to run, under the name of the
+// action's object; tests and pictures ignore the settings (Memory::Ignore). A key belongs to one
+// action at a time. Actions makes it once all actions have been added; the dialog of keys changes
+// it.
 #pragma once
 
 #include <QKeySequence>
@@ -10,8 +16,6 @@ class QAction;
 
 namespace ripstop {
 
-// The keys of actions as this user wants them. What differs from the usual keys is kept from run to
-// run, under the name of the action's object.
 class KeyMap final : public QObject
 {
     Q_OBJECT
@@ -33,7 +37,8 @@ signals:
 
 private:
     static void show(QAction& action, const QKeySequence& keys);
-    void wear(QAction& action, const QKeySequence& keys); // from now on, and in the next run
+    // shows them from now on, and keeps them for the next run
+    void wear(QAction& action, const QKeySequence& keys);
 
     std::vector<QAction*> m_actions;
     std::map<const QAction*, QKeySequence> m_usual;

@@ -1,3 +1,7 @@
+// Stages: the constructor fills a table of four sections and lays out the row in which the key of
+// the chosen action is changed. showKeys() writes the keys of all actions, in bold where they are
+// not the usual ones; filter() hides rows and sections that the search does not meet.
+// showConflict() names the action that would lose a key before it is set.
 #include "actions/keys_dialog.h"
 
 #include "actions/key_map.h"

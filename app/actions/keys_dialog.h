@@ -1,3 +1,8 @@
+// All keys on one page: those of the controls of a scene, those of the actions, which can be
+// changed here, and what the mouse does.
+//
+// Changes go to the KeyMap at once, which keeps them; there is nothing to accept. The controls are
+// those of the scene at the moment when the dialog was made. Dialogs::showKeys() opens it.
 #pragma once
 
 #include "scene/scene.h"
@@ -16,8 +21,6 @@ namespace ripstop {
 
 class KeyMap;
 
-// All keys on one page: those of the controls of a scene, those of the actions, which can be
-// changed here, and what the mouse does.
 class KeysDialog final : public QDialog
 {
     Q_OBJECT

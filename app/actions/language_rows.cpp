@@ -14,7 +14,7 @@ namespace {
 struct Choice
 {
     const char* action;
-    const char* name; // in the language itself; of System in that of the window
+    const char* name; // each language by its own name; System in the language of the window
     const char* tip;
 };
 

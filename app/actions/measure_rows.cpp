@@ -1,3 +1,8 @@
+// Stages: measureRows() makes a row for each quantity of the table of quantities, in a menu that
+// follows from what the quantity is measured on, so that a new quantity needs nothing here. The
+// action adds a probe to the scene, or says in the status bar what has to be selected first.
+// showViewMenu() makes the menu under a right click from actions that exist already, with the
+// quantities that the selection allows.
 #include "actions/menu_rows.h"
 
 #include "actions/actions.h"

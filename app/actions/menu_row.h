@@ -18,7 +18,7 @@ enum class Needs { Nothing, Selection };
 struct MenuRow
 {
     const char* menu; // "&Select/By &type" is a menu in another one
-    const char* id;   // null: a line between actions
+    const char* id;   // null for a line between actions
     QString text;
     const char* icon;
     QKeySequence keys;

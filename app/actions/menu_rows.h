@@ -21,10 +21,10 @@ MenuRows insertRows(const Workbench& bench); // a row for each builder
 MenuRows designRows(const Workbench& bench); // what shapes the design
 MenuRows drawRows(const Workbench& bench);
 MenuRows viewRows(const Workbench& bench);
-MenuRows languageRows(const Workbench& bench); // what is chosen is heard at the next start
-MenuRows runRows(const Workbench& bench);      // what is done to a run by hand, and made of it
+MenuRows languageRows(const Workbench& bench); // the choice is kept for the next start
+MenuRows runRows(const Workbench& bench); // play and reset, tools of the hand, settling and poses
 MenuRows tuningRows(const Workbench& bench);   // sliders and sets of their values
-MenuRows timelineRows(const Workbench& bench); // what looks back at runs
+MenuRows timelineRows(const Workbench& bench); // recordings and looking back at runs
 MenuRows toolRows(const Workbench& bench);
 MenuRows measureRows(const Workbench& bench); // a probe of what is selected, for each quantity
 MenuRows helpRows(const Workbench& bench);

@@ -1,3 +1,8 @@
+// Stages: the constructor goes through the rows of all sources and makes menus and actions of
+// them, then adds what is known only when the window runs (recent files, templates, groups,
+// docks), gives letters to entries and connects what keeps them current. keepCurrent() enables,
+// words and checks actions after each change of history, selection, run or tool. keepView() and
+// restoreView() carry the toggles of the View menu from run to run.
 #include "actions/menus.h"
 
 #include "actions/actions.h"
@@ -35,7 +40,7 @@ constexpr std::array<MenuRows (*)(const Workbench&), 14> sources{
     fileRows,     editRows, selectRows, insertRows,   designRows, drawRows,    viewRows,
     languageRows, runRows,  tuningRows, timelineRows, toolRows,   measureRows, helpRows};
 
-// What the view shows and hides, or one of the ways in which it colours.
+// Whether the row shows or hides something in the view, or is one of the ways of colouring it.
 bool isOfView(const MenuRow& row)
 {
     return row.toggle != Toggle::No && QLatin1String(row.menu) == "&View";
@@ -69,7 +74,7 @@ Menus::Menus(const Workbench& bench)
 
 Menus::~Menus() = default;
 
-// "&Select/By &type": made when it is first named.
+// A menu such as "&Select/By &type" is made when its path is first named.
 QMenu& Menus::menu(const QString& path)
 {
     QMenu*& place = m_menus[path];
@@ -154,7 +159,8 @@ void Menus::restoreView()
 {
     const QSettings settings;
     for (QAction* action : m_viewToggles) {
-        const bool isOne = action->actionGroup() != nullptr; // of several: only switched on
+        // one of a group: it is only switched on
+        const bool isOne = action->actionGroup() != nullptr;
         const bool kept =
             settings.value("view/" + action->objectName(), action->isChecked()).toBool();
         if (kept != action->isChecked() && (kept || !isOne))

@@ -41,7 +41,7 @@ private:
     void fillRecent();
     void fillTemplates();
 
-    std::unique_ptr<Workbench> m_bench; // to which the rows refer
+    std::unique_ptr<Workbench> m_bench; // rows keep references into it
     std::map<QString, QMenu*> m_menus;  // by their paths
     std::map<QString, QActionGroup*> m_groups;
     std::vector<QAction*> m_needSelection;

@@ -1,4 +1,7 @@
 // The letters that choose an entry of an open menu.
+//
+// The menus call this once for the menu bar; it changes the texts of actions only, and has to run
+// on the thread of the window.
 #pragma once
 
 #include <QList>

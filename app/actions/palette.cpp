@@ -1,3 +1,7 @@
+// Stages: the constructor collects the entries of all menus with their paths; fill() ranks those
+// that answer what is typed and lists them, those that cannot be run now last and grey. fit() is
+// the ranking: each typed word has to be found, in the name first, then in the menu, then in the
+// tip. Keys that move through the list work while the field has the focus.
 #include "actions/palette.h"
 
 #include <QAction>
@@ -139,7 +143,7 @@ void Palette::fill()
     m_list->setCurrentItem(m_list->topLevelItem(0));
 }
 
-// The list follows keys while one types.
+// The arrow and page keys move through the list while the field keeps the focus.
 bool Palette::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_typed && event->type() == QEvent::KeyPress) {

@@ -1,3 +1,8 @@
+// The dialog that finds any action of the menus by what is typed.
+//
+// It lists what the menus hold at the moment when it is made, best match first, and only chooses:
+// the caller runs the action after the dialog has closed, as if it came from its menu.
+// Dialogs::showPalette() opens it.
 #pragma once
 
 #include <QDialog>
@@ -11,7 +16,6 @@ class QTreeWidget;
 
 namespace ripstop {
 
-// Type to find any action of the menus, and run it.
 class Palette final : public QDialog
 {
     Q_OBJECT

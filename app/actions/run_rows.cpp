@@ -1,3 +1,7 @@
+// Stages: the functions at the top give the mouse a tool of the hand, make the pose of the run the
+// design, and pull out pins; each says in the status bar why it does nothing. runRows() binds them
+// to the rows. A tool of the hand puts the transform tool away, since its handles would be in the
+// way, and takes the focus so that keys reach it.
 #include "actions/menu_rows.h"
 
 #include "actions/actions.h"
@@ -27,7 +31,7 @@ void say(const Workbench& bench, const QString& text)
     bench.window.statusBar()->showMessage(text, messageTime);
 }
 
-// A gizmo would be in the way of a hand.
+// Handles of the transform tool would be in the way of a hand, so that tool is put away.
 void take(const Workbench& bench, std::unique_ptr<Tool> tool)
 {
     bench.viewport.transformTool().setShaping(Shaping::None);

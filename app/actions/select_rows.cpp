@@ -1,3 +1,8 @@
+// Stages: the functions at the top each make what a row runs: a selection from the selection, from
+// a condition, from a kind or from a region drawn with the mouse. Those that find nothing leave
+// the selection as it was and say so, except where nothing is a sensible answer (reducing()). Then
+// come the rows of pointing, of types and the rest, and selectRows() puts them in the order of the
+// menu.
 #include "actions/menu_rows.h"
 
 #include "actions/actions.h"
@@ -29,7 +34,7 @@ void choose(const Workbench& bench, std::vector<Id> ids)
                                           5000);
 }
 
-// An open list has the key first.
+// An open list takes the Escape key first.
 void deselect(Selection& selection)
 {
     if (QWidget* list = QApplication::activePopupWidget())
@@ -38,14 +43,15 @@ void deselect(Selection& selection)
         selection.clear();
 }
 
-// A selection from the selection.
+// Makes a selection from the selection.
 std::function<void()> selecting(const Workbench& bench,
                                 std::vector<Id> (*from)(const Scene&, const std::vector<Id>&))
 {
     return [&bench, from] { choose(bench, from(bench.document.scene(), bench.selection.ids())); };
 }
 
-// One that may well be of nothing: all but everything, or a ring less than one ring.
+// Makes a selection that may well be empty: the inverse of everything, or one ring less than a
+// ring.
 std::function<void()> reducing(const Workbench& bench,
                                std::vector<Id> (*from)(const Scene&, const std::vector<Id>&))
 {
@@ -89,7 +95,7 @@ std::function<void()> taking(const Workbench& bench, const char* id, bool Elemen
     };
 }
 
-// All elements that meet a condition, or all of a kind.
+// Selects all elements that meet a condition, or all of a kind.
 std::function<void()> finding(const Workbench& bench, const char* condition)
 {
     return [&bench, condition] {

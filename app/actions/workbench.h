@@ -40,7 +40,8 @@ struct Workbench
     Actions& actions; // by their ids; there once all rows have been made
     std::function<void()> showStartPage;
     std::function<void()> showTour;
-    std::function<void()> handsChanged; // how hard they pull and blow
+    // called when a tool has changed how hard hands pull or blow
+    std::function<void()> handsChanged;
 };
 
 } // namespace ripstop

@@ -1,3 +1,10 @@
+// Stages: the constructor decides which of the three uses it has: a part of the open design, an
+// insertion into it, or a new design with a view of its own. Each change goes through buildSoon(),
+// which waits for a pause in typing, and post(), which reads the form and gives the thread a
+// numbered job; collect() takes the outcome on the thread of the window and drops those of an
+// older number. preview() shows it, as a gesture in the history of the open design, unless it has
+// too many particles; takeBack() undoes that before the next preview, before it is accepted and
+// when it is dismissed.
 #include "dialogs/builder_dialog.h"
 
 #include "dialogs/figures_text.h"
@@ -105,7 +112,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
 BuilderDialog::~BuilderDialog()
 {
     if (m_preview)
-        delete m_preview->view; // before the document that it shows
+        delete m_preview->view; // it has to go before the document that it shows
 }
 
 void BuilderDialog::layOut()
@@ -194,12 +201,12 @@ void BuilderDialog::showParameters()
         connect(m_table, &QPlainTextEdit::textChanged, this, &BuilderDialog::buildSoon);
     }
     layout->addStretch(1);
-    m_scroll->setWidget(page); // the page before it is deleted
+    m_scroll->setWidget(page); // setWidget() deletes the page before
     m_scroll->setMinimumWidth(page->minimumSizeHint().width() + 20);
     post();
 }
 
-// What the part was built with.
+// Fills the form with what the part was built with.
 void BuilderDialog::showValuesOf(const Part& part)
 {
     m_form->setValues(part.parameters);
@@ -272,7 +279,7 @@ void BuilderDialog::post()
     m_delay.stop();
     m_outcome.reset();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
-    const int number = ++m_number; // what is being built is not wanted any more
+    const int number = ++m_number; // outcomes of older numbers are dropped
     if (std::optional<BuildJob> wanted = job()) {
         wanted->number = number;
         m_worker.post(std::move(*wanted));
@@ -283,7 +290,7 @@ void BuilderDialog::collect()
 {
     auto outcome = m_worker.take();
     if (!outcome || outcome->number != m_number || m_delay.isActive())
-        return; // of values that have changed since
+        return; // it was built of values that have changed since
     if (!outcome->refusal.empty())
         return refuse(translated(outcome->refusal));
     m_outcome = std::move(outcome);
@@ -349,7 +356,7 @@ void BuilderDialog::accept()
 void BuilderDialog::reject()
 {
     m_delay.stop();
-    ++m_number; // what comes now is not wanted
+    ++m_number; // an outcome that still comes is dropped
     takeBack();
     QDialog::reject();
 }

@@ -1,3 +1,14 @@
+// Chooses a builder and its parameters, for a new design, for a part of the open one, or to build
+// a part again.
+//
+// The design is built anew, on a thread of its own (builder_work.h), shortly after each change, so
+// that its shape, its figures and what is wrong with it are always on screen: in the open design
+// when it goes there, and in a view of the dialog's own when it is a new one.
+//
+// Accepted, a change of the open design is one step of the history; dismissed, it is none. The
+// dialog is modal because the preview stands in the history until then: another edit would come to
+// lie on it. It lives on the thread of the window; arrivals.h and the rows of the Insert menu open
+// it.
 #pragma once
 
 #include "dialogs/builder_work.h"
@@ -28,14 +39,9 @@ struct OpenDesign
     Document& document;
     Selection& selection;
     Vec3 focus = Vec3::Zero(); // m, what the view turns about
-    Id part = noId;            // to be built again with other parameters; none inserts one
+    Id part = noId;            // to be built again with other parameters; noId inserts a new one
 };
 
-// Chooses a builder and its parameters. The design is built anew, on a thread of its own, shortly
-// after each change, so that its shape, its figures and what is wrong with it are always on screen:
-// in the open design when it goes there, and in a view of the dialog's own when it is a new one.
-// Accepted, a change of the open design is one step of the history, and dismissed, none. It is
-// modal because the preview stands in the history until then: another edit would come to lie on it.
 class BuilderDialog final : public QDialog
 {
     Q_OBJECT
@@ -52,8 +58,8 @@ public:
     void reject() override;
 
 signals:
-    // What comes is in the view, for the first time since its builder or its place was chosen: time
-    // to look at it.
+    // What is inserted stands in the view for the first time since its builder or its place was
+    // chosen, so the camera may turn to it.
     void shown(const std::vector<ripstop::Id>& bodies);
 
 private:

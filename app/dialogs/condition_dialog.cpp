@@ -1,3 +1,7 @@
+// Stages: the constructor lays the dialog out and sets two timers: one looks shortly after the
+// last key or edit, the other looks while a run goes on, and only when the frame is another one.
+// look() takes the frame of now and writes how many elements match, or what is wrong with the
+// condition; select() looks once more and replaces, adds to, takes from or narrows the selection.
 #include "dialogs/condition_dialog.h"
 
 #include "document/document.h"

@@ -1,3 +1,9 @@
+// Selects by what things are: a condition such as "strain > 5 %", how many elements meet it now,
+// and the list of properties that can be asked for.
+//
+// It stays open beside the window, counts again when the design changes, and follows the run a few
+// times a second. What a condition may say is in author/condition.h. It lives on the thread of the
+// window; Dialogs::showCondition() opens it.
 #pragma once
 
 #include "author/condition.h"
@@ -20,8 +26,6 @@ namespace ripstop {
 class Document;
 class Selection;
 
-// Selects by what things are: a condition, how many meet it now, and what can be asked. It stays
-// open beside the window, and counts along while a simulation runs.
 class ConditionDialog final : public QDialog
 {
     Q_OBJECT
@@ -40,14 +44,14 @@ protected:
 private:
     void fillKeys();
     void look();
-    void lookAgain(); // when the instant has changed
+    void lookAgain(); // looks when the frame has changed
     void select();
     Result<std::vector<Id>> found() const;
 
     Document& m_document;
     Selection& m_selection;
     std::function<std::shared_ptr<const Frame>()> m_frame;
-    std::shared_ptr<const Frame> m_seen; // that the count is of
+    std::shared_ptr<const Frame> m_seen; // the frame that was counted
     QLineEdit* m_condition;
     QLabel* m_sign;
     QLabel* m_verdict;

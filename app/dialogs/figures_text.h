@@ -1,3 +1,5 @@
+// The words for the figures of a design and for what is lost when a part is built again, in the
+// language of the window and with SI units. BuilderDialog shows them under its form.
 #pragma once
 
 #include "author/design_figures.h"
@@ -10,7 +12,7 @@ namespace ripstop {
 // "152 particles, 458 links, 221 panels" and what else there is to say, in a few lines.
 QString textOf(const DesignFigures& figures);
 
-// What goes when a part is built again, and how to keep it; empty when nothing does.
+// What is lost when a part is built again, and how to keep it; empty when nothing is.
 QString textOf(const HandWork& lost, std::size_t letGo);
 
 } // namespace ripstop

@@ -1,3 +1,7 @@
+// Stages: outcomeOf() and weightOf() put an edit into words. A change of the form starts a short
+// timer; preview() then takes the last preview back, applies the operation to the design, says
+// what it does or why not, and shows it as a gesture. accept() does the same once more, as an
+// ordinary edit, so that nothing depends on whether a preview stood there.
 #include "dialogs/operation_dialog.h"
 
 #include "author/element_counts.h"
@@ -22,7 +26,7 @@ constexpr int patience = 150;            // ms after the last change
 constexpr std::size_t mostShown = 20000; // particles that are selected
 constexpr int margin = 24;               // pixels, from the edge of the window
 
-// What the particles weigh whose mass is set, and weighed before.
+// What the particles whose mass the edit sets weigh afterwards and before.
 QString weightOf(const Scene& before, const Edit& edit)
 {
     const Property* property = &propertyOf<&Particle::mass>();
@@ -128,7 +132,7 @@ void OperationDialog::takeBack()
     if (m_gesture != 0)
         m_document.cancel(m_gesture);
     m_gesture = 0;
-    m_selection.set(m_ids); // what the preview had removed left it
+    m_selection.set(m_ids); // what the preview removed has left the selection
 }
 
 void OperationDialog::say(const QString& words, bool isRefusal)

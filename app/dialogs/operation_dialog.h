@@ -1,3 +1,11 @@
+// Asks for the parameters of an operation (author/operation.h) on what was selected when it
+// opened.
+//
+// The design shows the outcome while the dialog is open, as a gesture in the history; accepted,
+// that is one step of the history, and dismissed, none. An operation that refuses says why in the
+// dialog, which can then not be accepted. The operation runs on the thread of the window; with
+// more than 20000 selected particles the preview is off at first. Rows of the Design menu open it,
+// modal.
 #pragma once
 
 #include "author/operation.h"
@@ -17,8 +25,6 @@ class Document;
 class ParameterForm;
 class Selection;
 
-// The parameters of an operation on what is selected. The design shows the outcome while the dialog
-// is open; accepted, that is one step of the history, and dismissed, none.
 class OperationDialog final : public QDialog
 {
     Q_OBJECT

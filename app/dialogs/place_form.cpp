@@ -1,3 +1,7 @@
+// Stages: the constructor makes the list of places, in the order of PlaceAt, and two boxes: where
+// something stands already the place beside it is chosen, and where there is neither ground nor
+// wind those of the builder come along. refusal() and wish() read the three numbers only where the
+// chosen place needs them.
 #include "dialogs/place_form.h"
 
 #include "scene/typed_number.h"

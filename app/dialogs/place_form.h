@@ -1,3 +1,8 @@
+// The part of BuilderDialog that asks where in the open design a built one goes (moved by metres
+// along x, y and z if wanted), and which of its surroundings and instruments come along.
+//
+// It reads the ground once, to choose sensible values, and changes nothing; wish() is what it asks
+// for.
 #pragma once
 
 #include "author/insert.h"
@@ -12,7 +17,6 @@ class QLineEdit;
 
 namespace ripstop {
 
-// Where in the open design a built one goes, and what of its surroundings comes along.
 class PlaceForm final : public QGroupBox
 {
     Q_OBJECT

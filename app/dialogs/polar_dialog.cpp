@@ -1,3 +1,7 @@
+// Stages: the constructor makes the two lists and the chart and follows the document, but draws
+// anew only after edits that can touch a material. fillMaterials() keeps the chosen material by
+// its id, since rows move when materials come and go. draw() computes the polar of the material
+// and reads those of the references at the same angles.
 #include "dialogs/polar_dialog.h"
 
 #include "document/document.h"

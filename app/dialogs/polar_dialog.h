@@ -1,3 +1,9 @@
+// Shows what the air law of a material does to a flat plate: a coefficient over the angle of
+// attack in degrees, beside published curves.
+//
+// It only reads the document, and follows its edits, so that the window can stay open while a law
+// is tuned. The curves are computed on the thread of the window, one point a degree. It deletes
+// itself when it is closed; Dialogs::showPolar() opens it.
 #pragma once
 
 #include "scene/id.h"
@@ -13,8 +19,6 @@ namespace ripstop {
 class Document;
 class PolarChart;
 
-// What the air law of a material does to a flat plate, beside published curves. Follows the edits
-// of the document, so that the window can stay open while a law is tuned.
 class PolarDialog final : public QDialog
 {
     Q_OBJECT

@@ -1,3 +1,8 @@
+// Stages: layOut() makes the two choices and says what will change, counted from the frame:
+// particles that move, those that tears have added, links and panels that are gone, pins and
+// colliders that hands have moved. explain() says what a pair of choices means for the next run.
+// accept() posts the job to the thread; take() pushes the edit that comes back, unless the dialog
+// was dismissed meanwhile.
 #include "dialogs/pose_dialog.h"
 
 #include "document/document.h"
@@ -130,7 +135,7 @@ void PoseDialog::take()
     if (!edit || !m_works)
         return;
     m_works = false;
-    m_player.reset(); // the run is over: what it came to is the design
+    m_player.reset(); // the run is over, since what it came to is now the design
     m_document.push(*edit);
     QDialog::accept();
 }

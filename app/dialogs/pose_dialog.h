@@ -1,3 +1,9 @@
+// Makes the design of what the run has come to, in one step of the history.
+//
+// The frame is that of the moment when the dialog opens; the dialog asks what becomes of rest
+// lengths and velocities. The edit is made on a thread of its own, since a large design takes a
+// while, and is pushed on the thread of the window, after the run has been reset. The Run menu
+// opens it.
 #pragma once
 
 #include "document/worker.h"
@@ -14,8 +20,6 @@ namespace ripstop {
 class Document;
 class Player;
 
-// Makes the design of what the run has come to: one step of the history. The frame is that of the
-// moment when the dialog opens.
 class PoseDialog final : public QDialog
 {
     Q_OBJECT
@@ -37,7 +41,7 @@ private:
     void layOut();
     QString outcome() const; // what will change
     void explain();
-    void take(); // the edit that the worker has made
+    void take(); // pushes the edit that the worker has made
 
     Document& m_document;
     Player& m_player;

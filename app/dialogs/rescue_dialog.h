@@ -1,3 +1,8 @@
+// Lists the work that a crash left behind, and asks which of it is to be opened.
+//
+// KeptWork opens it when the window is on the screen. Opening is done by the caller; deleting is
+// done here, at once, after a question. What is neither opened nor deleted is asked about again at
+// the next start.
 #pragma once
 
 #include "document/rescue.h"
@@ -11,8 +16,6 @@ class QTreeWidget;
 
 namespace ripstop {
 
-// Shows the work that was left behind, and which of it is to be opened. What is neither opened nor
-// deleted is asked about again next time.
 class RescueDialog final : public QDialog
 {
     Q_OBJECT

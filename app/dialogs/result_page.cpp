@@ -1,3 +1,9 @@
+// Stages: fill() makes the tree, with a heading for each section. start() stops and joins a thread
+// that still runs, makes the table anew if it has results already, and computes the rows that the
+// filter shows. Each outcome goes to the thread of the window as a queued call with the number of
+// its start, so that what a cancelled start sends late is dropped. take() writes a row and judges
+// it, finish() ends the run; below stand the summary, the filter, and the table as text for the
+// clipboard and for files.
 #include "dialogs/result_page.h"
 
 #include "dialogs/ask_file.h"
@@ -22,7 +28,7 @@ namespace {
 
 constexpr int failedRole = Qt::UserRole; // bool; absent before the row was judged
 
-// Readable on light and on dark.
+// These colours can be read on light and on dark backgrounds.
 QColor colorOf(bool holds) { return holds ? QColor(0x2e, 0x9e, 0x5b) : QColor(0xd6, 0x3b, 0x3b); }
 
 QString quoted(const QString& text, char separator)
@@ -122,7 +128,7 @@ void ResultPage::start()
     cancel();
     if (m_thread.joinable())
         m_thread.join();
-    if (m_isUsed) // by the start before
+    if (m_isUsed) // it holds results of the start before
         fill();
     m_isUsed = true;
     m_onlyFailed->setChecked(false);
@@ -162,7 +168,7 @@ void ResultPage::start()
 
 void ResultPage::take(int start, int row, const ResultTable::Outcome& outcome)
 {
-    if (start != m_start) // on its way when another one began
+    if (start != m_start) // it was sent before another start began
         return;
     QTreeWidgetItem* item = m_items[std::size_t(row)];
     for (int i = 0; i < int(outcome.cells.size()); ++i)
@@ -241,7 +247,7 @@ QString ResultPage::text(char separator) const
         for (int i = 0; i < m_items[row]->columnCount(); ++i)
             cells << quoted(m_items[row]->text(i), separator);
         const QVariant failed = m_items[row]->data(0, failedRole);
-        if (!failed.isNull()) // without the sign
+        if (!failed.isNull()) // the verdict goes without its sign
             cells[1] = failed.toBool() ? tr("fails") : tr("holds");
         lines << cells.join(QChar(separator));
     }

@@ -1,3 +1,10 @@
+// A table whose rows have to be computed one by one, and the page that shows it: it computes the
+// rows on a thread of its own while the window goes on, and can be filtered, cancelled, copied and
+// saved as CSV.
+//
+// VerificationDialog has two of them. The page lives on the thread of the window; only
+// ResultTable::compute runs on the other thread, one row after another, so it must not touch
+// widgets. A row that is under way cannot be interrupted: the destructor waits for it.
 #pragma once
 
 #include <QStringList>
@@ -43,14 +50,12 @@ struct ResultTable
     std::function<Outcome(int row)> compute; // called on another thread, row after row
 };
 
-// Shows such a table and computes it on a thread of its own while the window goes on. It can be
-// filtered, cancelled, copied and saved.
 class ResultPage final : public QWidget
 {
     Q_OBJECT
 
 public:
-    // `make` is called for each start, so that nothing is kept from the one before.
+    // `make` is called for each start, so that nothing is kept from the start before.
     ResultPage(std::function<ResultTable()> make, QWidget* parent = nullptr);
     ~ResultPage() override;
 
@@ -59,14 +64,14 @@ public:
     int failed() const { return m_failed; }
 
     void setFilter(const QString& text);
-    void start();  // from the beginning, with the rows that the filter shows
-    void cancel(); // after the row that is under way
+    void start();  // computes the rows that the filter shows, from the first on
+    void cancel(); // stops after the row that is under way
 
     // One line per row, with a header. What was not computed is empty there.
     QString text(char separator) const;
 
 signals:
-    void finished(); // all that was wanted, or what there was time for
+    void finished(); // all wanted rows are computed, or the run was cancelled
 
 private:
     void fill();

@@ -1,3 +1,8 @@
+// Stages: look() takes the selection, or all parts when there is none, and lookAgain() computes
+// modes and braces, for the design and not for a run. say(), fillModes() and fillBraces() put them
+// into words and lists. showMode() starts a clock whose swing() shifts a copy of the frame of the
+// design along the chosen mode, 0.12 of the size of what moves at most; still() shows the design
+// again. An edit waits for a pause before it is looked at.
 #include "dialogs/rigidity_dialog.h"
 
 #include "document/document.h"

@@ -1,3 +1,11 @@
+// Shows in which ways what is selected gives way without a link growing longer: how many such
+// modes there are, each one moving in the view, and the rods that would stop them
+// (author/rigidity.h).
+//
+// It counts links as if they resisted both ways, and small motions only. It follows the design
+// while it is open; adding the rods is one step of the history. Motion in the view is drawn on
+// frames of its own and changes neither design nor run. All work is done on the thread of the
+// window; Dialogs::showRigidity() opens it.
 #pragma once
 
 #include "author/rigidity.h"
@@ -20,9 +28,6 @@ class Document;
 class Selection;
 class Viewport;
 
-// In which ways what is selected gives way without a link growing longer: how many there are, each
-// one moving in the view, and the rods that would stop them. It follows the design while it is
-// open.
 class RigidityDialog final : public QDialog
 {
     Q_OBJECT
@@ -30,7 +35,7 @@ class RigidityDialog final : public QDialog
 public:
     RigidityDialog(Document& document, Selection& selection, Viewport& viewport, QWidget* parent);
 
-    void look(); // at what is selected now, or at all of a small design
+    void look(); // looks at what is selected now, or at all parts when nothing is selected
     int modes() const { return m_rigidity ? int(m_rigidity->modes.size()) : 0; }
 
 protected:
@@ -39,7 +44,7 @@ protected:
 
 private:
     void layOut();
-    void lookAgain(); // at the same things: the design has changed
+    void lookAgain(); // looks at those things anew, because the design has changed
     void say();
     void fillModes();
     void fillBraces();
@@ -52,7 +57,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     Viewport& m_viewport;
-    std::vector<Id> m_ids; // that are looked at
+    std::vector<Id> m_ids; // items that are looked at
     std::optional<Rigidity> m_rigidity;
     std::vector<Brace> m_braces;
     QLabel* m_verdict;
@@ -65,7 +70,7 @@ private:
     QPushButton* m_add;
     QTimer m_clock;
     QTimer m_soon;
-    std::shared_ptr<const Frame> m_design; // that the mode moves
+    std::shared_ptr<const Frame> m_design; // the frame that the mode moves
     double m_phase = 0.0;                  // radians
 };
 

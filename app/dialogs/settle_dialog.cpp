@@ -1,3 +1,8 @@
+// Stages: the constructor connects the frames and the ends of a run, of which there are four: it
+// is still or the time is over (Player::settled), it stopped by itself (Player::stopped), or
+// somebody paused or reset it. start() gives the player a goal; follow() writes the speed and the
+// energy of each frame and moves the bar; end() says what came of it. refresh() keeps the fields
+// locked while it runs.
 #include "dialogs/settle_dialog.h"
 
 #include "document/player.h"

@@ -1,3 +1,9 @@
+// Runs the scene until all hangs still (run/settle.h): slower than a speed in m/s everywhere,
+// within a simulated time in s, with kinetic damping if wanted.
+//
+// The player runs on its own thread, so the window goes on meanwhile; stopping or closing the
+// dialog pauses the run where it is. It follows the player by signals, on the thread of the
+// window, and deletes itself when it is closed. Dialogs::showSettle() opens it.
 #pragma once
 
 #include "run/frame.h"
@@ -16,8 +22,6 @@ namespace ripstop {
 class ParameterField;
 class Player;
 
-// Runs until all hangs still (run/settle.h). The window goes on meanwhile; stopping pauses the run
-// where it is.
 class SettleDialog final : public QDialog
 {
     Q_OBJECT
@@ -32,7 +36,7 @@ public:
 
 private:
     void layOut();
-    void refresh(); // the buttons and fields
+    void refresh(); // brings the buttons and fields up to date
     void follow(const Frame& frame);
     void end(const Settling& end);
     void say(const QString& words);

@@ -1,3 +1,7 @@
+// Stages: two functions make the tables of the pages from the cases and the references, each with
+// a function that computes one row on another thread from a shared constant copy. The constructor
+// puts them on two pages. Closing cancels both; goWhenIdle() deletes the dialog when neither runs
+// any more, because a case cannot be interrupted and the window must not wait for it.
 #include "dialogs/verification_dialog.h"
 
 #include "dialogs/result_page.h"

@@ -1,3 +1,9 @@
+// Shows what `ripstop-cli verify` tells: on one page the cases whose answer is known, expected
+// beside got (verify/case.h); on the other what designs do beside what was measured of real ones
+// (verify/reference.h).
+//
+// Each page computes on a thread of its own (result_page.h). When it is closed it deletes itself
+// as soon as the case that is under way has ended, and it can be opened again until then.
 #pragma once
 
 #include <QDialog>
@@ -6,9 +12,6 @@ namespace ripstop {
 
 class ResultPage;
 
-// What `ripstop-cli verify` tells: the cases whose answer is known, expected beside got; and, on a
-// second page, what designs do beside what was measured of real ones. Closed, it deletes itself as
-// soon as what it computes has stopped.
 class VerificationDialog final : public QDialog
 {
     Q_OBJECT

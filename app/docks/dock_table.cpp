@@ -1,3 +1,7 @@
+// Stages: one function for each dock makes its panel and connects what the dock itself does, such
+// as to come forward; then stands the table. A new dock is a function here and a row there. A
+// panel that needs another one gets it from the rows above, so the order of rows matters for that
+// as well as for the order of tabs.
 #include "docks/dock_table.h"
 
 #include "docks/panels.h"
@@ -60,7 +64,8 @@ QWidget* makeControls(const PanelParts& parts, const Panels&, QDockWidget& dock)
     return new ControlStrip(parts.document, parts.player, &dock);
 }
 
-// Its title counts, and it comes forward when the design cannot run or the run has stopped.
+// The title of this dock counts problems, and it comes forward when the design cannot run or the
+// run has stopped.
 QWidget* makeProblems(const PanelParts& parts, const Panels&, QDockWidget& dock)
 {
     auto* problems = new ProblemList(parts.document, parts.selection, parts.player, &dock);

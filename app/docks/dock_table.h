@@ -33,7 +33,7 @@ struct PanelParts
     std::function<void(const QString& message)> say; // in the status bar
 };
 
-// When a scene is opened.
+// What a dock does when a scene is opened.
 enum class OnOpening { Stays, ComesForward };
 
 struct DockRow
@@ -43,8 +43,8 @@ struct DockRow
     Qt::DockWidgetArea area; // rows of one area are tabs, in their order, with the first in front
     int size;                // px, of the area at first: width at a side, height below; 0: no wish
     OnOpening onOpening;
-    // Of panels, the parts and those of the rows above. The dock becomes its parent; what the dock
-    // itself is to do, such as to come forward, is connected here as well.
+    // Makes the panel from the parts and from panels of the rows above. The dock becomes its
+    // parent; what the dock itself does, such as to come forward, is connected here as well.
     QWidget* (*make)(const PanelParts& parts, const Panels& above, QDockWidget& dock);
     QString tourTitle; // empty: the tour does not stop here
     QString tourText;

@@ -1,3 +1,8 @@
+// Stages: the constructor makes the docks in the order of the table, puts those of one area behind
+// each other as tabs, brings the first of each area to the front, and gives the areas their first
+// sizes at the end, when all are there. Below stands what is shown and hidden when the window goes
+// between the start page and a scene; m_closed remembers what the user has closed, because the
+// start page hides all.
 #include "docks/docks.h"
 
 #include <QAction>

@@ -38,13 +38,14 @@ public:
         return m_panels.the<Panel>();
     }
 
-    bool show(const QString& id) const; // before those that share its place; false: there is none
-    QList<QAction*> toggles() const;    // that show and hide them, by their ids
+    // brings it before the others of its area; false when there is none
+    bool show(const QString& id) const;
+    QList<QAction*> toggles() const; // that show and hide them, by their ids
 
     void hideAll() const;
-    void noteClosed();         // those that are hidden now are what the user has closed
-    void showOpen() const;     // all but those
-    void bringForward() const; // what comes forward when a scene is opened
+    void noteClosed();         // remembers those that are hidden now as closed by the user
+    void showOpen() const;     // shows all but those that the user has closed
+    void bringForward() const; // raises those that come forward when a scene is opened
 
 private:
     void add(QMainWindow& window, const DockRow& row, const PanelParts& parts);

@@ -1,3 +1,9 @@
+// Stages: the constructor takes the actions of the three tools with their hints and lays out three
+// rows (words, what is drawn, where it goes); each field writes into the settings at once, and a
+// number that cannot be read or is out of range changes nothing. startOver() begins with the first
+// part of a new scene, because ids mean other things there. refresh() shows the bar for the tool
+// that is on, with the fields that this tool uses, and fills the lists of parts and materials anew
+// from the scene.
 #include "editor/draw_bar.h"
 
 #include "actions/actions.h"
@@ -50,7 +56,7 @@ DrawBar::DrawBar(Document& document, Viewport& viewport, DrawSettings& settings,
     connect(&document, &Document::changed, this, &DrawBar::refresh);
 }
 
-// Ids mean other things in another scene. Its first part is the one to go on with.
+// Ids mean other things in another scene, so the first part of the new one is drawn into.
 void DrawBar::startOver()
 {
     m_settings.part = m_settings.material = noId;
@@ -121,7 +127,7 @@ void DrawBar::layOut()
     layout->addLayout(where);
 }
 
-// With its name before it. What cannot be read changes nothing.
+// The field stands behind its name. What cannot be read changes nothing.
 QWidget* DrawBar::field(const Parameter& parameter, double value,
                         const std::function<void(double)>& take)
 {

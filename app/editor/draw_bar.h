@@ -1,3 +1,10 @@
+// The bar over the lower edge of the view while one of the tools that draw particles, links or
+// panels is chosen: it says what a click does, and edits the DrawSettings that the tools read
+// (part, material, kind, segments, mass in kg, plane, grid in m).
+//
+// The main window makes it once, over the view, which owns it. It shows and hides itself as the
+// actions of the tools are switched, and refreshes when the document changes or another scene
+// replaces it. It lives on the thread of the window.
 #pragma once
 
 #include "editor/view_bar.h"
@@ -19,8 +26,6 @@ class ParameterField;
 struct Parameter;
 class Viewport;
 
-// Over the lower edge of the view while a draw tool is in use: what is drawn, of what, and in which
-// plane.
 class DrawBar final : public ViewBar
 {
     Q_OBJECT
@@ -53,7 +58,7 @@ private:
     QComboBox* m_part;
     QComboBox* m_material;
     QWidget* m_mass;
-    std::vector<QWidget*> m_onLinks; // that only links have
+    std::vector<QWidget*> m_onLinks; // fields that only links have
 };
 
 } // namespace ripstop

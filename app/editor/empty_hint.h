@@ -1,3 +1,7 @@
+// A text in the view of a scene without parts and colliders that says what to do first.
+//
+// The main window makes it over the view, which owns it. It lets the mouse through, so that
+// drawing tools work below it, and hides as soon as the document has something to be seen.
 #pragma once
 
 #include <QLabel>
@@ -7,7 +11,6 @@ namespace ripstop {
 class Document;
 class Viewport;
 
-// What to do first, in the middle of the view of a scene that has nothing to be seen in it.
 class EmptyHint final : public QLabel
 {
     Q_OBJECT

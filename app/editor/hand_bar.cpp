@@ -1,3 +1,8 @@
+// Stages: the constructor takes the actions of the three tools; addFields() lists the numbers as
+// rows of limits, a reader and a writer, so that one function reads what is typed into any of them
+// (take()); layOut() puts them into one line over the hint. refresh() shows the bar for the tool
+// that is on, with its fields: a number that is left to the program stands as a grey placeholder,
+// and a field that has the focus is not overwritten while one types.
 #include "editor/hand_bar.h"
 
 #include "actions/actions.h"
@@ -127,7 +132,8 @@ void HandBar::layOut(QAction* through)
     bold.setBold(true);
     m_title->setFont(bold);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
-    auto* button = new QToolButton; // in words of its own, which a default action would replace
+    // it has a text of its own, which a default action would replace
+    auto* button = new QToolButton;
     button->setCheckable(true);
     button->setChecked(through->isChecked());
     button->setIcon(through->icon());
@@ -187,7 +193,8 @@ void HandBar::refresh()
 
 void HandBar::take(const Field& field)
 {
-    if (!field.edit->isModified()) // what is shown is rounded
+    // the shown number is rounded and must not be taken for a typed one
+    if (!field.edit->isModified())
         return;
     const QString text = field.edit->text().trimmed();
     const auto typed = typedNumber(text.toStdString(), field.unit.toStdString()).number;

@@ -1,3 +1,9 @@
+// The bar over the lower edge of the view while a hand, a knife or a fan is chosen: its numbers
+// (stiffness in N/m, greatest force in N, speed in m/s, half angle of the jet in degrees), what
+// the mouse does, and the pins that hands have left in the run.
+//
+// It edits the HandSettings of the view. The main window makes it, over the view, which owns it,
+// and calls refresh() when a wheel has changed the settings. It lives on the thread of the window.
 #pragma once
 
 #include "editor/view_bar.h"
@@ -19,8 +25,6 @@ class Document;
 class Player;
 class Viewport;
 
-// Over the lower edge of the view while a hand, a knife or a fan is in use: how strong it is, what
-// the mouse does, and what hands have left behind.
 class HandBar final : public ViewBar
 {
     Q_OBJECT
@@ -31,8 +35,8 @@ public:
     void refresh();
 
 private:
-    // A number of the settings. One that may be left to the program is empty then and shows what
-    // it is.
+    // A number of the settings. Where the user has set none, the field is empty and shows the
+    // number that the program chooses.
     struct Field
     {
         QAction* tool;

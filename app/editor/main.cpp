@@ -1,3 +1,12 @@
+// The program of the editor: it reads the command line and puts document, selection, player and
+// window together.
+//
+// Stages: questions such as --help are answered without a window; then the surface format is set,
+// which VTK needs before the application exists; then language, arguments and theme; then the
+// scene and what is to be selected, where a mistake ends the program with a sentence and exit code
+// 1 or 2 before a window appears. Document, selection, player and window stand on the stack in
+// this order, so that the window goes first. What asks questions of its own (kept work, a mesh, an
+// action) is queued until the event loop runs.
 #include "document/document.h"
 #include "document/measurement.h"
 #include "document/player.h"
@@ -34,7 +43,7 @@ int refuse(const QString& message, int exitCode)
     return exitCode;
 }
 
-// Nothing when no item is called so.
+// Returns nothing when no item has that name.
 std::vector<Id> itemCalled(const QString& name, const Scene& scene)
 {
     for (const Entry& entry : scene.items)
@@ -43,7 +52,7 @@ std::vector<Id> itemCalled(const QString& name, const Scene& scene)
     return {};
 }
 
-// An item by its name, or all that meets a condition in the design.
+// Finds an item by its name, or all elements that meet a condition in the design.
 Result<std::vector<Id>> meant(const QString& text, const Scene& scene)
 {
     if (text.isEmpty())
@@ -57,7 +66,8 @@ Result<std::vector<Id>> meant(const QString& text, const Scene& scene)
     return ids;
 }
 
-// Questions that need no window, and are answered also where none can be opened.
+// Whether the command line only asks what needs no window. Such questions are answered also where
+// no window can be opened.
 bool asksOnly(int argc, char** argv)
 {
     const std::span<char*> arguments(argv, std::size_t(argc));
@@ -83,7 +93,7 @@ int main(int argc, char** argv)
         (void)readOptions(asked.arguments(), error); // prints the answer and ends the program
     }
 
-    QSurfaceFormat format; // before the application exists
+    QSurfaceFormat format; // has to be set before the application exists
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
@@ -135,7 +145,7 @@ int main(int argc, char** argv)
     if (stays)
         QMetaObject::invokeMethod(
             &window, [&] { window.keptWork().keepIn(rescueFolder()); }, Qt::QueuedConnection);
-    if (!options->mesh.isEmpty()) // once the window is there to ask over
+    if (!options->mesh.isEmpty()) // queued, because the dialog needs the window below it
         QMetaObject::invokeMethod(
             &window, [&] { window.arrivals().importMesh(options->mesh); }, Qt::QueuedConnection);
     if (!options->action.isEmpty()) {

@@ -1,3 +1,7 @@
+// Stages: the constructor makes the parts, then docks, actions, the tool bar and the bars over the
+// view in this order, because actions reach panels through the docks and the bars take actions by
+// their ids; then it connects the parts and restores the layout. Below stand the switch between
+// start page and view, the title, what closing asks and keeps, and what is dropped on the window.
 #include "editor/main_window.h"
 
 #include "actions/menus.h"
@@ -122,7 +126,7 @@ void MainWindow::buildToolBar()
     m_toolBar->addWidget(m_transport);
 }
 
-// Over the view, which owns them.
+// These stand over the view, which owns them.
 void MainWindow::buildBarsOfView()
 {
     m_handBar = new HandBar(m_document, m_player, *m_viewport, m_actions);
@@ -227,7 +231,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return event->ignore();
     if (m_memory == Memory::Keep) {
         if (!isSceneShown())
-            showScene(); // the layout to remember is that with docks
+            showScene(); // because the layout to be kept is the one with docks
         QSettings settings;
         settings.setValue("window/geometry", saveGeometry());
         settings.setValue("window/state", saveState(layoutVersion));
@@ -253,7 +257,7 @@ void MainWindow::dropEvent(QDropEvent* event)
         return;
     }
     event->acceptProposedAction();
-    // later: who drops waits until the event is done, and the dialog stays open
+    // queued, because the program that drops waits for this event, and the dialog stays open
     QMetaObject::invokeMethod(
         this, [this, file, isRun] { isRun ? openRun(file) : m_arrivals->importMesh(file); },
         Qt::QueuedConnection);

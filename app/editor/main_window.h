@@ -41,7 +41,7 @@ class MainWindow final : public QMainWindow
     Q_OBJECT
 
 public:
-    enum class Memory { Keep, Ignore }; // of places and sizes, from run to run
+    enum class Memory { Keep, Ignore }; // whether places and sizes are kept from run to run
 
     MainWindow(Document& document, Selection& selection, Player& player, Memory memory);
     ~MainWindow() override;
@@ -57,8 +57,8 @@ public:
 
     void showScene();
     void showStartPage();
-    void showViewOnly();               // for pictures
-    void openRun(const QString& file); // a recording
+    void showViewOnly();               // hides all bars and docks, for pictures
+    void openRun(const QString& file); // opens a recording
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -75,7 +75,7 @@ private:
     void connectParts();
     void restoreLayout();
     void showTitle();
-    bool isSceneShown() const; // and not the start page
+    bool isSceneShown() const; // false while the start page is shown
 
     Document& m_document;
     Selection& m_selection;

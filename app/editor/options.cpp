@@ -1,3 +1,7 @@
+// Stages: readOptions() declares the options with their help, lets Qt parse them (which ends the
+// program on --help, --version and unknown options), then reads those that are text as they are,
+// and checks the numbers, the size and the names of language, theme and colour. The first that
+// makes no sense is refused with a sentence.
 #include "editor/options.h"
 
 #include "import/import_dialog.h"
@@ -13,7 +17,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Options", tex
 
 const QStringList appearances{"desktop", "light", "dark"}; // in the order of ThemeChoice
 const QStringList colors{"material", "strain", "tension", "speed",
-                         "load",     "tear",   "stress"}; // of ColorBy
+                         "load",     "tear",   "stress"}; // in the order of ColorBy
 
 std::optional<QSize> sizeFrom(const QString& text)
 {

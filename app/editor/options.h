@@ -1,3 +1,9 @@
+// What the command line of the editor asks for, and how it is read.
+//
+// Only main() reads it; Screenshot gets a copy. readOptions() knows no scene: names of items,
+// docks and actions are checked by main() once there is something to look them up in. An
+// application object has to exist, since the parser uses it; --help and --version print and end
+// the program.
 #pragma once
 
 #include "editor/theme_choice.h"
@@ -12,27 +18,26 @@
 
 namespace ripstop {
 
-// What the command line asks for.
 struct Options
 {
-    QString scene;      // empty: the start page
-    QString mesh;       // to be imported, in place of a scene
-    bool play = false;  // at once
-    QString screenshot; // empty: stay open
+    QString scene;      // empty for the start page
+    QString mesh;       // file of a mesh that is imported in place of a scene
+    bool play = false;  // whether the run starts at once
+    QString screenshot; // file of the picture; when it is empty the window stays open
     double after = 0.0; // s, simulated time at which the picture is taken
     int frames = 1;     // pictures, at equal steps up to `after`
     bool viewOnly = false;
     std::optional<QSize> size;
     ThemeChoice appearance = ThemeChoice::Desktop;
-    std::optional<Language> language; // none: as it was kept
+    std::optional<Language> language; // without one the kept language is used
     ColorBy colorBy = ColorBy::Material;
-    QString select;    // name of an item
-    QString fit;       // name of an item
-    QString action;    // of a menu, by its id
-    QStringList docks; // in front
+    QString select;    // name of an item, or a condition that elements meet
+    QString fit;       // name of the item that fills the picture
+    QString action;    // id of the action to trigger
+    QStringList docks; // ids of the docks to bring to the front
 };
 
-// Nothing, and a sentence in `error`, when the arguments make no sense.
+// Returns nothing, and a sentence in `error`, when the arguments make no sense.
 std::optional<Options> readOptions(const QStringList& arguments, QString& error);
 
 } // namespace ripstop

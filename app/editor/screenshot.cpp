@@ -1,3 +1,9 @@
+// Stages: goOn(), called by a timer, waits until the player has a frame and does not run, lets the
+// event loop turn a few times, then flies one slice further or saves. A flight goes in slices
+// because plots take one sample at the end of each. save() names the file, fits the view, and
+// grabs; saveImport() and saveWithDialog() do so where a dialog is what is wanted. finish() ends
+// the program with an exit code. Waiting counts turns of the event loop, because Qt tells nobody
+// when a layout has come to rest.
 #include "editor/screenshot.h"
 
 #include "document/player.h"
@@ -19,8 +25,8 @@ namespace {
 
 constexpr int slicesPerPicture = 120; // one sample of the plots each
 constexpr int settlingTurns = 6;      // of the event loop, until docks and view have their sizes
-constexpr int openingTurns = 50;      // of the same, until an action has opened a dialog if it does
-constexpr int dialogTurns = 200;      // of the same, until a dialog shows what it comes to
+constexpr int openingTurns = 50;      // of the event loop, until the dialog of an action is open
+constexpr int dialogTurns = 200;      // of the event loop, until a dialog shows its preview
 
 } // namespace
 
@@ -69,7 +75,7 @@ void Screenshot::save()
     if (m_options.frames > 1 || file.contains("%1"))
         file = (file.contains("%1") ? file : file.insert(file.lastIndexOf('.'), "%1"))
                    .arg(m_picture, 4, 10, QChar('0'));
-    m_window.viewport().fit(m_fitted); // each time: what flies leaves the first picture
+    m_window.viewport().fit(m_fitted); // each time, because what flies leaves the first picture
     m_window.repaint();
     const QImage view = m_window.viewport().image(Viewport::Overlays::Without);
     const QImage picture = m_options.viewOnly ? view : m_window.grab().toImage();
@@ -88,7 +94,7 @@ void Screenshot::save()
     finish(0);
 }
 
-// The dialog, once it shows what will be made of the mesh.
+// Saves the import dialog, once it shows what will be made of the mesh.
 void Screenshot::saveImport()
 {
     auto* dialog = qobject_cast<ImportDialog*>(QApplication::activeModalWidget());
@@ -99,7 +105,8 @@ void Screenshot::saveImport()
     finish(dialog->grab().save(m_options.screenshot) ? 0 : 1);
 }
 
-// The window with the dialog of the action over it, once that has had time to show its preview.
+// Saves the window with the dialog of the action over it, once that has had time to show its
+// preview.
 void Screenshot::saveWithDialog()
 {
     QWidget* dialog = QApplication::activeModalWidget();

@@ -1,3 +1,7 @@
+// Stages: the constructor puts two labels at the right of the bar and connects what changes them.
+// The counts of the scene follow each edit; the words for the selection are made by a short timer,
+// because a drag can select many times in between. Messages and what is under the mouse share the
+// left side, and the later one stands there.
 #include "editor/status_line.h"
 
 #include "document/document.h"

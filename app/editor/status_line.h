@@ -1,7 +1,8 @@
 // The status bar: at the left what has just been done, or what is under the mouse; at the right
 // what is selected and how much the scene has.
 //
-// Whoever has a signal said() is heard here; everybody else who has something to say calls say().
+// Objects with a signal said() are connected by hear(); all others call say(). It lives on the
+// thread of the window.
 #pragma once
 
 #include "scene/id.h"
@@ -28,8 +29,8 @@ class StatusLine final : public QObject
     Q_OBJECT
 
 public:
-    static constexpr int glance = 8000; // ms, for what was done
-    static constexpr int read = 15000;  // ms, for what went wrong
+    static constexpr int glance = 8000; // ms, how long a note of what was done stays
+    static constexpr int read = 15000;  // ms, how long a note of what went wrong stays
 
     StatusLine(QStatusBar& bar, Document& document, Selection& selection, Player& player);
 
@@ -41,7 +42,7 @@ public:
         connect(&speaker, &Speaker::said, this, [this](const QString& message) { say(message); });
     }
     void follow(const Recordings& recordings);
-    void follow(Viewport& viewport); // what the mouse is on
+    void follow(Viewport& viewport); // shows what the mouse is on
 
 private:
     void showCounts();

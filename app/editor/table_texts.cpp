@@ -1,3 +1,8 @@
+// Stages: a Collector gathers texts; three functions give it those of properties, quantities and
+// presets, those of builders and operations, and those of the verification, the export formats and
+// the samples. A new table whose texts are shown in the window needs a line in one of them. At the
+// end duplicates and empty texts go and the rest is sorted, so that the catalogue changes no more
+// than the tables do.
 #include "editor/table_texts.h"
 
 #include "author/measure.h"
@@ -92,7 +97,7 @@ void addWork(Collector& texts)
     }
 }
 
-// Of the verification only the headings: its cases are records, the same everywhere.
+// Only the headings of the verification are translated: its cases are records, and stay in English.
 void addRest(Collector& texts)
 {
     for (const Case& one : allCases())

@@ -14,7 +14,7 @@ struct Colors
     const char* base;
     const char* alternate;
     const char* text;
-    const char* note;  // what is beside the point, and read all the same: 4.5 : 1 on the window
+    const char* note;  // secondary text, with a contrast of 4.5 : 1 on the window
     const char* faint; // what cannot be used now
     const char* button;
     const char* highlight;
@@ -45,7 +45,8 @@ QPalette paletteOf(const Colors& colors)
     for (const QPalette::ColorRole role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, colors.faint);
-    palette.setColor(QPalette::Disabled, QPalette::Light, colors.base); // of their embossed edge
+    // embossed edge of disabled text
+    palette.setColor(QPalette::Disabled, QPalette::Light, colors.base);
     return palette;
 }
 

@@ -1,3 +1,7 @@
+// The colours of the window: light, dark, or as the palette of the desktop is.
+//
+// main() applies the choice once, before the window is made. The style is Fusion everywhere, so
+// that the editor looks alike on every desktop; the style sheet is :/style/ripstop.qss.
 #pragma once
 
 #include <QString>
@@ -8,8 +12,6 @@ namespace ripstop {
 
 enum class ThemeChoice { Desktop, Light, Dark };
 
-// Fusion everywhere, so that the editor looks the same on every desktop; light or dark as the
-// desktop's palette is, or as asked.
 void applyThemeChoice(QApplication& application, ThemeChoice appearance);
 
 } // namespace ripstop

@@ -1,3 +1,8 @@
+// Stages: the constructor builds the bubble, covers the window and goes to the first stop. goTo()
+// finds the next visible stop in the direction of travel and fills the bubble; arrange() puts the
+// bubble beside the place, where there is room, or inside it. paintEvent() shades what is around
+// the place. The event filter follows the size of the window and takes keys before shortcuts and
+// controls of the scene get them.
 #include "editor/tour.h"
 
 #include <QApplication>
@@ -75,7 +80,7 @@ void Tour::goTo(int stop)
     const int step = stop < m_stop ? -1 : 1;
     while (stop >= 0 && stop < int(m_stops.size())
            && (!m_stops[std::size_t(stop)].place || !m_stops[std::size_t(stop)].place->isVisible()))
-        stop += step; // the user has closed that panel
+        stop += step; // passes over panels that the user has closed
     if (stop >= int(m_stops.size())) {
         close();
         return;
@@ -99,7 +104,7 @@ QRect Tour::place() const
     return {widget->mapTo(parentWidget(), QPoint(0, 0)), widget->size()};
 }
 
-// Beside the place where there is room, else inside it.
+// Puts the bubble beside the place where there is room, and inside it elsewhere.
 void Tour::arrange()
 {
     m_bubble->setFixedHeight(m_bubble->layout()->totalHeightForWidth(bubbleWidth));
@@ -108,7 +113,7 @@ void Tour::arrange()
     const QRect room = rect().adjusted(gap, gap, -gap, -gap);
     const bool isBelow = at.bottom() + gap + size.height() < room.bottom();
     QPoint corner = at.center() - QPoint(size.width() / 2, size.height() / 2);
-    if (isBelow && at.height() < size.height()) // a bar
+    if (isBelow && at.height() < size.height()) // the place is a bar
         corner = {at.left() + gap, at.bottom() + gap};
     else if (at.right() + gap + size.width() < room.right())
         corner = {at.right() + gap, at.top() + gap};
@@ -160,10 +165,10 @@ bool Tour::take(int key)
     }
 }
 
-// A click anywhere else is not meant for what lies beneath.
+// A click beside the bubble must not reach what lies below the shade.
 void Tour::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
-// Keys are seen before those who steer by them.
+// Keys are taken here before the controls of the scene, which filter events as well.
 bool Tour::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == parentWidget() && event->type() == QEvent::Resize) {

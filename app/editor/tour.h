@@ -1,3 +1,9 @@
+// A guided tour over any window: it shades the window except for one place and puts a bubble
+// beside it that says what the place is for; buttons and keys go on, back and end it.
+//
+// It knows nothing of the window but its stops; which they are is said in window_tour.h. A stop
+// whose widget is gone or hidden is passed over. It is a child of the window, filters its events
+// while it is there, and deletes itself at the end. It lives on the thread of the window.
 #pragma once
 
 #include <QPointer>
@@ -19,8 +25,6 @@ struct TourStop
     QString text;
 };
 
-// Goes through a window place by place: the place stays bright, a bubble beside it says what it is
-// for. Deletes itself at the end.
 class Tour final : public QWidget
 {
     Q_OBJECT
@@ -29,7 +33,7 @@ public:
     Tour(std::vector<TourStop> stops, QWidget* window);
 
     int stop() const { return m_stop; }
-    void goTo(int stop); // past the last one: the end
+    void goTo(int stop); // past the last stop the tour ends
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -39,7 +43,7 @@ protected:
 private:
     QRect place() const;
     void arrange();
-    bool take(int key); // false: not one of the tour's
+    bool take(int key); // false when the tour has no use for that key
 
     std::vector<TourStop> m_stops;
     int m_stop = -1;

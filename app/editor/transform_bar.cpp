@@ -1,3 +1,7 @@
+// Stages: wordsOf() gives title, unit and help of each tool; layOut() makes the three numbers and
+// the four lists of choices. refresh() follows the tool: it writes the numbers of a drag, but
+// leaves what is being typed alone. take() reads all three numbers, has the tool apply them as one
+// change, and gives the focus back to the view so that its keys work again.
 #include "editor/transform_bar.h"
 
 #include "document/words.h"
@@ -43,7 +47,7 @@ Words wordsOf(Shaping shaping)
 QString numberText(double value)
 {
     const double rounded = std::round(value * 1e4) / 1e4;
-    return compactNumber(rounded == 0.0 ? 0.0 : rounded); // no minus before a zero
+    return compactNumber(rounded == 0.0 ? 0.0 : rounded); // zero has no minus sign
 }
 
 } // namespace
@@ -142,7 +146,7 @@ void TransformBar::refresh()
 
 void TransformBar::take()
 {
-    Vec3 numbers = m_tool.numbers(); // those that change nothing
+    Vec3 numbers = m_tool.numbers(); // where a field cannot be read, its number stays as it is
     const std::string unit =
         m_tool.shaping() == Shaping::Scale ? std::string() : m_unit->text().toStdString();
     for (int axis = 0; axis < 3; ++axis)

@@ -1,3 +1,9 @@
+// The bar over the lower edge of the view while a tool that moves, turns or scales is chosen: the
+// numbers of the drag (metres, degrees or factors), which can also be typed, and the choices of
+// pivot, axes, rest lengths and snapping.
+//
+// It edits the TransformTool of the view, which does the work; while a run is shown it only says
+// how to get back to the design. The main window makes it, and the view owns it.
 #pragma once
 
 #include "editor/view_bar.h"
@@ -14,9 +20,6 @@ namespace ripstop {
 
 class Viewport;
 
-// Over the lower edge of the view while a tool is chosen: the numbers of the drag, which can also
-// be typed (Enter applies them), and what it turns about, what becomes of rest lengths, what Ctrl
-// snaps to.
 class TransformBar final : public ViewBar
 {
     Q_OBJECT
@@ -27,7 +30,7 @@ public:
 private:
     void layOut();
     void refresh();
-    void take(); // what is typed
+    void take(); // applies what is typed
 
     TransformTool& m_tool;
     QLabel* m_title;

@@ -1,3 +1,8 @@
+// The base of the bars over the lower edge of the view: it keeps a bar in the middle of that edge
+// when the view is resized, and makes the lists of choices that they use.
+//
+// A subclass fills the layout, shows and hides itself, and calls settle() after its contents have
+// changed. The view is the parent and owns it.
 #pragma once
 
 #include <QFrame>
@@ -10,7 +15,6 @@ namespace ripstop {
 
 class Viewport;
 
-// A bar over the lower edge of the view, in its middle, with what the tool in use can be told.
 class ViewBar : public QFrame
 {
     Q_OBJECT
@@ -19,9 +23,9 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 protected:
-    ViewBar(Viewport& viewport, const QString& name); // hidden at first
+    ViewBar(Viewport& viewport, const QString& name); // it is hidden at first
 
-    void settle(); // at its place, as large as what it shows now
+    void settle(); // takes its place, as large as what it shows now
     QComboBox* chooser(const QString& name, const QString& help, const QStringList& choices,
                        int chosen, const std::function<void(int)>& choose);
 

@@ -27,7 +27,7 @@ struct TouredWindow
     std::function<void()> showScene;
 };
 
-// Over the design that is open, over a sample when there is none.
+// Shows the tour over the design that is open, or over a sample when there is none.
 void showTour(const TouredWindow& toured);
 
 } // namespace ripstop

@@ -39,7 +39,7 @@ void Arrivals::startFrom(const QString& builder)
     emit opened();
 }
 
-// The dialog shows what it inserts in the view, so the design is there and not a run.
+// The dialog shows what it inserts in the view, so the view has to show the design and not a run.
 void Arrivals::insert(const QString& builder)
 {
     if (!m_isOpen())

@@ -1,3 +1,7 @@
+// Stages: the functions at the top name the files of a choice and say in words what they hold, for
+// meshes, pictures, films, tables and bundles; sizes of pictures are estimated by bytes a pixel.
+// exportChoices() puts the tables of formats into one list; replacedBy() looks for files that
+// exist; and previewOf() joins all into the text under the form.
 #include "files/export_choice.h"
 
 #include "run/tear_report.h"
@@ -51,7 +55,7 @@ QString inWords(const std::vector<std::filesystem::path>& files)
     return tr("%1 to %2").arg(nameOf(files.front()), nameOf(files.back()));
 }
 
-// As PNG files; films are smaller, by how much depends on what is seen.
+// The size of pictures as PNG files. Films are smaller, by how much depends on what is seen.
 double bytesOfPictures(QSize size, std::size_t frames)
 {
     constexpr double bytesPerPixel = 0.15;

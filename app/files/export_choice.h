@@ -1,4 +1,9 @@
-// What the export dialog offers, and what it says about each choice.
+// What the export dialog offers, and what it says about each choice before anything is written:
+// which files come, how many frames, how large they are and which of them are there already.
+//
+// The table of choices is that of mesh formats and film formats, with the tables of a run and the
+// bundle after them. Functions here write nothing; they look at the disk for files that would be
+// replaced, and are called on the thread of the window.
 #pragma once
 
 #include "export/export_run.h"
@@ -25,10 +30,10 @@ struct ExportChoice
     QString note;
 
     const ExportFormat* mesh() const; // null when it is something else
-    const FilmFormat* film() const;   // the same
-    bool isSeries() const;            // has frames
+    const FilmFormat* film() const;   // null when it is something else
+    bool isSeries() const;            // whether it has frames
     bool isBundle() const;
-    bool isFlown() const { return isSeries() || isBundle(); } // is not on the screen
+    bool isFlown() const { return isSeries() || isBundle(); } // needs a whole run
 };
 
 std::vector<ExportChoice> exportChoices();

@@ -1,3 +1,8 @@
+// Stages: layOut() makes one form for all formats, and chooseFormat() shows the rows that a format
+// needs. Every change leads to showPreview(), which says what would be written, or by whyNot() why
+// nothing can be. start() asks before it replaces files, then writes at once (writeNow()) or on a
+// thread: write() chooses recording or simulation as the source and opens the sink of the format;
+// writeBundle() does the same for a bundle. watch() polls progress and ends it.
 #include "files/export_dialog.h"
 
 #include "bundle/bundle.h"
@@ -131,7 +136,7 @@ ExportDialog::ExportDialog(const Matter& matter, const QString& stem, Draw draw,
     chooseFormat();
 }
 
-// A thread that draws waits for this one.
+// A thread that draws waits for this one, so events are processed while it ends.
 ExportDialog::~ExportDialog()
 {
     m_cancelled = true;
@@ -224,7 +229,7 @@ void ExportDialog::layOut()
     m_format->setFocus();
 }
 
-// With the ending of the format, which says what is meant.
+// The file always has the extension of the chosen format, because exporters go by it.
 QString ExportDialog::target() const
 {
     const QString ending = choice().ending;
@@ -280,7 +285,7 @@ void ExportDialog::chooseSource()
     chooseFormat();
 }
 
-// QFormLayout of Qt 6.4 can hide whole rows.
+// Whole rows of the form are hidden, which QFormLayout can do since Qt 6.4.
 void ExportDialog::chooseFormat()
 {
     const ExportChoice& chosen = choice();
@@ -342,12 +347,12 @@ void ExportDialog::browse()
     if (file.isEmpty())
         return;
     m_target->setText(file);
-    m_mayReplace = file; // the file dialog has asked
+    m_mayReplace = file; // the file dialog has asked already
 }
 
 void ExportDialog::start()
 {
-    showPreview(); // folders come and go
+    showPreview(); // a folder may have come or gone since
     if (m_work.valid() || !m_go->isEnabled() || !mayWrite())
         return;
     if (!choice().isFlown()) {
@@ -464,7 +469,7 @@ void ExportDialog::watch()
     const QString failure = m_work.get();
     emit ended();
     if (failure.isEmpty())
-        accept(); // also when it was done before it saw that it should stop
+        accept(); // also when it was done before it noticed that it was cancelled
     else
         end(m_cancelled ? tr("Cancelled; nothing was kept.") : failure);
 }

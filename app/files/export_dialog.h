@@ -1,3 +1,10 @@
+// Writes meshes, series, films, tables and bundles for other programs.
+//
+// The moment on the screen is written as it is, on the thread of the window. Anything else is
+// taken from the recording or simulated from the start, on a thread of its own, with progress and
+// cancel; that thread gets a copy of all fields (Job) and has pictures drawn by calling back to
+// the thread of the window. The dialog keeps its own copy of the scene. A failure is a sentence in
+// the dialog, which stays open. Files::exportRun() opens it, modal.
 #pragma once
 
 #include "files/export_choice.h"
@@ -27,9 +34,6 @@ class QSpinBox;
 
 namespace ripstop {
 
-// Writes meshes, series, films and tables for other programs. The moment on the screen is written
-// as it is; anything else is taken from a recording or simulated from the start, on a thread, with
-// progress and cancel.
 class ExportDialog final : public QDialog
 {
     Q_OBJECT
@@ -57,12 +61,12 @@ public:
 
     void reject() override; // first cancels what runs
 
-    // Of the choices, by its ending; what is not there is not chosen.
+    // Chooses a format by its ending. An ending that no choice has changes nothing.
     void choose(const QString& ending);
     QString ending() const;
 
 signals:
-    void ended(); // what it wrote, or was told not to
+    void ended(); // the thread has ended: it has written, failed or been cancelled
 
 private:
     // What a thread needs to know of the fields.
@@ -71,7 +75,7 @@ private:
         ExportChoice choice;
         QString target;
         ExportRange range;
-        bool recorded; // as it was; else simulated anew
+        bool recorded; // the run is taken as it was; otherwise it is simulated anew
         ControlTrack controls;
         double picturesPerSecond; // of the film
         FilmLook look;
@@ -84,9 +88,10 @@ private:
     QString whyNot() const;
     void browse();
     void start();
-    bool mayWrite();               // asks before it replaces a file
-    QString writeNow() const;      // the failure, or empty
-    QString write(const Job& job); // the same, on a thread
+    bool mayWrite();          // asks before it replaces a file
+    QString writeNow() const; // returns the failure, or an empty text
+    // runs on the other thread; returns the failure, or an empty text
+    QString write(const Job& job);
     QString writeBundle(const Job& job);
     Result<std::unique_ptr<FrameSink>> open(const Job& job);
     void watch();
@@ -111,7 +116,7 @@ private:
     QFormLayout* m_form;
     QComboBox* m_format;
     QLineEdit* m_target;
-    QComboBox* m_source; // the recording, or anew
+    QComboBox* m_source; // the recording, or a new simulation
     QDoubleSpinBox* m_from;
     QDoubleSpinBox* m_to;
     QDoubleSpinBox* m_fps;
@@ -123,7 +128,7 @@ private:
     QCheckBox* m_overlays;
     QCheckBox* m_time;
     QCheckBox* m_probes;
-    QWidget* m_shown; // the three of them
+    QWidget* m_shown; // the row of the three boxes above
     QCheckBox* m_transparent;
     QLabel* m_note;
     QLabel* m_message;

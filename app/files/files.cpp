@@ -1,3 +1,8 @@
+// Stages: first what opens and begins (new, browse, open), then what saves (a sample is never
+// written over, it gets a file of its own), then templates, then what happens when another program
+// has written the open file, which is asked about once for each time that it was written. Then
+// come export and pictures of the view, the question before changes are lost, and the list of
+// recent files.
 #include "files/files.h"
 
 #include "dialogs/ask_file.h"
@@ -70,7 +75,7 @@ bool Files::open(const QString& file)
     return true;
 }
 
-// A sample is for everybody: what was made of it gets a file of its own.
+// A sample belongs to the program, so what was made of it gets a file of its own.
 bool Files::save()
 {
     const QString file = m_document.file();
@@ -199,7 +204,7 @@ void Files::exportRun(const Recordings& recordings)
 
 void Files::savePicture()
 {
-    const QImage picture = m_viewport.image(); // of now, not of when the dialog closes
+    const QImage picture = m_viewport.image(); // taken now, before the dialog opens
     const QString file = askWhereToSave(&m_window, tr("Save the view as a picture"),
                                         suggestedFile(".png"), tr("Pictures (*.png *.jpg)"), "png");
     if (file.isEmpty())
@@ -244,7 +249,7 @@ void Files::remember(const QString& file)
     emit recentChanged();
 }
 
-// Beside the scene, with its name; not among the samples.
+// Suggests a file beside the scene and with its name, but never one among the samples.
 QString Files::suggestedFile(const QString& extension) const
 {
     const QString file = m_document.file();

@@ -1,3 +1,10 @@
+// What the File menu does with scenes: it asks by dialogs, acts on the document, and keeps the
+// list of recent files (at most 12, in the settings).
+//
+// Nothing is thrown away without asking: mayDiscard() comes before everything that replaces the
+// scene, and a file that another program has written meanwhile is not overwritten silently.
+// Failures are shown in a message box and leave the open scene as it was. It lives on the thread
+// of the window. Recordings are handled by run_files.h, builders and meshes by arrivals.h.
 #pragma once
 
 #include <QDateTime>
@@ -14,8 +21,6 @@ class Player;
 class Recordings;
 class Viewport;
 
-// What the File menu does: dialogs around the document, and the list of recent files. Nothing is
-// thrown away without asking.
 class Files final : public QObject
 {
     Q_OBJECT
@@ -56,7 +61,7 @@ private:
     Player& m_player;
     Viewport& m_viewport;
     QWidget& m_window;
-    QDateTime m_seenOnDisk; // of the file, when it was last asked about
+    QDateTime m_seenOnDisk; // when the file was written that was last asked about
     QString m_exported;     // ending of what was exported last
 };
 

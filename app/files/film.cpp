@@ -1,3 +1,8 @@
+// Stages: the table of formats holds the arguments of ffmpeg for each. Two sinks take frames:
+// Pictures draws each frame and writes a file of it; Film starts ffmpeg with the size of the first
+// picture and writes raw pixels into its input, waiting until they are taken, so that no more than
+// one picture is held. Both write to temporary files that finish() puts into place, so that a
+// cancelled film leaves nothing. Failures of ffmpeg are passed on in its own words.
 #include "files/film.h"
 
 #include "export/output_files.h"
@@ -14,10 +19,10 @@ namespace {
 
 using Alpha = FilmFormat::Alpha;
 
-// Most codecs want an even number of pixels each way.
+// Most codecs need an even number of pixels in each direction.
 constexpr const char* even = "crop=trunc(iw/2)*2:trunc(ih/2)*2";
 
-// A palette of its own for the whole film.
+// The whole film gets one palette of its own.
 constexpr const char* palette =
     "split[a][b];[a]palettegen=reserve_transparent=1[p];[b][p]paletteuse=alpha_threshold=128";
 

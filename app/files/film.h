@@ -1,5 +1,10 @@
-// Films and pictures of a flight. Pictures are drawn by the view, films made of them by the program
-// ffmpeg.
+// Films and pictures of a flight. Pictures are drawn by the view, films are made of them by the
+// program ffmpeg, which has to be installed; whyNoFilm() says so where it is not.
+//
+// The formats are a table, from which the export dialog makes its choices. A sink takes frames one
+// after another (FrameSink) and leaves nothing behind when it is destroyed before it has finished.
+// Failures are sentences, those of ffmpeg in its own words. Sizes are in pixels, rates in pictures
+// per second.
 #pragma once
 
 #include "export/frame_sink.h"
@@ -22,7 +27,7 @@ struct FilmFormat
     const char* note;
     Alpha alpha;        // what a transparent picture comes to
     const char* filter; // of ffmpeg, null for pictures, which need no ffmpeg
-    const char* codec;  // the same, words with blanks between them
+    const char* codec;  // arguments of ffmpeg with blanks between them, null for pictures
 };
 
 std::span<const FilmFormat> filmFormats();
@@ -35,7 +40,7 @@ QString whyNoFilm(const FilmFormat& format);
 // All pictures have the same size.
 using DrawFrame = std::function<QImage(const std::shared_ptr<const Frame>&)>;
 
-// Made, filled and destroyed by one thread; `draw` is called by that.
+// The sink has to be made, filled and destroyed by one thread, which also calls `draw`.
 Result<std::unique_ptr<FrameSink>> openFilm(const FilmFormat& format, const QString& target,
                                             double picturesPerSecond, DrawFrame draw);
 

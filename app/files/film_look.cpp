@@ -48,7 +48,7 @@ void paintCaption(QImage& picture, const Frame& frame, const FilmLook& look)
         width = std::max(width, metrics.horizontalAdvance(line));
     const QRect text(2 * margin, 2 * margin, width, int(lines.size()) * metrics.lineSpacing());
 
-    // dark on light, whatever is behind
+    // the caption is dark on a light field, so that it can be read on any background
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(255, 255, 255, 200));
     painter.drawRoundedRect(text.adjusted(-margin, -margin / 2, margin, margin / 2), margin / 2.0,

@@ -1,3 +1,7 @@
+// How the pictures of a film are to look, and the caption that is painted into them.
+//
+// The export dialog fills it; the view draws what concerns the scene, and paintCaption() the rest.
+// It paints on a QImage, on the calling thread.
 #pragma once
 
 #include "run/frame.h"
@@ -7,13 +11,12 @@
 
 namespace ripstop {
 
-// How the pictures of a film are to look.
 struct FilmLook
 {
     QSize size;           // pixels
     bool overlays = true; // legend and compass
     bool time = true;
-    bool probes = false; // that are plotted
+    bool probes = false; // those probes that are plotted
     bool transparent = false;
 };
 

@@ -1,3 +1,8 @@
+// Stages: open() reads the file with a progress bar, warns of damage, and asks by mayShow()
+// whether the design of the recording is to be opened when it is another one, before the recording
+// is added to the timeline. save() writes the current run under a suggested name. The memory that
+// a run may take is asked for, kept in the settings, and given to the recordings; it holds from
+// the next run on.
 #include "files/run_files.h"
 
 #include "dialogs/ask_file.h"
@@ -83,7 +88,8 @@ void RunFiles::open(const QString& file)
     emit said(tr("Opened %1").arg(QDir::toNativeSeparators(file)));
 }
 
-// With the design of the recording in the window, unless the user only wants to compare.
+// Opens the design of the recording in the window, unless the user only wants to compare. Returns
+// false when the recording is not to be shown.
 bool RunFiles::mayShow(const Recording& recording, const QString& file)
 {
     Scene scene = recording.scene();

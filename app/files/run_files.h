@@ -1,3 +1,10 @@
+// Saves and opens recordings (*.ripstop-run), with progress, and sees to it that a recording is
+// looked at with its own design.
+//
+// Reading and writing happen on another thread (work_dialog.h) while the window waits for them;
+// all else is on the thread of the window. A damaged recording is shown as far as it can be read,
+// with a warning; one that cannot be read is refused in a message box. The memory for recordings
+// is a setting in MB.
 #pragma once
 
 #include <QObject>
@@ -14,8 +21,6 @@ class Files;
 class Recording;
 class Recordings;
 
-// Saves and opens recordings, with progress, and sees to it that a recording is looked at with its
-// own design.
 class RunFiles final : public QObject
 {
     Q_OBJECT
@@ -27,7 +32,7 @@ public:
 
     void browse();
     void open(const QString& file);
-    void save(); // the current run
+    void save(); // saves the current run
     void askForMemory();
     void restoreMemory(); // as it was set in an earlier session
 

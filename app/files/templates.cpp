@@ -32,7 +32,7 @@ QStringList templateFiles()
     return files;
 }
 
-// A name may hold what a file's name may not.
+// A name may hold characters that the name of a file may not; they become hyphens.
 QString templateFile(const QString& name)
 {
     QString safe = name;

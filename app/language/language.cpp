@@ -41,7 +41,7 @@ Language keptLanguage()
 QString Translation::Catalogue::translate(const char* context, const char* source,
                                           const char* comment, int n) const
 {
-    if (context && *context == 'Q') // Qt's own, such as the names of keys
+    if (context && *context == 'Q') // contexts of Qt's own, such as the names of keys
         return {};
     return QTranslator::translate(ownContext, source, comment, n);
 }
@@ -67,7 +67,7 @@ void Translation::install(Language language)
     const bool isFrench = language == Language::French
                           || (language == Language::System && system.language() == QLocale::French);
     const bool fits = system.language() == (isFrench ? QLocale::French : QLocale::English);
-    QLocale::setDefault(fits       ? system // with its own way of writing dates
+    QLocale::setDefault(fits       ? system // which has its own way of writing dates
                         : isFrench ? QLocale(QLocale::French, QLocale::France)
                                    : QLocale(QLocale::English, QLocale::UnitedStates));
     if (!isFrench)
@@ -75,7 +75,8 @@ void Translation::install(Language language)
     if (m_qt.load("qtbase_fr", QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&m_qt);
     if (m_own.load(":/translations/ripstop_fr.qm"))
-        QCoreApplication::installTranslator(&m_own); // asked first, as the last one installed
+        // Qt asks it first, because it was installed last
+        QCoreApplication::installTranslator(&m_own);
 }
 
 bool Translation::eventFilter(QObject* target, QEvent* event)

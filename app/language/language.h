@@ -20,7 +20,7 @@ std::optional<Language> languageFromCode(const QString& code); // "system", "en"
 Language keptLanguage();                                       // System until one was chosen
 void keepLanguage(Language language);                          // from the next start on
 
-// What the program says from here on. Texts that stand on the screen already stay as they are.
+// Translates what the program says from here on. Texts that are on the screen already stay.
 class Translation : public QObject
 {
 public:

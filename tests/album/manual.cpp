@@ -1,3 +1,7 @@
+// Stages: Desk is a window of a fixed size with steps of a mouse; each of the three functions
+// brings one into the state that a picture of the manual shows (links being drawn, a mode that
+// swings, a kite that is pulled) and grabs it. takeManualPictures() saves them under the names
+// that the manual uses.
 #include "album/manual.h"
 
 #include "album/picture.h"

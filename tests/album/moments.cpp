@@ -1,3 +1,8 @@
+// Stages: the functions at the top make designs (a kite, one with faults) and the selections that
+// actions are tried with. showEverything() walks the window through its moments, from the start
+// page to a flown kite, and hands each to WindowWalk; comesByItself() makes the dialogs come that
+// no action opens, by preparing files as a crash or another program would leave them. faultsOf()
+// goes through the widgets of a window and lists in words what breaks a rule.
 #include "album/moments.h"
 
 #include "author/select.h"
@@ -31,7 +36,8 @@ const QString samples = QStringLiteral(SCENES_DIR "/");
 
 Scene kite() { return *build(*findBuilder("delta_kite"), {}); }
 
-// A loose particle, one that nothing weighs, a link twice, a step too long for its stiffness.
+// A kite with a loose particle, a particle without mass, a link twice, and a step that is too long
+// for its stiffness.
 Scene faulty()
 {
     Scene scene = kite();
@@ -55,8 +61,8 @@ Scene faulty()
     return scene;
 }
 
-// Enough to link, rope or fill: nothing, the first part, two particles, the edge of the fabric, a
-// material.
+// Selections that let actions link, rope or fill: nothing, the first part, two particles, the edge
+// of the fabric, a link, and a material.
 std::vector<std::vector<Id>> selectionsOf(const Scene& scene)
 {
     std::vector<std::vector<Id>> selections(1);
@@ -90,7 +96,7 @@ void open(WindowShop& shop, Scene scene)
     QTest::qWait(1);
 }
 
-// One of each kind of thing, as the inspector shows it.
+// Shows one of each kind of thing in the inspector.
 void inspector(WindowShop& shop, WindowWalk& walk)
 {
     const Scene& scene = shop.document.scene();
@@ -116,7 +122,7 @@ void inspector(WindowShop& shop, WindowWalk& walk)
     });
 }
 
-// The usual sliders, and a part with targets beside what it weighs and measures.
+// Shows the usual sliders, and a part with targets beside what it weighs and measures.
 void tuned(WindowShop& shop, WindowWalk& walk)
 {
     shop.window.docks().show("tuning");

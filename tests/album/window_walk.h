@@ -25,7 +25,7 @@ namespace ripstop {
 class WindowWalk
 {
 public:
-    // Told at each turn what is in front: true once it has been looked at, and may go.
+    // It is told at each turn what is in front, and returns true once that may go.
     using Look = std::function<bool(const QString& name, QWidget& inFront)>;
 
     WindowWalk(WindowShop& shop, Look look)
@@ -36,7 +36,7 @@ public:
         QObject::connect(&m_timer, &QTimer::timeout, [this] { lookAtOpened(); });
     }
 
-    // The window as it stands.
+    // Shows the window as it stands.
     void window(const QString& name)
     {
         QElapsedTimer clock;
@@ -68,7 +68,7 @@ public:
                      m_shop.window.menuBar()->actionGeometry(title).bottomLeft()));
     }
 
-    // What comes on a right click, once for each kind of place.
+    // Shows what comes on a right click, once for each kind of place.
     void contextMenus()
     {
         std::set<QString> done;
@@ -90,9 +90,9 @@ public:
         }
     }
 
-    // Each action, with the first of these selections for which what it opens can be accepted, or
-    // else the last. `restore` brings back the scene before each. Returns those that opened
-    // nothing.
+    // Triggers each action, with the first of these selections for which what it opens can be
+    // accepted, or else with the last. `restore` brings back the scene before each. Returns those
+    // that opened nothing.
     std::vector<QAction*> actions(const std::vector<std::vector<Id>>& selections,
                                   const std::function<void()>& restore)
     {
@@ -115,7 +115,7 @@ public:
         return silent;
     }
 
-    // Each of the tools of which one is in use, and each of what the view shows.
+    // Switches on each tool, of which one is in use at a time, and each of what the view shows.
     void tools(const QString& name)
     {
         for (QAction* action : m_shop.window.actions().all()) {
@@ -235,7 +235,7 @@ private:
     WindowShop& m_shop;
     Look m_look;
     QTimer m_timer;
-    QElapsedTimer m_since; // the one in front came there
+    QElapsedTimer m_since; // since the one in front came there
     QString m_name;
     QWidget* m_front = nullptr;
     std::set<QWidget*> m_looked;

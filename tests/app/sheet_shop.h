@@ -1,4 +1,7 @@
-// A sheet in the whole window, and a mouse.
+// A square sheet whose places and ids are known by row and column, and the whole window around it
+// with the camera in front and a mouse: for tests of hands and tools.
+//
+// A test makes a Shop of a Sheet, and has to run by runWithView(), since the window has a 3D view.
 #pragma once
 
 #include "app/window_shop.h"

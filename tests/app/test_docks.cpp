@@ -1,5 +1,8 @@
 // The docks of the window: each row of their table is all that a dock needs, and what follows from
 // it is there.
+//
+// Stages: rows against docks, toggles, tabs and ids; then docks that the user closed, and those
+// that come forward when a scene is opened; and the stops of the tour.
 #include "app/window_shop.h"
 #include "docks/dock_table.h"
 #include "editor/tour.h"
@@ -31,7 +34,7 @@ struct OpenWindow : WindowShop
     }
 };
 
-// Of those that lie behind each other.
+// Whether it is the one in front of docks that lie behind each other.
 bool isInFront(const QDockWidget& dock) { return !dock.visibleRegion().isEmpty(); }
 
 bool has(const QMenu& menu, const QAction* wanted)

@@ -1,3 +1,10 @@
+// The editor as a whole: the window by keys and actions, and the program by its command line.
+//
+// Stages: Editor is a window without a remembered layout; it plays, edits, deletes, saves and
+// exports by the keys and actions of a person. Then the program itself is started: its frames are
+// compared with those of ripstop-cli by their bits, pictures, help without a display, and refusals
+// by their exit codes. At the end the verification dialog, its failures and its closing while
+// cases run.
 #include "dialogs/result_page.h"
 #include "dialogs/verification_dialog.h"
 #include "document/document.h"
@@ -58,7 +65,7 @@ Finished run(const QString& program, const QStringList& arguments, bool display 
             QString::fromUtf8(process.readAllStandardError())};
 }
 
-// The window of a person, without their remembered layout.
+// A window as a user has it, but without a remembered layout.
 struct Editor
 {
     Document document;
@@ -204,7 +211,7 @@ private slots:
         QVERIFY(lines[0].startsWith("time (s),element"));
     }
 
-    // Same scene, same seconds: the window ends in the same bits as the command line.
+    // For the same scene and the same seconds the window ends in the same bits as the command line.
     void windowAndCommandLineAgree_data()
     {
         QTest::addColumn<QString>("sample");
@@ -278,7 +285,7 @@ private slots:
         QVERIFY2(done.error.contains(message), qPrintable(done.error));
     }
 
-    // Help > Verification: the same cases as on the command line, while the window goes on.
+    // Help > Verification runs the cases of the command line while the window goes on.
     void verification()
     {
         VerificationDialog dialog(nullptr);

@@ -1,4 +1,7 @@
 // Bundles and recordings in the export dialog, flown again by the command line.
+//
+// Stages: a bundle from the dialog is flown again by ripstop-cli; a recording is exported as it
+// was; and without one the dialog offers no choice.
 #include "app/window_shop.h"
 #include "bundle/bundle.h"
 #include "files/export_dialog.h"

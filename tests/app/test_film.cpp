@@ -1,4 +1,7 @@
 // Films and pictures that the export dialog makes, looked at by other programs and by their pixels.
+//
+// Stages: films of each format and slow motion, with the counts that ffprobe or the files tell;
+// pictures; then a film that is cancelled, and a window that is closed meanwhile.
 #include "app/window_shop.h"
 #include "files/export_dialog.h"
 

@@ -1,4 +1,8 @@
 // What helps to find one's way: palette, keys, tour, templates, and what the window remembers.
+//
+// Stages: the ranking of the palette and what it runs; keys that are changed, kept and reset; what
+// the window remembers; the history; the tour; and templates. Settings are those of the test, and
+// not of the user.
 #include "actions/key_map.h"
 #include "actions/keys_dialog.h"
 #include "actions/palette.h"

@@ -1,4 +1,7 @@
 // Guides, smoothing and targets as a user meets them: the dialog, the view, the inspector.
+//
+// Stages: the dialog for guides with its preview, taken back and accepted; the guide in the view
+// by its pixels; targets; and the preview of smoothing.
 #include "app/window_shop.h"
 
 #include "builders/builder.h"

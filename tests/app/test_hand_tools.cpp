@@ -1,5 +1,8 @@
 // What a person does to a run by hand, with the mouse in the whole window: grab, pin, cut, blow,
 // carry, and all of it again by its track.
+//
+// Stages: grabbing with wheel, Ctrl and Escape; pins; cuts at both depths; the fan; carried
+// colliders; then the track of all of it, and the bar of settings.
 #include "app/sheet_shop.h"
 
 #include "compile/compile.h"

@@ -1,4 +1,7 @@
 // A mesh brought in by hand: the dialog, the edit that comes of it, and the ways there.
+//
+// Stages: the dialog and its refusals; the import as one step of the history and its cancelling;
+// the ways there (drop, menu, start page); then large meshes, and the preview by its pixels.
 #include "document/document.h"
 #include "document/player.h"
 #include "document/selection.h"
@@ -28,7 +31,7 @@ namespace {
 
 constexpr int patience = 20000; // ms
 
-// With a narrow blank between number and unit.
+// Puts a narrow blank between number and unit.
 QString spaced(QString text)
 {
     static const QRegularExpression place("(\\d) (c?m)\\b");
@@ -167,7 +170,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             editor.player.frame() && editor.player.frame()->position.size() == 8u, patience);
 
-        // and in the middle of the view
+        // the fabric is in the middle of the view
         editor.selection.clear(); // which has a colour of its own
         QTRY_VERIFY_WITH_TIMEOUT(hasFabric(editor.window.viewport().image()), 2000);
 

@@ -1,4 +1,7 @@
 // What a designer does with the Insert menu: insert with a preview, change parameters, detach.
+//
+// Stages: the builder dialog for new designs and every builder in it; insertion with a preview;
+// refusals and sliders; then parameters of a part, work by hand that would be lost, and detaching.
 #include "author/rebuild.h"
 #include "dialogs/builder_dialog.h"
 #include "document/document.h"

@@ -1,4 +1,8 @@
 // The window in French: nothing English is left on it, and nothing but words depends on it.
+//
+// Stages: the catalogue against what lupdate and the tables have; then the whole window is walked
+// and its texts compared with those in English; sentences of the engine, plurals and numbers; and
+// what must not depend on the language: files, and what is typed.
 #include "actions/keys_dialog.h"
 #include "app/window_shop.h"
 #include "author/operation.h"
@@ -83,7 +87,7 @@ bool hasWords(const QString& text)
     return text.contains(word);
 }
 
-// Of a widget and all in it, whatever stands on it or helps with it.
+// Reads the texts of a widget and of all in it: what stands on it and what helps with it.
 class Reader
 {
 public:

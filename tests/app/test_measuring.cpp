@@ -1,4 +1,7 @@
 // Measuring what is selected, from the menu and by a right click in the view.
+//
+// Stages: probes from the menu, of one element, of several, of two particles, and of what cannot
+// be measured; then the menu of a right click, and the peak in the legend.
 #include "app/sheet_shop.h"
 
 #include "author/measure.h"

@@ -1,4 +1,7 @@
 // Settling and adopting a pose, by their dialogs.
+//
+// Stages: a sheet settles and its pose is adopted; settling is stopped; a pose with rest lengths
+// bound anew; and a design that has no pose to adopt.
 #include "app/sheet_shop.h"
 
 #include "dialogs/pose_dialog.h"

@@ -1,4 +1,7 @@
 // What a designer does with the menus that shape a design, by its actions and dialogs.
+//
+// Stages: actions, tools and typed numbers; copies, pins and alignment; dialogs with their
+// previews; then a drag of a large design, and refusals.
 #include "builders/builder.h"
 #include "dialogs/operation_dialog.h"
 #include "document/clipboard.h"

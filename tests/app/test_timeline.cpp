@@ -1,4 +1,7 @@
 // The timeline in the window: what ran is looked back at, marked, gone on from, saved and opened.
+//
+// Stages: looking back by keys, mouse and actions; playing on live; going on from an exact state;
+// events, bookmarks and loops; files; and no memory for recordings.
 #include "document/recordings.h"
 #include "files/run_files.h"
 #include "io/recording_file.h"
@@ -73,7 +76,7 @@ private slots:
         QTest::keyClick(&strip, Qt::Key_End);
         QTRY_VERIFY(shop.looksAt(1.0));
 
-        // and the mouse
+        // the mouse does so as well
         QTest::mouseClick(&strip, Qt::LeftButton, {}, {strip.placeOf(0.25), strip.height() / 2});
         QTRY_VERIFY(shop.looksAt(0.25));
 
@@ -83,7 +86,7 @@ private slots:
         QCOMPARE(shop.viewport.frame(), live);
     }
 
-    // Who plays on leaves the past, and the run goes on where it stood.
+    // Playing on leaves the past, and the run goes on where it stood.
     void playingGoesOnLive()
     {
         TimelineShop shop;
@@ -207,7 +210,7 @@ private slots:
         QTRY_VERIFY(shop.looksAt(0.5));
         QCOMPARE(shop.player.frame()->hash, hash);
 
-        // and it goes on
+        // the opened run goes on from a moment
         shop.runs.seekTime(0.25);
         shop.run("continueHere");
         QTRY_VERIFY(!shop.player.isLookingBack() && shop.player.frame()

@@ -1,5 +1,8 @@
 // A designer's day in one go, by real events: a kite from nothing, flown, torn and tuned, all of it
 // taken back and done again.
+//
+// Stages: the tests go on from each other on one window, in the order in which they stand: insert,
+// import, weld, tune, lasso, draw, fly; then all is undone and done again, and saved and opened.
 #include "app/window_shop.h"
 #include "author/elements.h"
 #include "builders/builder.h"

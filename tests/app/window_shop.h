@@ -1,4 +1,8 @@
-// The whole window and a mouse.
+// The whole window with its document, selection and player, and a mouse that sends real events to
+// the view: press, move, drag, wheel, at places in pixels of the view.
+//
+// It ignores remembered layouts and keys, so that tests do not depend on the machine. The window
+// is not shown by itself. Whoever makes one has to run by runWithView().
 #pragma once
 
 #include "document/document.h"
@@ -27,7 +31,7 @@ struct WindowShop
     void run(const char* id) { window.actions()[id]->trigger(); }
     const Frame& frame() const { return *player.frame(); }
 
-    // In the picture, pixels.
+    // Where a place (m) is in the picture, in pixels.
     QPointF at(const Vec3& place) const
     {
         const double width = viewport.width(), height = viewport.height();

@@ -1,4 +1,8 @@
-// ripstop-cli, called as scripts call it.
+// Calls ripstop-cli as scripts call it, in a process of its own, and gives back exit code, output
+// and error text; JSON output can be read as an object.
+//
+// A call that cannot be started or takes longer than two minutes has the exit code -1, a crash has
+// -2. scene() names a file of the sample scenes.
 #pragma once
 
 #include "model/files.h"

@@ -1,4 +1,5 @@
-// Files that tests leave and look into.
+// Reads and writes whole files for tests that look into what a program left. A file that cannot be
+// read gives a text that no test expects; one that cannot be written fails the test.
 #pragma once
 
 #include <QByteArray>

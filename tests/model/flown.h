@@ -1,4 +1,7 @@
-// Flights that are recorded, step by step.
+// Flies a scene step by step with a recorder beside it and returns the finished recording, as the
+// runner of the window makes it, but on the calling thread and with nothing left to timing.
+//
+// A Pilot can act before each step. The scene must compile. Memory is in bytes.
 #pragma once
 
 #include "compile/compile.h"
@@ -11,7 +14,7 @@ namespace ripstop {
 
 inline Design designOf(const Scene& scene) { return {std::make_shared<const Scene>(scene), {}}; }
 
-// Tells the simulation things as the steps go by.
+// Called before each step; it may give orders to the simulation and tell the recorder of them.
 using Pilot = std::function<void(Simulation&, Recorder&, int step)>;
 
 inline std::shared_ptr<Recording> flown(const Scene& scene, int steps, const Pilot& pilot = {},

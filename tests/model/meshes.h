@@ -27,7 +27,7 @@ inline const char* const cubeOfQuads = "o cube\n"
                                        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\n"
                                        "f 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-// The same as twelve separate triangles; bottom and top swapped when `isInsideOut`.
+// The same cube as twelve separate triangles; bottom and top swapped when `isInsideOut`.
 inline QByteArray cubeAsStl(bool isInsideOut = false)
 {
     const auto cube = readObj(cubeOfQuads, "cube");
@@ -65,7 +65,7 @@ inline PreparedMesh preparedOf(const PolygonMesh& mesh, const MeshShape& shape =
     return *result;
 }
 
-// Nothing given: rods along edges.
+// The fabric without any choice made: it has rods along its edges.
 inline MeshFabric plainFabric(double density = 0.1)
 {
     MeshFabric fabric;

@@ -1,4 +1,8 @@
-// The sample scenes, for tests that fly them.
+// The sample scenes of the program, for tests that fly them: as a scene, as a simulation at its
+// start, and a probe's value by its name.
+//
+// A sample that cannot be read or compiled, or a probe that is not there, ends the test program,
+// since nothing after it would mean anything.
 #pragma once
 
 #include "compile/compile.h"

@@ -1,4 +1,5 @@
-// Scene files as short texts, with parts that tests fill in.
+// Scene files as short texts, into which tests put the lines that they are about. The lines before
+// them are always the same number, so that a test can ask for the line in a message.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,6 @@
-// The small systems of the cases (verify/small_systems.h), and the words with which a test reports
-// a number.
+// The small systems of the cases (verify/small_systems.h) for tests of the engine, with obstacles
+// that cost as much as any, comparisons by an absolute tolerance, and the words with which a test
+// reports a number. Lengths are in m.
 #pragma once
 
 #include "verify/small_systems.h"
@@ -40,7 +41,7 @@ inline bool isNear(const Vec3& got, const Vec3& expected, double tolerance)
     return (got - expected).norm() <= tolerance;
 }
 
-// For QVERIFY2: lives until the next call.
+// The text is for QVERIFY2 and lives until the next call.
 inline const char* told(double got, double expected)
 {
     static char text[120];

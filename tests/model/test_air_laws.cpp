@@ -1,5 +1,10 @@
 // Air laws on plates and bodies: the blend for all angles, lift and drag by table, porosity
 // (validation 2.12, 2.13, 3.6, 4.1, 4.3 and 4.9).
+//
+// Stages: the blend and its limits, then coefficients from a table and that no law gives energy to
+// the wind; bodies whose coefficients follow by integration (caps, cones, a hemisphere that
+// sinks); kites and a Rogallo in closed form; and porosity, by its speed at a pressure, at all
+// angles, and in a descent.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -38,7 +43,7 @@ struct Coefficients
     double drag;
 };
 
-// Of a plate at this angle of attack, rad.
+// The coefficients of a plate at this angle of attack, rad.
 Coefficients plate(const Material& material, double alpha)
 {
     const Vec3 wind = 10.0 * Vec3(std::cos(alpha), std::sin(alpha), 0.0);

@@ -1,4 +1,8 @@
 // The automatic solver: it holds the strain that is wanted, and says what it picked.
+//
+// Stages: strain that is held, and loads and fabrics for which the choice between sweeps and the
+// direct solver is known; scenes that begin at rest and must stay so; scenes without rods or that
+// no solver can help; then numbers of substeps, checkpoints and threads.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -249,7 +253,7 @@ private slots:
                  plan.reason.english().c_str());
     }
 
-    // Nothing to hold: as many substeps as the author says.
+    // Without rods there is no strain to hold, so it makes as many substeps as the author says.
     void withoutRods()
     {
         System system = emptySystem(0.01);

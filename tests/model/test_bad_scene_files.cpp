@@ -1,5 +1,8 @@
 // Files that are no scenes are refused with one sentence that names file, line, path and what to
 // do.
+//
+// Stages: a table of flawed texts with the sentence that each must give; then files that are cut
+// off, huge, or no files at all.
 #include "model/scene_texts.h"
 
 #include "io/scene_file.h"

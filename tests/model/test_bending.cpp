@@ -1,4 +1,8 @@
 // Bending of fabric and of spars; the deflections that theory knows are in verify (M6, M-EI).
+//
+// Stages: which sides of panels bend and which do not; rest shapes and energies in closed form;
+// the limit on the time step and energy over many steps; then tears and spars, scenes without
+// bending, edits of a running scene, threads and substeps.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,5 +1,9 @@
 // Counts and masses of the builders, against the lattice formulas and the papers' tables
 // (validation page 1.3 to 1.6).
+//
+// Stages: counts, and that every builder gives a sound scene over the ranges of its parameters;
+// names and refusals; then masses, the drag of the parachute, and a glider whose wind carries its
+// weight at the start.
 #include "builders/builder.h"
 #include "builders/statics.h"
 #include "scene/check.h"

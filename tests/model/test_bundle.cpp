@@ -1,5 +1,9 @@
 // A run for a paper: what is in its bundle, that it flies again to the same bits, and what is said
 // when it does not.
+//
+// Stages: a bundle is written, flown again and compared; its command lines and its files are
+// tried; then recordings; then what differs or is wrong is told; and writing is whole or not at
+// all, also over an older bundle.
 #include "bundle/bundle.h"
 #include "io/scene_file.h"
 #include "model/cli_call.h"
@@ -175,7 +179,7 @@ private slots:
         QCOMPARE(flown.exitCode, 4);
         QVERIFY2(flown.error.contains("scene.ripstop.json"), qPrintable(flown.error));
         const QJsonObject difference = flown.json()["difference"].toObject();
-        QCOMPARE(difference["step"].toInt(), 1); // of still air it is the first
+        QCOMPARE(difference["step"].toInt(), 1); // in still air the first step differs
         QVERIFY(difference["particle"].isDouble());
     }
 

@@ -1,5 +1,9 @@
 // Fabric that holds air: its pieces, its mouth, what a bad set-up is told, and that a canopy opens
 // from any start with the same bits. What it is when full stands in verify/canopy.cpp.
+//
+// Stages: how faces, pieces and mouths are found and what a bad set-up is told; then openings from
+// many starts; then threads, scenes without air, holes that leak, edits in flight, and added mass
+// that is much heavier than the cloth.
 #include "model/systems.h"
 
 #include "assembly/carry_over.h"
@@ -252,7 +256,7 @@ private slots:
                 != std::string::npos);
     }
 
-    // From a mouth that is all but shut, thrown or let go, straight or bent.
+    // The canopy starts with a mouth that is all but shut, thrown or let go, straight or bent.
     void opensFromAnyStart_data()
     {
         QTest::addColumn<double>("mouth");

@@ -1,4 +1,8 @@
 // A running state carried into an edited system.
+//
+// Stages: edits that change nothing or only the order; particles that are added, removed or pinned
+// in motion; tears and panels that must stay gone; inputs; and the time for a long row of new
+// particles.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,4 +1,7 @@
 // Problems: each is found once, points at its culprit, and says what to do.
+//
+// Stages: a sound scene has none; then each problem is made once and has to be found once; the
+// order and number of what is told; then the longest time step of springs, against chains by hand.
 #include "scene/check.h"
 
 #include "base/step_limit.h"

@@ -1,4 +1,8 @@
 // ripstop-cli, called as scripts call it: exit codes, what goes to which stream, and its fields.
+//
+// Stages: exit codes and help; then each command by what it prints and writes (info, build, run,
+// export, properties); divergence, tears, controls and the final scene; at the end an interrupt,
+// and that the program links no window system.
 #include "model/cli_call.h"
 
 #include "io/scene_file.h"

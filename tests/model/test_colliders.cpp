@@ -1,4 +1,8 @@
 // Colliders as authored: what becomes of them, what is wrong with them, and where their files are.
+//
+// Stages: turns, fields, paths and hills, with the words of refusals; scenes with and without
+// flaws; then files of shapes beside the scene and in other folders; and colliders in a live scene
+// and under a control.
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"

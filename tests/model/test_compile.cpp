@@ -1,4 +1,8 @@
 // Scene to System.
+//
+// Stages: what particles, links, surroundings, controls and probes of a scene become in the
+// System, by numbers and by order; then scenes that are refused with a sentence; and that
+// compiling twice gives the same system and motion.
 #include "compile/compile.h"
 
 #include "builders/builder.h"

@@ -1,5 +1,8 @@
 // Contact of particles with planes and spheres: what each response means. How things fall, bounce,
 // rest and slide is among the cases of model/verify.
+//
+// Stages: one particle against the floor, obliquely and on the way out; then spheres, from the
+// top, the side and inside; pins; and a chain that falls onto the floor.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,4 +1,7 @@
 // Control tracks: what a pilot did is written down, and flies again to the same bits.
+//
+// Stages: a flight with commands is written, read and flown again; tracks of new runs; names that
+// are awkward or double; then the hands in a track, read, written, and refused.
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
@@ -65,7 +68,7 @@ private slots:
         }
         QCOMPARE(stateHash(again.state()), stateHash(pilot.state()));
 
-        // and another design that has a control of that name
+        // the track can also be read for another design that has a control of that name
         const Scene other = glider(10.5);
         const auto onOther = readControlTrack(file, other);
         QVERIFY2(onOther, onOther ? "" : onOther.message().english().c_str());

@@ -1,4 +1,8 @@
 // Controls: corners that are moved, pilots that shift their weight.
+//
+// Stages: corners that are moved by commands, with and without a rate, alone and together; what
+// hangs on them; then weight shift, in which rods change their lengths, against the lengths by
+// hand, also with torn rods.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

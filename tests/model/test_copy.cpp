@@ -1,3 +1,10 @@
+// Copies, mirrors, arrays, welding, alignment and splitting (author/copy.h, author/align.h,
+// author/operation.h).
+//
+// Stages: a strip of two cells with known counts is copied and mirrored, then welded, weighed,
+// aligned and split; the numbers follow from counting its rows. after() checks for each edit that
+// undo and redo give the scenes back and that the outcome has no error. At the end every operation
+// is tried on designs of all builders, and a large design is timed.
 #include "author/copy.h"
 
 #include "author/align.h"
@@ -51,7 +58,7 @@ Vec3 normalOf(const Scene& scene, const Panel& row)
     return (placeOf(scene, row.b) - a).cross(placeOf(scene, row.c) - a);
 }
 
-// Also proves that the edit can be taken back, and that what it leaves is sound.
+// Applies the edit, and proves that it can be taken back and that what it leaves is sound.
 Scene after(Scene scene, const Edit& edit)
 {
     const Scene before = scene;
@@ -290,7 +297,7 @@ private slots:
         QVERIFY(std::abs(spread(MassBy::TotalInProportion, 1.7) - 1.7) < 1e-15);
         QVERIFY(std::abs(spread(MassBy::Length, 0.1) - 0.7) < 1e-15); // 7 m
         QVERIFY(std::abs(spread(MassBy::Area, 0.05) - 0.1) < 1e-15);  // 2 m^2
-        // of two of six, the other four keep their 0.5
+        // two of the six share the total, the other four keep their 0.5
         QVERIFY(std::abs(spread(MassBy::TotalEvenly, 1.0, {Id{2}, Id{3}}) - 3.0) < 1e-15);
         QVERIFY(!massSpread(scene, {}, MassBy::TotalEvenly, 1.0));
         QVERIFY(!massSpread(scene, {Id{2}, Id{7}}, MassBy::Area, 1.0));

@@ -1,4 +1,8 @@
 // The craft among the sample scenes fly as statics, measurement and the pilot say.
+//
+// Stages: the kite (its climb, the pull by statics, gusts), the gliders (glide ratio with and
+// without induced flow, weight shift), and the parachute's rate of descent. The numbers come from
+// the sources that stand above each test.
 #include "model/sample_scenes.h"
 
 #include "builders/builder.h"

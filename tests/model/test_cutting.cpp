@@ -1,4 +1,8 @@
 // Cuts with a stroke: what breaks, what parts, what is kept.
+//
+// Stages: a line, a sheet and a slit are cut and their pieces counted; a stroke that misses or is
+// told twice changes nothing; panels that vanish; and a flight that is made again from its control
+// track.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,5 +1,9 @@
 // Cylinders: distances and ways in, and particles that lie on them, slide and fly at them. Caps as
 // floors are among the floors of test_obstacles.
+//
+// Stages: distances from outside and inside and at the rim; then ways that cross a thin cylinder
+// in one step from any side; then motion on it (sliding, leaving, friction, over the rim) against
+// closed forms.
 #include "assembly/finish.h"
 #include "model/systems.h"
 #include "shapes/cylinder.h"
@@ -106,7 +110,8 @@ private slots:
             QVERIFY(isNear(touch->normal, normal, 1e-14));
             QVERIFY(isNear(touch->surface, rim + margin * normal, 1e-14));
             QVERIFY(!touchCylinder(drum, margin, rim + 0.2 * normal, rim + 0.101 * normal));
-            // without a margin, who came by the cap stays on it, and who came by the side on that
+            // without a margin, a particle that came by the cap stays on it, and one that came by
+            // the side stays on the side
             const Vec3 deep = rim - 0.01 * normal;
             const auto byCap = touchCylinder(drum, 0.0, deep + 0.1 * Vec3::UnitY(), deep);
             QVERIFY(byCap && isNear(byCap->normal, Vec3::UnitY(), 0.0));
@@ -158,7 +163,7 @@ private slots:
                 const Vec3 from = dice.vector(3.0), to = dice.vector(3.0);
                 if (nearestOnCylinder(drum, from).distance < margin)
                     continue;
-                double least = 1e9; // of the distance on the way
+                double least = 1e9; // least distance on the way
                 for (int step = 0; step <= 200; ++step)
                     least = std::min(
                         least, nearestOnCylinder(drum, from + step / 200.0 * (to - from)).distance);

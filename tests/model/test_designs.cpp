@@ -1,4 +1,7 @@
 // Designs of the builders against closed forms: areas, masses, trim, descent, tensions.
+//
+// Stages: areas and figures; kites and a parachute that are flown until they are steady; lengths
+// and loads of lines; frames and rigidity particles; flags and poles in the wind.
 #include "author/design_figures.h"
 #include "builders/statics.h"
 #include "model/sample_scenes.h"

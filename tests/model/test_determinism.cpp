@@ -1,4 +1,8 @@
 // The same bits in every run and at every number of threads (validation C9).
+//
+// Stages: designs, networks and tears that are large enough to be shared out are flown at several
+// numbers of threads and compared by their hash or bits; then all sample scenes and builders; and
+// a run that goes on from a checkpoint.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

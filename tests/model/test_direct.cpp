@@ -1,4 +1,8 @@
 // The direct rod solver alone: heavy loads on light lines, frames, and what it costs in energy.
+//
+// Stages: a heavy load on a light line and its tensions; what one implicit step does to a whirl
+// and a pendulum; free frames, single rods, one-sided rods, rods without length and a jumble; then
+// bits, changes in place, and that a step allocates nothing.
 #include "assembly/finish.h"
 #include "model/heavy_line.h"
 

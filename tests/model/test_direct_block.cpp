@@ -1,5 +1,8 @@
 // What the direct solver stands on and how it works beside sweeps: its factorisation, which rods
 // are given to it, and a heavy line that carries a net.
+//
+// Stages: the factorisation against a dense one; then designs of rods for some seconds; a direct
+// block beside sweeps; the rule that chooses rods; and the order in which rods are numbered.
 #include "assembly/finish.h"
 #include "model/heavy_line.h"
 
@@ -54,7 +57,7 @@ class TestDirectBlock : public QObject
     Q_OBJECT
 
 private slots:
-    // Against a dense factorisation of the same matrix.
+    // The block factorisation equals a dense factorisation of the same matrix.
     void blockCholesky()
     {
         const int nodes = 20;

@@ -1,4 +1,8 @@
 // Edits: every change has an inverse that gives the scene back.
+//
+// Stages: a table of edits is applied, undone and redone, one by one and many in a row; where
+// items and rows go; then removals and what hangs on what is removed; gestures; and what an edit
+// does at worst to a run.
 #include "scene/edit.h"
 
 #include <QtTest>

@@ -1,5 +1,9 @@
 // Exported flights opened by the programs that they are for: Blender and ParaView, without a
 // window. Where one of them is not installed, its test says so and does not run.
+//
+// Stages: three flights, two of which tear, are exported; the program runs a script that reads the
+// files and compares each frame with the places that the test has written beside them; the test
+// reads the largest distance from what the script prints.
 #include "export/export_run.h"
 #include "export/surface.h"
 #include "model/sample_scenes.h"

@@ -1,5 +1,8 @@
 // The work of air, hands, dampers and contact, and what the solver makes of energy, where theory
 // knows the numbers.
+//
+// Stages: one account after another on a system that only it concerns (dampers, gravity, hands,
+// air, bounces, tears); then that reading disturbs nothing, and that frames keep the ledger.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -257,7 +260,7 @@ private slots:
         QVERIFY2(std::abs(out.work.residual) < 1e-3, told(out.work.residual, 0.0));
     }
 
-    // Who reads the ledger changes nothing of the flight.
+    // Reading the ledger changes nothing of the flight.
     void doesNotDisturb()
     {
         const auto towed = [](bool asked) {

@@ -1,5 +1,9 @@
 // What the events of a run are: contact and lift-off, lines that go slack and taut, and that they
 // are the same wherever a run is made.
+//
+// Stages: falls and bounces at known times; elastic and stiff lines that go slack and taut; which
+// links count as lines; then the same events from the table, the recording and other numbers of
+// threads, and older recordings.
 #include "assembly/finish.h"
 #include "io/recording_file.h"
 #include "model/cli_call.h"

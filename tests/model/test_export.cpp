@@ -1,4 +1,8 @@
 // Exported files, read back by other means than ours.
+//
+// Stages: the formats of one moment, then series and tables with their rates; that a moment does
+// not depend on the way to it; then cancelling, runs that stop early, failures of writing, and
+// tables without probes.
 #include "compile/compile.h"
 #include "export/export_run.h"
 #include "export/format.h"

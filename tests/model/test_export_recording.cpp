@@ -1,4 +1,7 @@
 // What a recording gives to other programs: the run as it was, without flying it again.
+//
+// Stages: the steps and the end of an exported recording are compared with a flight; the command
+// line gives the same table from both; a damaged recording is exported as far as it can be read.
 #include "assembly/finish.h"
 #include "builders/builder.h"
 #include "export/export_run.h"

@@ -1,4 +1,8 @@
 // Meshes and animations for other programs, read back by other means than ours where there are any.
+//
+// Stages: each format is written and read back; caches with fabric that tears or has split;
+// designs that change on the way or show nothing; then files that stay until the new one is whole,
+// sequences of files, and formats that are chosen by name.
 #include "compile/compile.h"
 #include "export/export_run.h"
 #include "export/format.h"

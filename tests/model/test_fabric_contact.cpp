@@ -1,4 +1,8 @@
 // Fabric and lines against fabric: what is folded stays apart.
+//
+// Stages: a folded sheet with contact, and without it as a control; momentum of one particle and
+// one panel; lines, large panels and panels that are gone; and the same bits at any number of
+// threads.
 #include "assembly/finish.h"
 #include "contact/fabric_contact.h"
 #include "model/systems.h"
@@ -37,7 +41,7 @@ double distanceTo(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p)
     return std::min({toEdge(a, b), toEdge(b, c), toEdge(c, a)});
 }
 
-// Of all particles from panels that they do not belong to.
+// The least distance of particles from panels that they do not belong to.
 double leastDistance(const System& system, const State& state)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -134,7 +138,7 @@ private slots:
         QVERIFY2(top < 0.2, told(top, 0.0)); // it has come down
     }
 
-    // The same without contact goes through itself: the test above sees something.
+    // Without contact the fabric goes through itself, which proves that the test above can fail.
     void foldedSheetWithout()
     {
         System system = sheet(folded);
@@ -237,7 +241,7 @@ private slots:
         QCOMPARE_LT(run(system, 40).position[std::size_t(stone)].y(), -0.2);
     }
 
-    // Who meets whom does not depend on threads.
+    // Which particles meet which panels does not depend on threads.
     void sameBits()
     {
         System system = sheet(folded);

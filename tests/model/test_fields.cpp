@@ -1,4 +1,7 @@
 // Lists of fields: nothing is missing from them, and all that walks over fields follows them.
+//
+// Stages: names, differences and clearing of fields; then bytes, recordings, hashes and
+// carry-over, each of which has to follow the list of fields and to need no list of its own.
 #include "assembly/carry_over.h"
 #include "base/bytes.h"
 #include "measure/diagnostics.h"
@@ -97,7 +100,7 @@ QString named(std::string_view name)
     return QString::fromLatin1(name.data(), qsizetype(name.size()));
 }
 
-// Whoever is equal is so in each field that is compared, and the one that differs is named.
+// Two values are equal when each compared field is, and the field that differs is named.
 template <typename T>
 QString wrongInComparison()
 {

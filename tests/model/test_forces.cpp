@@ -1,5 +1,10 @@
 // The list of forces: whatever stands on it is compared, by differences and by the ledger, with
 // what it says of its energy, its work and its stiffness. Each force needs an example of it here.
+//
+// Stages: that each force has an example and stands on the lists; then each example is compared
+// with its energy by differences, its dampers with their power, the ledger with both, and its
+// stiffness with the largest frequency; at the end the lists after edits, and sums made in two
+// ways.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

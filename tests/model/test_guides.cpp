@@ -1,5 +1,9 @@
 // Particles that are free along a line or in a plane only, against mechanics: beads on wires, a
 // trammel, a pendulum on a trolley, and what every solver makes of them.
+//
+// Stages: motions along wires and in planes against mechanics; that nothing leaves its guide,
+// whatever the solver and the number of threads; hands and contact on guides; and how scenes say
+// guides, turn them, weld them, and count them in rigidity.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -128,7 +132,7 @@ private slots:
     // v = g sin(angle) t along the wire, and x = v t / 2 but for half a step of Euler's.
     void aBeadSlidesDownAWire_data();
     void aBeadSlidesDownAWire();
-    // In a plane that leans by the angle, the pull down the slope is the same.
+    // In a plane that leans by the angle, the pull down the slope is the same as along the line.
     void aPuckSlidesDownAPlane();
     // The ends of a trammel run round an ellipse: with equal masses, x^2 + y^2 = L^2 is a circle in
     // the plane of (x, y) and its angle grows evenly. A projection takes 2 w^2 h of the energy per
@@ -287,7 +291,7 @@ void TestGuides::aRodHoldsABeadOnASlope()
     addPin(system, toPin);
     addBead(system, Vec3::Zero(), 0.5, Guide::Line, up);
     const double expected = weight * std::sin(slope) / std::cos(between);
-    // so that the angle is right where it comes to rest
+    // the rod is shorter by its stretch, so that the angle is right where the bead comes to rest
     addRod(system, 0, 1, 1.0 - compliance * expected, compliance);
     system.rods.back().resists = Resists::Tension;
     finish(system);

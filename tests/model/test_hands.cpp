@@ -1,4 +1,8 @@
 // What hands do to a run: pulls, pins, fans and colliders that are carried.
+//
+// Stages: pulls against springs and statics, their limit and momentum; stiff hands and hands at
+// nothing; pins, fans and carried colliders; then bits at any number of threads, edits while
+// something is held, and settling.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -289,7 +293,7 @@ private slots:
         const Vec3 load = panelLoads(system, state)[0];
         QVERIFY2(isNear(load, Vec3(expected, 0.0, 0.0), 1e-12 + 1e-9 * expected),
                  told(load, Vec3(expected, 0.0, 0.0)));
-        // and that is what moves it
+        // this load is what moves the panel
         state = run(system, state, 1);
         const double speed = expected / 3.0 * 1e-3;
         QVERIFY(isNear(state.velocity[0], Vec3(speed, 0.0, 0.0), 1e-12 + 1e-9 * speed));
@@ -390,7 +394,7 @@ private slots:
         }
 
         told = {};
-        for (int step = 0; step < 45; ++step) { // what was told up to there
+        for (int step = 0; step < 45; ++step) { // orders that were given up to there
             Simulation nobody(*system);
             act(nobody, step);
         }

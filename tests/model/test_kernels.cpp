@@ -1,5 +1,9 @@
 // Kernels that take four panels, springs, particles or rods at a time (parallel/simd_pack.h): with
 // and without vector instructions, alone or beside others, each gets the same bits.
+//
+// Stages: panels, springs, contacts and rods are each computed with and without vector
+// instructions and compared by their bits, in numbers that do not fill the last pack; between them
+// stand the law of a spring by hand, and work that is shared out among threads.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -52,7 +56,8 @@ int another(Dice& dice, int particle)
     return (particle + 1 + dice.below(particles - 1)) % particles;
 }
 
-// Of each law, rough and smooth, some gone, some without area; not a multiple of four.
+// Panels of each law, rough and smooth, some gone, some without area; their number is not a
+// multiple of four.
 System panels(std::uint32_t seed, double speed, int count = 403)
 {
     constexpr std::array laws{AirLaw::None, AirLaw::Paper, AirLaw::LinearNormal, AirLaw::LiftDrag};
@@ -80,7 +85,8 @@ System panels(std::uint32_t seed, double speed, int count = 403)
     return system;
 }
 
-// Of each kind, slack and taut, some torn, one without length; not a multiple of four.
+// Springs of each kind, slack and taut, some torn, one without length; their number is not a
+// multiple of four.
 System springs(std::uint32_t seed, int count = 401)
 {
     Dice dice(seed);
@@ -271,7 +277,7 @@ private slots:
         }
     }
 
-    // Whom a panel stands beside changes nothing. Corners at rest, so that the apparent wind is
+    // The panels in the same pack change nothing. Corners are at rest, so that the apparent wind is
     // the wind to the last bit.
     void panelsAlone()
     {
@@ -329,7 +335,7 @@ private slots:
         }
     }
 
-    // Enough of them to be shared out, in parts that do not end with a group of four.
+    // There are enough panels to be shared out among threads, in parts that do not end with a pack.
     void threads()
     {
         const System cloth = panels(23, 3.0, 30001);

@@ -1,4 +1,7 @@
 // Wind on lines (validation 4.13).
+//
+// Stages: forces on a line across and at an angle to the wind, and their shares at its ends; then
+// the terminal speed of a stick and the lean of a loaded line; and which links are lines at all.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,4 +1,8 @@
 // Physical numbers of materials: links follow from them, whatever the mesh.
+//
+// Stages: the stiffness of one link by hand, and numbers of its own that win; then sheets at
+// several resolutions (material_sheets.h), which have to weigh, stretch and sag alike; and a rope
+// that hangs.
 #include "model/material_sheets.h"
 
 #include "builders/builder.h"

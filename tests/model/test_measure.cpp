@@ -1,4 +1,7 @@
 // Probes, energies and the hash on states that are known.
+//
+// Stages: energies, masses and places of a state by hand; links and probes, also those with
+// nothing to read; the mean glide; and the hash, which must see any single bit.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

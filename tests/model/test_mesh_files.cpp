@@ -1,4 +1,8 @@
 // Files of meshes: formats, refusals, and the command line that brings them in.
+//
+// Stages: each format is read as the same mesh; units and axes; then refusals, huge, scrambled and
+// missing files, none of which may crash; at the end the command line, and a flight that is
+// exported and brought in again.
 #include "model/cli_call.h"
 #include "model/meshes.h"
 #include "shapes/mesh_file.h"
@@ -281,7 +285,8 @@ private slots:
         QCOMPARE(info.json()["particles"].toInt(), 8);
         QCOMPARE(info.json()["panels"].toInt(), 12);
 
-        // once more, into that scene, of the same material and as key=value
+        // the mesh comes once more, into that scene, of the same material, with options as
+        // key=value
         const Outcome more = call({"import", mesh, "scale=0.5", "shear=springs", "--into", scene,
                                    "--material", "fabric", "-o", scene});
         QCOMPARE(more.error, QString());

@@ -1,4 +1,8 @@
 // Meshes brought in: what fabric comes out, and where it is.
+//
+// Stages: a cube and loose triangles become fabric; masses, styles of links and shear; the
+// stiffness of triangular fabric against theory; then objects and materials of the file, the edit
+// and its undo, refusals, cancelling, and the time for a large mesh.
 #include "model/meshes.h"
 #include "scene/check.h"
 #include "shapes/mesh_file.h"

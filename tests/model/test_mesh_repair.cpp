@@ -1,5 +1,8 @@
 // Meshes that are not as they should be: what is reported, what is repaired, and what scale, axes
 // and polygons become.
+//
+// Stages: faults are made one by one and have to be reported; then orientation of closed,
+// one-sided and hollow pieces; scale and axes; tolerance, turning over, and texture.
 #include "model/meshes.h"
 #include "shapes/mesh_file.h"
 

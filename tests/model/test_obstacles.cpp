@@ -1,5 +1,8 @@
 // Particles on boxes, hills and meshes, at rest and in motion (validation B1 to B3, B7, B8), and
 // obstacles that move.
+//
+// Stages: rest, bounce and slides against closed forms; fast particles at thin bodies and in
+// corners; then obstacles that move: paths, belts, walls, lifts, and controls.
 #include "assembly/finish.h"
 #include "contact/obstacle_motion.h"
 #include "model/systems.h"
@@ -252,8 +255,9 @@ private slots:
             const Vec3& x = state.position[i];
             if (kind == "ball") {
                 QVERIFY2(x.norm() >= 0.1 - 1e-9, told(x.norm(), 0.1));
-                // Who was aimed at the ball has lost what went into it: at 0.09 m from the line
-                // through the middle that leaves 0.9 of the speed, and no less is lost nearer.
+                // A particle that was aimed at the ball has lost what went into it: at 0.09 m from
+                // the line through the middle that leaves 0.9 of the speed, and no less is lost
+                // nearer.
                 const Vec3& start = system.start.position[i];
                 const Vec3 way = system.start.velocity[i] / speed;
                 if ((start - start.dot(way) * way).norm() < 0.09)

@@ -1,4 +1,7 @@
 // Paths and assignments, as the command line's --set takes them.
+//
+// Stages: paths that are found and the nearest ones that are proposed for others; then assignments
+// of numbers, vectors and texts, and those that are refused with a sentence.
 #include "scene/path.h"
 
 #include <QtTest>

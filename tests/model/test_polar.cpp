@@ -1,4 +1,7 @@
 // Polars of air laws and the published curves beside them (validation 3.6).
+//
+// Stages: published values by hand; the identities that rows of a polar must meet; then the
+// command of ripstop-cli, and its refusals.
 #include "model/cli_call.h"
 
 #include "compile/resolve.h"

@@ -1,4 +1,8 @@
 // Presets of materials, and weighing by their densities.
+//
+// Stages: what presets set and the numbers that they are derived from; then weighing by densities,
+// with undo and with particles of unknown mass; one preset after another; and what is refused,
+// also on the command line.
 #include "model/material_sheets.h"
 
 #include "builders/builder.h"
@@ -158,7 +162,7 @@ private slots:
                 sum += particle.mass;
             return sum;
         };
-        partOf(scene).particles[5].mass += 1.0; // what somebody hung there
+        partOf(scene).particles[5].mass += 1.0; // a load that somebody hung there
         Scene before = scene;
         const Edit undo = apply(scene, *assignment(scene, "cloth.arealDensity=0.04"));
         NEAR(mass(), 1.04, 1e-12);
@@ -166,7 +170,7 @@ private slots:
              1e-12);
         (void)apply(scene, undo);
         QVERIFY(scene == before);
-        // of unknown density it is only noted
+        // of a material of unknown density it is only noted
         (void)apply(scene, *assignment(scene, "cloth.arealDensity="));
         (void)apply(scene, *assignment(scene, "cloth.arealDensity=0.04"));
         NEAR(mass(), density + 1.0, 1e-12);
@@ -184,7 +188,8 @@ private slots:
         Scene scene = *build(*findBuilder("cloth"), sheet(cells, 2, 0.3));
         const Part before = partOf(scene);
         Part& part = partOf(scene);
-        part.particles.push_back({takeId(scene), Vec3(5.0, 5.0, 5.0)}); // of nothing
+        // a particle that belongs to no link
+        part.particles.push_back({takeId(scene), Vec3(5.0, 5.0, 5.0)});
         for (Particle& particle : part.particles)
             particle.mass = 0.7;
         (void)apply(scene, weighing(scene));

@@ -1,4 +1,8 @@
 // What probes read in scenes whose answer is known by hand, and formulas made of them.
+//
+// Stages: readings of air on a plate, the reaction at a pin, free fall and strains, each with its
+// answer by hand; then formulas: their values, those that are refused, and those in a scene that
+// refer to each other.
 #include "compile/compile.h"
 #include "run/simulation.h"
 #include "scene/check.h"

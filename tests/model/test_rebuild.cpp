@@ -1,4 +1,9 @@
 // Designs that go into an open scene, are built again with other parameters, and are detached.
+//
+// Stages: every builder is inserted into an empty and into another scene; then parts are built
+// again with the same and with each other parameter, where what was tuned by hand must stay; then
+// what is lost is counted, and parts are detached. after() checks undo for each edit. A new
+// builder is covered without a change here.
 #include "author/insert.h"
 #include "author/rebuild.h"
 #include "author/transform.h"
@@ -234,7 +239,7 @@ private slots:
         QVERIFY(itemNamed<Wind>(changed, "gusts"));
         QCOMPARE(changed.settings.sweeps, 17);
         QVERIFY(isClean(changed));
-        // and back: the gusts go, and the tail with its group
+        // the way back: the gusts go, and the tail with its group
         changed = changing(changed, {{"gusts", 0.0}, {"tail_length", 0.0}});
         QVERIFY(!itemNamed<Wind>(changed, "gusts"));
         QVERIFY(!itemNamed<Group>(changed, "tail nodes"));
@@ -292,7 +297,7 @@ private slots:
         QCOMPARE(handWork(scene, partId(scene)).removed, std::size_t(1));
     }
 
-    // Two of the same: only the one that is meant changes, with its own groups and probes.
+    // Of two parts of one builder only the chosen one changes, with its own groups and probes.
     void onlyTheOneThatIsMeant()
     {
         InsertWish wish;

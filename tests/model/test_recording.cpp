@@ -1,4 +1,8 @@
 // Recordings: what was flown can be looked at, computed again to the bit, saved and opened.
+//
+// Stages: frames and moments against the run that they were recorded from, and runs that go on or
+// are computed again; memory that spills to disk; files, whole, damaged and foreign; reading while
+// it grows; and the comparison of runs, also on the command line.
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "io/recording_file.h"
@@ -257,7 +261,7 @@ private slots:
                 == (*recording->frame(frames - 1))->position);
         const auto outcome = replay(*opened->recording, 1);
         QVERIFY(outcome && !outcome->difference);
-        // and can be saved again, whole
+        // what was opened can be saved again, and is then whole
         QVERIFY(!saveRecording(*opened->recording, file.toStdString()));
         QCOMPARE(openRecording(file.toStdString())->damage.english(), std::string());
     }
@@ -390,7 +394,7 @@ private slots:
         QVERIFY(std::abs(apart.most - 5.0) < 1e-12);
     }
 
-    // By the command line: exit codes say what came out.
+    // On the command line exit codes say what came out.
     void commandLine()
     {
         const QTemporaryDir folder;

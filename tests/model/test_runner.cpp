@@ -1,4 +1,7 @@
 // The runner's thread: pacing, mailboxes, edits and resets while it plays.
+//
+// Stages: the mailbox; standing, stepping and playing until a time; edits while it plays and
+// frames that are whole; pace and pauses; commands, trouble, and a prompt stop.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,4 +1,8 @@
 // The scene file: what is written comes back to the last bit, and a save is whole or not at all.
+//
+// Stages: every property and unknown keys are written and read; the text itself; then saving:
+// links and permissions, full disks, pipes, scenes that could not be read again; and the time that
+// a large file takes.
 #include "model/files.h"
 #include "model/scene_texts.h"
 

@@ -1,5 +1,9 @@
 // The sample scenes: each loads, is what its builder makes, runs 20 s, and shows what it is for.
 // Those that fly are in test_craft.cpp.
+//
+// Stages: every sample runs and equals what its builder makes; then the samples that a formula or
+// a measurement is known for, each in a test of its own: strips, sheets that tear, pendulum, heavy
+// load, sheets on bodies, curtain, flag.
 #include "model/sample_scenes.h"
 
 #include "builders/builder.h"

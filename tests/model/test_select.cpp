@@ -1,4 +1,8 @@
 // Selections from selections: counts follow from the geometry of a sheet of n x n particles.
+//
+// Stages: growing, shrinking, connected parts, edges and loops; other kinds, similar things and
+// groups; then conditions, on elements, items and measured quantities, with the words for wrong
+// ones; and the time on a large sheet.
 #include "author/condition.h"
 #include "author/group.h"
 #include "author/select.h"
@@ -203,7 +207,7 @@ private slots:
     {
         const Sheet s;
         QCOMPARE(countsOf(s.scene, boundary(s.scene, {})), (Counts{4 * (n - 1), 4 * (n - 1), 0}));
-        // of one cell, its four corners; its diagonal is inside, and is no link
+        // the edge of one cell is its four corners; its diagonal is inside, and is no link
         const std::vector<Id> cell{s.part().panels[0].id, s.part().panels[1].id};
         QCOMPARE(countsOf(s.scene, boundary(s.scene, cell)), (Counts{4, 4, 0}));
     }

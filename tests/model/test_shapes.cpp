@@ -1,4 +1,8 @@
 // Distances, normals and ways into solid shapes (validation B6 to B8), and the files of shapes.
+//
+// Stages: boxes and spheres, from outside, inside and at edges, and crossed in one step; height
+// fields on planes, saddles and ridges; meshes, closed and open; at the end the files that shapes
+// are read from, and what is said of flawed ones.
 #include "model/systems.h"
 #include "shapes/shape_files.h"
 

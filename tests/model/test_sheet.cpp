@@ -1,4 +1,7 @@
 // A design as a table: rows, their order, what cells take.
+//
+// Stages: rows and columns of a scene and their sorting; then what cells read and show, blocks
+// that are pasted, one value for all, names of items; and what is refused with which words.
 #include "author/sheet.h"
 
 #include <QtTest>
@@ -107,7 +110,7 @@ private slots:
         QCOMPARE(text(Id{5}, column(SheetOf::Links, "tearLimit")), std::string());
     }
 
-    // From a spreadsheet: tabs, carriage returns, units, decimals with a comma.
+    // A spreadsheet gives tabs, carriage returns, units, and decimals with a comma.
     void aBlockIsPasted()
     {
         Scene scene = small();

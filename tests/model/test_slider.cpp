@@ -1,3 +1,7 @@
+// Ranges of sliders (scene/slider.h): places and values on even and logarithmic ranges, the range
+// that is proposed around a value of any property, the text in which a scene file keeps sliders,
+// and what becomes of sliders whose elements are removed. Every property of the table is tried, so
+// that a new one is covered without a change here.
 #include "scene/slider.h"
 
 #include <QtTest>

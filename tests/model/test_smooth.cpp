@@ -1,5 +1,9 @@
 // Smoothing against what it does to waves: on a ring of n particles a wave of k turns has the
 // eigenvalue 1 - f (1 - cos(2 pi k / n)) in one pass, with f negative in Taubin's second.
+//
+// Stages: the eigenvalue of each wave; then what must stay (borders, what is not selected) and
+// what becomes of rest lengths; then the operation as an edit that can be undone, and its
+// refusals.
 #include "model/systems.h"
 
 #include "author/operation.h"
@@ -22,7 +26,7 @@ struct Ring
     Id part{};
 };
 
-// Of lines, with a wave of k turns about the radius 1 m.
+// A ring of lines, with a wave of k turns about the radius 1 m.
 Ring ring(int count, int turns, double height)
 {
     Ring made;

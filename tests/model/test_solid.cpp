@@ -1,5 +1,9 @@
 // The table of shapes: whatever shapes there are, each row agrees with itself, so that what one
 // sees of a shape is what stops fabric.
+//
+// Stages: each row of the table makes a body of its shape; where random rays meet it, a particle
+// has to be stopped; then the surface that is drawn is compared with its bounds and its extremes.
+// A new shape is covered without a change here.
 #include "model/systems.h"
 #include "shapes/solid.h"
 

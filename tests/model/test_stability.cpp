@@ -1,4 +1,8 @@
 // What is told of a design before its first step, and what repairs do.
+//
+// Stages: a sound chain; then each reason by which a design is poor (time step, mass ratio,
+// iterations, lengths, tears at once, loose or double elements) with its measure by hand and what
+// its repair does.
 #include "author/stability.h"
 
 #include <QtTest>
@@ -142,7 +146,7 @@ private slots:
         part(ring).links.push_back(
             {.id = Id{1500}, .from = Id{109}, .to = Id{100}, .material = materialId});
         QCOMPARE(networkLength(ring), 5);
-        Scene two = chain(10); // of two pieces the longer one
+        Scene two = chain(10); // of two pieces the longer one counts
         part(two).links.erase(part(two).links.begin() + 6);
         QCOMPARE(networkLength(two), 6);
     }
@@ -167,7 +171,7 @@ private slots:
         cord(scene).tearRule = TearRule::Length;
         cord(scene).tearLimit = 1.5; // m
         QVERIFY(!isPoor(scene, "Tearing"));
-        part(scene).links[2].tearLimit = 0.9; // of its own
+        part(scene).links[2].tearLimit = 0.9; // a limit of its own
         QVERIFY(about(scene, "Tearing")->culprits == std::vector{Id{1002}});
         cord(scene).tearRule = TearRule::Strain;
         cord(scene).tearLimit = 0.1;

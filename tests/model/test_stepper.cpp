@@ -1,4 +1,8 @@
 // The step as a whole: substeps, viscosity, pins, changing systems under a running state.
+//
+// Stages: time and substeps, viscosity and pins on systems of few particles; then one stepper for
+// several systems, another time step in flight, and empty systems; at the end the period of a
+// pendulum.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -259,7 +263,7 @@ private slots:
         Stepper stepper;
         State state = system.start;
         std::vector<double> crossings; // through the lowest point towards -x
-        double amplitude = 0.0;        // of the last swing
+        double amplitude = 0.0;        // amplitude of the last swing
         for (int i = 0; i < 12000; ++i) {
             const double x = state.position[1].x();
             stepper.step(system, state);

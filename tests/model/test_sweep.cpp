@@ -1,4 +1,7 @@
 // One table of many runs.
+//
+// Stages: a table of falls against the formula; times that do not count; the same numbers as from
+// `run`, for any number of jobs; runs that stop; and refusals.
 #include "model/cli_call.h"
 
 #include <QFile>

@@ -1,4 +1,7 @@
 // What a part or a group comes to beside its targets, and where its mass lies.
+//
+// Stages: a part without and with targets, by hand; how a difference of mass is spread; groups;
+// refusals; and the centre of gravity and inertia.
 #include "model/systems.h"
 
 #include "author/spread_mass.h"

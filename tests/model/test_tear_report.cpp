@@ -1,4 +1,7 @@
 // What is told of breaks: the summary and the table.
+//
+// Stages: runs without and with tears are summed up, and the front of a tear is followed; then the
+// table is written, and refused where nothing can be written.
 #include "compile/compile.h"
 #include "io/tear_table.h"
 #include "run/simulation.h"

@@ -1,4 +1,8 @@
 // Meshes that split at a tear: who goes where, what is kept, and that it goes on the same way.
+//
+// Stages: a cut through a sheet, counted row by row; that masses, places and speeds are kept and
+// the run goes on alike; edits and exports of a split mesh; then pins, crumbs, lines, canopies and
+// second links at a split.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

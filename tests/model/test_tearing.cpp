@@ -1,4 +1,8 @@
 // Tearing: what the cases (verify/tearing.cpp) do not ask.
+//
+// Stages: what breaks at a limit and what goes with it, momentum at a break and rods, which are
+// never long after projection; then how many break in one step, and how overloads of different
+// rules are compared; and at last links that are pressed or have no length.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

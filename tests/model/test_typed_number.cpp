@@ -1,3 +1,6 @@
+// Numbers as people type them (scene/typed_number.h): units and arithmetic, changes such as "+10
+// %", vectors, and what is refused with which words. Each case is a row of text, wanted unit and
+// expected number; conversions are exact factors, so decimals have to come out to the last bit.
 #include "scene/property.h"
 #include "scene/typed_number.h"
 #include "scene/units.h"
@@ -26,7 +29,7 @@ private slots:
         const auto row = [](const char* text, const char* unit, double expected) {
             QTest::addRow("%s in %s", text, unit) << QString::fromUtf8(text) << unit << expected;
         };
-        // without a unit it is in the one that is wanted
+        // a number without a unit is in the unit that is wanted
         row("12", "kg", 12.0);
         row("-3.5", "m", -3.5);
         row("0,5", "m", 0.5);
@@ -38,7 +41,7 @@ private slots:
         row("2^3", "", 8.0);
         row("sqrt(2)", "m", std::sqrt(2.0));
         row("2*pi", "", 2.0 * std::acos(-1.0));
-        // with one
+        // a number with a unit is converted
         row("25 g", "kg", 0.025);
         row("25g", "kg", 0.025);
         row("12 cm", "m", 0.12);

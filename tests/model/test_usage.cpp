@@ -1,3 +1,9 @@
+// Which values of a design have an effect, and what is said of those that have none
+// (scene/usage.h).
+//
+// A small scene with one element of each kind is asked for each row why a value is idle; then
+// values are changed, and the answers have to follow: own values in place of the material's,
+// paths, air, and what an edit makes anew.
 #include "scene/items.h"
 #include "scene/path.h"
 #include "scene/usage.h"
@@ -55,7 +61,7 @@ class TestUsage : public QObject
     Q_OBJECT
 
 private slots:
-    // What a designer turns in vain, and what not.
+    // Which values a designer changes without effect, and which with one.
     void values_data()
     {
         QTest::addColumn<int>("id");

@@ -1,4 +1,8 @@
 // Values as people type them, and what a property refuses.
+//
+// Stages: texts of each type that are read and those that are refused, with the words of the
+// refusal; limits of properties; that every shown value and every default can be typed again to
+// the last bit; and the nearest word that is proposed for a mistyped one.
 #include "scene/property.h"
 
 #include <QtTest>
@@ -22,7 +26,7 @@ const Property* propertyAt(const QString& path)
     return kind ? findProperty(*kind, path.section('.', 1).toStdString()) : nullptr;
 }
 
-// Not inlined, because GCC 12 then takes parts of the variant for uninitialized.
+// This is not inlined, because GCC 12 would take parts of the variant for uninitialized.
 [[gnu::noinline]] Value value(Value v) { return v; }
 
 } // namespace

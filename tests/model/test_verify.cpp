@@ -1,4 +1,7 @@
 // The cases of ripstop-cli verify: each holds, and the list is what its readers expect.
+//
+// Stages: every case is run and has to hold; then the list (ids, texts, filter) and how tolerances
+// and results are put into words; the references; and the command itself.
 #include "verify/case.h"
 #include "verify/reference.h"
 #include "verify/text.h"

@@ -1,4 +1,8 @@
 // What stops a simulation, and what it says.
+//
+// Stages: a step that is too long is stopped with element, time and cause, and goes on after a
+// cure; then explicit Euler, numbers that are none, mass ratios, and torn springs that are not to
+// blame.
 #include "assembly/finish.h"
 #include "model/systems.h"
 
@@ -40,7 +44,7 @@ class TestWatchdog : public QObject
 private slots:
     void stepTooLong_data()
     {
-        QTest::addColumn<double>("factor"); // of the longest stable step
+        QTest::addColumn<double>("factor"); // multiple of the longest stable step
         QTest::addColumn<bool>("stops");
         QTest::newRow("just below the limit") << 0.99 << false;
         QTest::newRow("just above the limit") << 1.02 << true;
@@ -72,7 +76,7 @@ private slots:
         QVERIFY(!simulation.step());
         QCOMPARE(stateHash(simulation.state()), hash);
 
-        // and names element, time and cause
+        // the message names element, time and cause
         const QString message = QString::fromStdString(simulation.trouble()->message.english());
         QCOMPARE(simulation.trouble()->particle, Key(42));
         QVERIFY2(message.contains("42"), qPrintable(message));

@@ -1,4 +1,8 @@
 // Wind over height, jets and gusts (validation 3.7, T-W1 to T-W3).
+//
+// Stages: functions that give the same bits everywhere; profiles and jets in closed form; then
+// gusts: numbers of the Dryden model, statistics, independence of components, seeds, edits; and
+// what panels and lines meet where several winds add up.
 #include "assembly/finish.h"
 #include "model/systems.h"
 

@@ -1,5 +1,9 @@
 // Wings with the vortex law: how they are cut into strips, tears, edges. What the law gives is in
 // the cases of ripstop-cli verify.
+//
+// Stages: how panels become strips, where the nose is, and what tears take away; then the vortex
+// lattice of the tests (vortex_lattice.h) is held against print and against the cases; then shapes
+// that are no wings, and a glider that starts in trim and flies straight.
 #include "assembly/finish.h"
 #include "base/vortex_wing.h"
 #include "builders/builder.h"
@@ -172,7 +176,7 @@ private slots:
         QVERIFY(std::abs(latticeAnswer(wing).slope / (1.096 * M_PI) - 1.0) < 1e-3);
     }
 
-    // and by the limit of slender wings, pi A / 2 (Jones 1946, NACA TR 835)
+    // The lattice also meets the limit of slender wings, pi A / 2 (Jones 1946, NACA TR 835).
     void latticeOfSlenderWings()
     {
         const double aspect = 0.02;
@@ -250,7 +254,7 @@ private slots:
         QVERIFY((load.force - Vec3(0.0, pull, 0.0)).norm() < 1e-6 * pull);
         QVERIFY((load.moment - weight.center.cross(load.force)).norm() < 1e-6 * pull);
 
-        // and the engine says the same of it
+        // the engine says the same of this wing
         const auto system = compiled(scene);
         QVERIFY(system);
         const Vec3 engine = sum(panelLoads(*system, system->start));

@@ -65,7 +65,7 @@ inline double upwash(double x, double y, double x1, double y1, double x2, double
     return (bound + trailing) / (4.0 * M_PI);
 }
 
-// In wind of 1 m/s at 1 rad, to the first order of the angle.
+// The wind is 1 m/s at 1 rad, and all is of the first order of the angle.
 inline FlatWingAnswer latticeAnswer(const FlatWing& wing)
 {
     const auto& [cuts, middles] = wing.strips;

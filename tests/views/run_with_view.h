@@ -1,3 +1,6 @@
+// The main() of tests whose windows have a 3D view: it sets the surface format that VTK needs
+// before the application exists, as the program itself does, and gives the application a name of
+// its own, so that tests do not touch the settings of the user. Needs a display (Xvfb will do).
 #pragma once
 
 #include <QApplication>
@@ -6,7 +9,6 @@
 
 namespace ripstop {
 
-// Runs a test whose windows have a 3D view.
 template <typename Test>
 int runWithView(int argc, char** argv)
 {

@@ -1,4 +1,8 @@
-// Small scenes with known answers, for the tests of the views.
+// Small scenes with known answers and fixed ids, for tests of views and of edits: a pair of
+// particles that falls, and a scene with one element of each kind.
+//
+// The ids stand above each function, and tests use them as numbers, so they must not change. SI
+// units as everywhere.
 #pragma once
 
 #include "scene/edit.h"

@@ -1,3 +1,9 @@
+// Copies of unsaved work and their recovery (document/autosave.h, document/rescue.h).
+//
+// Stages: what is kept and what is forgotten while a program lives; then this program starts
+// itself with --crash-in, changes a scene and is killed, and the copy that it left is recovered;
+// then copies that are older than the file or damaged, folders that cannot be written, and files
+// that another program has changed. Folders are temporary.
 #include "document/autosave.h"
 #include "document/document.h"
 #include "document/follower.h"
@@ -37,7 +43,7 @@ struct Desk
     }
 };
 
-// What the program does that is killed: opens a file, changes it, keeps it, and is gone.
+// What the killed program does: it opens a file, changes it, keeps a copy, and kills itself.
 [[noreturn]] void crash(const QString& folder)
 {
     Desk desk(folder);
@@ -62,7 +68,8 @@ private slots:
         Desk desk(folder.path());
         desk.document.replace(fallingPair(), "sketch");
         QVERIFY(desk.change(0.3));
-        QVERIFY(leftBehind(folder.path()).isEmpty()); // its program lives
+        // its program still runs, so it is not left behind
+        QVERIFY(leftBehind(folder.path()).isEmpty());
         const QStringList copies = QDir(folder.path()).entryList({"*.ripstop.json"});
         QCOMPARE(copies.size(), 1);
         Document copy;
@@ -81,7 +88,7 @@ private slots:
         QCOMPARE(filesIn(folder.path()), QStringList());
         QVERIFY(desk.change(0.4));
         QVERIFY(!filesIn(folder.path()).isEmpty());
-        desk.document.history().undo(); // as saved
+        desk.document.history().undo(); // back to what was saved
         QCOMPARE(filesIn(folder.path()), QStringList());
     }
 

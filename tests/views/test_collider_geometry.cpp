@@ -1,4 +1,7 @@
 // Colliders in the view: what is kept from picture to picture, what is drawn, and where a ray ends.
+//
+// Stages: shapes come from the engine and are kept while they are right; what is drawn of large
+// fields; colliders without a size; then rays at the ground, a cylinder and a box.
 #include "look/collider_geometry.h"
 #include "scene/collider_shape.h"
 
@@ -25,7 +28,7 @@ Scene sceneOf(ColliderShape shape)
 
 Collider& colliderOf(Scene& scene) { return std::get<Collider>(scene.items.front().item); }
 
-// As the engine has made its shape.
+// The body of the collider, as the engine has made its shape.
 ColliderBody bodyOf(const Scene& scene)
 {
     (void)gridOf(scene, std::get<Collider>(scene.items.front().item));
@@ -44,7 +47,7 @@ private slots:
     void shapesOfTheEngineAreTaken()
     {
         Scene scene = sceneOf(ColliderShape::HeightField);
-        colliderOf(scene).seed = 4711; // that no other test has made
+        colliderOf(scene).seed = 4711; // a seed that no other test has used
         std::vector<ColliderBody> bodies = bodiesOf(scene, {});
         QVERIFY(bodies.front().isLate && !bodies.front().surface);
         Eigen::AlignedBox3d around;

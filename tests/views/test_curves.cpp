@@ -1,4 +1,7 @@
 // Curves looked at in other ways: against each other, as spectra, beside earlier runs, as files.
+//
+// Stages: spectra and phase plots as pure functions; then earlier runs that are kept, the menu of
+// the plot, pictures, and logarithmic axes.
 #include "document/document.h"
 #include "document/player.h"
 #include "plots/chart_picture.h"

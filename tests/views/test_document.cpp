@@ -1,3 +1,8 @@
+// The document, its history and the selection (document/document.h, document/selection.h).
+//
+// Stages: a table of edits of every kind, each of which has to be undone and redone to the same
+// scene, alone and in a long history; what is told of changes; files and what is remembered of
+// them; the selection when things vanish; and the words for elements and their readings.
 #include "document/document.h"
 
 #include "compile/compile.h"

@@ -1,4 +1,7 @@
 // Drawing with the mouse: events at places of the picture, as the view passes them on.
+//
+// Stages: particles, the grid, links and ropes, panels, and drawing on fabric, each by clicks at
+// places of the picture; then undo between clicks, and a plane that is seen on edge.
 #include "camera/camera_projection.h"
 #include "document/document.h"
 #include "look/scene_frame.h"

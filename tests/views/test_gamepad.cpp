@@ -1,4 +1,7 @@
 // A gamepad, as Linux tells of it: records in a file. Here a pipe plays the device.
+//
+// Stages: the dead middle of a stick; a stick that sets its control; devices that come and go; and
+// none at all.
 #include "document/document.h"
 #include "document/player.h"
 #include "small_scenes.h"

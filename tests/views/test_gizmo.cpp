@@ -1,3 +1,9 @@
+// The handles of the transform tool in the view, pulled with real mouse and key events.
+//
+// Stages: View is a viewport of 600 x 450 pixels with the camera in front, so that pixels and
+// metres are related by one factor. First the handles and what each moves, then taking back by
+// Escape or the right button, keys, snapping and typed numbers; then runs, axes and the camera; at
+// the end the time that a large cloth takes to follow.
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/player.h"
@@ -145,7 +151,7 @@ private slots:
         view.move(from + QPoint(80, 0)); // the button is still down
         QVERIFY(view.document.scene() == before);
         view.release(from + QPoint(80, 0));
-        QVERIFY(view.selection.contains(Id{3})); // that was no click
+        QVERIFY(view.selection.contains(Id{3})); // the drag was not taken for a click
         QCOMPARE(view.tool.shaping(), Shaping::Move);
         view.key(Qt::Key_Escape);
         QCOMPARE(view.tool.shaping(), Shaping::None);

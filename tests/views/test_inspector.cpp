@@ -1,3 +1,10 @@
+// The inspector (inspector/inspector.h), typed into and clicked over a scene with one element of
+// each kind.
+//
+// Stages: what is refused, presets, units, search, marks of changed values; then every number,
+// choice and switch of the table of properties is set and undone, so that a new property is
+// covered without a change here; then several elements at once; and at the end the time for a
+// large selection.
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/selection.h"

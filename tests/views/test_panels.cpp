@@ -1,4 +1,7 @@
 // The panels around the view: transport, controls, plots, outline, problems, start page, builders.
+//
+// Stages: each panel stands beside a document and a player of its own, is used by its buttons and
+// rows, and has to change the document or follow it; plots are held against free fall.
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/player.h"

@@ -1,3 +1,8 @@
+// The player: simulation on its own thread as the window sees it (document/player.h).
+//
+// Stages: play, step and reset of a falling pair, whose fall is known exactly; edits that reach a
+// run and those that wait for the reset; scenes that cannot run and their cure; the stop after an
+// explosion; controls; and many edits with an early end, for the thread sanitizer.
 #include "document/document.h"
 #include "document/player.h"
 #include "run/simulation.h"
@@ -59,7 +64,7 @@ private slots:
         QTest::qWait(50);
         QCOMPARE(qint64(player.frame()->step), step); // and stays there
 
-        // the same bits as a simulation without a window
+        // the frame has the same bits as a simulation without a window
         Simulation simulation(*compile(document.scene()));
         simulation.runUntil(time);
         const auto expected = simulation.frame();
@@ -171,7 +176,7 @@ private slots:
         document.replace(fallingPair());
         QTRY_VERIFY(shown(player, 0.0));
 
-        // at once while nothing has moved
+        // a new place is shown at once while nothing has moved
         document.push(setValue(document.scene(), Id{2}, "position", Vec3(0, 20, 0)));
         QTRY_COMPARE(height(player, 2), 20.0);
 

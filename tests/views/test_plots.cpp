@@ -1,5 +1,9 @@
 // The panels of the plots dock that a scene keeps, the marks of what happened, and curves that are
 // longer than the screen is wide.
+//
+// Stages: plots and their ways of looking as edits, undone and saved; runs that plots must not
+// disturb; marks of events; then the range of values, peaks among many samples, and sixty curves
+// of ten minutes.
 #include "document/document.h"
 #include "document/player.h"
 #include "document/recordings.h"
@@ -178,7 +182,7 @@ private slots:
         QVERIFY(other.plots.view(1).plot() == plot);
     }
 
-    // Plots are no matter of the simulation: the run goes on with the same system.
+    // Plots do not concern the simulation: the run goes on with the same system.
     void plotsDoNotDisturbTheRun()
     {
         Desk desk;
@@ -236,7 +240,7 @@ private slots:
         QCOMPARE(drawn.low, -40.0);
         QVERIFY(std::is_sorted(drawn.time.begin(), drawn.time.end()));
 
-        // as far as one looks, and one sample beyond either end
+        // the curve goes as far as one looks, and one sample beyond either end
         const DrawnCurve part = drawnCurve(time, value, {10.0, 10.1, 800, false});
         QCOMPARE(part.time.size(), 102);
         QVERIFY(part.high <= 1.0);

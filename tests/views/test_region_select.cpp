@@ -1,5 +1,9 @@
 // Box, lasso, what is hidden, and what a click takes: with real events, on scenes whose projection
 // is known.
+//
+// Stages: outlines alone; then boxes and lassos with their keys, clicks, and what panels, closed
+// bodies and colliders hide, each against a projection that is known; and times on 100 000
+// particles.
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/player.h"
@@ -89,7 +93,7 @@ struct View
         }));
     }
 
-    // In the picture, pixels; of a view from the front.
+    // Where a place is in the picture of a view from the front, in pixels.
     QPointF at(double x, double y, double z) const
     {
         const Camera& camera = viewport.camera();

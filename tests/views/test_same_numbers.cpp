@@ -1,5 +1,8 @@
 // Whoever asks for the value of a probe at a time gets the same number: the live frame, the plots
 // and their table, the table of the command line, an export, a recording.
+//
+// Stages: one flight is read by each of these ways, the values are put side by side by their
+// times, and all must agree to what single precision does to kept frames.
 #include "document/document.h"
 #include "document/player.h"
 #include "io/recording_file.h"

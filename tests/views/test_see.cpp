@@ -1,4 +1,7 @@
 // Colours by tear limit, the peak, and arrows on elements.
+//
+// Stages: colours by tear load and stress; the ghost of the design; trails; the range of colours
+// and the peak; then arrows, and how many of them are drawn.
 #include "layers/vector_layer.h"
 #include "look/design_ghost.h"
 #include "look/quantity_values.h"
@@ -110,7 +113,7 @@ private slots:
         QCOMPARE(designGhost(held, now)->position, held->position);
     }
 
-    // As long as five seconds of the run, of the particles that are followed.
+    // Trails are as long as five seconds of the run, and belong to the particles that are followed.
     void trails()
     {
         Trails trails;
@@ -223,7 +226,7 @@ private slots:
         QVERIFY(vectorsOf(now, Vectors::None).empty());
     }
 
-    // Of many there is every n-th.
+    // Of many vectors only every n-th is drawn.
     void notTooMany()
     {
         Frame now = frame();

@@ -1,4 +1,7 @@
 // The table of a design, used with keys and mouse.
+//
+// Stages: sorting, cells and switches by keys and mouse; copying and pasting; filters and marked
+// rows against the selection; then a design that changes, and a large one.
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/measurement.h"

@@ -1,4 +1,8 @@
 // Sliders that act while the design runs, and the panel that holds them.
+//
+// Stages: sliders over selections, drags as one step of undo, ranges; what acts on the next step
+// of a run and how soon on a large design; then sets of values, resets, removed elements,
+// refusals, and what is remembered for a file.
 #include "builders/builder.h"
 #include "document/document.h"
 #include "document/player.h"

@@ -1,3 +1,8 @@
+// The 3D view: what is drawn, what clicks meet, and how the camera moves.
+//
+// Stages: pictures of one red panel tell by their pixels whether panels and arrows are drawn; then
+// torn panels, following cameras, clicks, fitting beside what is covered, drags of hands and
+// controls, turning and zooming; at the end the design of every builder has to fit the picture.
 #include "viewport/viewport.h"
 #include "views/run_with_view.h"
 
