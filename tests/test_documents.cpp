@@ -145,7 +145,7 @@ class TestDocuments : public QObject
     Q_OBJECT
 
 private slots:
-    // What would be found by a test that finds nothing?
+    // What is named is found, and what is gone is seen to be gone.
     void looksAtWhatPagesSay()
     {
         const QString page("See `model/sim/stepper.h`, `gone.cpp`, `out/flight.png`, `a.b`,\n"
