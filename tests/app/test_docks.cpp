@@ -25,7 +25,7 @@ struct OpenWindow : WindowShop
         QTest::qWait(50); // until docks have their sizes
     }
 
-    QDockWidget& dock(const QString& id) const
+    QDockWidget& dock(const QString& id)
     {
         for (const auto& [row, widget] : window.docks().all())
             if (row.id == id)

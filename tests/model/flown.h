@@ -6,6 +6,7 @@
 
 #include "compile/compile.h"
 #include "run/recorder.h"
+#include "run/simulation.h"
 
 #include <functional>
 #include <memory>

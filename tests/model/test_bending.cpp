@@ -11,6 +11,7 @@
 #include "builders/network.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "compile/patch.h"
 #include "forces/bend_force.h"
 #include "forces/forces.h"
 #include "measure/diagnostics.h"

@@ -6,6 +6,7 @@
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "compile/patch.h"
 #include "io/scene_file.h"
 #include "model/systems.h"
 #include "run/simulation.h"

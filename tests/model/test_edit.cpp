@@ -55,7 +55,7 @@ const Property* row(Kind kind, const char* key)
     return found;
 }
 
-Edit one(Change change) { return {"test", {std::move(change)}}; }
+Edit one(Change change) { return {Message("test"), {std::move(change)}}; }
 
 std::vector<Id> membersOf(const Scene& scene, Id group)
 {
@@ -324,8 +324,8 @@ private slots:
         QVERIFY(worstEffect(Edit{}) == Effect::DisplayOnly);
         QVERIFY(worstEffect(one(name)) == Effect::DisplayOnly);
         QVERIFY(worstEffect(one(position)) == Effect::OnReset);
-        QVERIFY(worstEffect({"test", {position, name}}) == Effect::OnReset);
-        QVERIFY(worstEffect({"test", {position, mass, name}}) == Effect::Recompile);
+        QVERIFY(worstEffect({Message("test"), {position, name}}) == Effect::OnReset);
+        QVERIFY(worstEffect({Message("test"), {position, mass, name}}) == Effect::Recompile);
         QVERIFY(worstEffect(one(RemoveItem{s.sail})) == Effect::Recompile);
         QVERIFY(worstEffect(one(AddRows{s.sail, {}, {}, {}})) == Effect::Recompile);
     }

@@ -89,6 +89,7 @@ void alter(std::array<T, n>& values)
 {
     ++values.back();
 }
+void alter(ForceLists& lists) { std::get<LineLists>(lists).list.emplace_back(); }
 template <HasFields T>
 void alter(T& record)
 {
