@@ -1,4 +1,5 @@
-// What a bundle says about itself, in manifest.json.
+// What a bundle says about itself, in manifest.json. Times are in seconds; hashes and sums are
+// texts. A manifest that cannot be read is a failure that names the file.
 #pragma once
 
 #include "base/result.h"

@@ -1,4 +1,4 @@
-// What a bundle tells a person.
+// What a bundle tells a person: its README.md, and the command lines that make its files again.
 #pragma once
 
 #include "bundle/manifest.h"

@@ -1,3 +1,5 @@
+// A folder for work on the way, which is removed with all that is in it. Making one can fail, and
+// the failure says why.
 #pragma once
 
 #include "base/result.h"

@@ -1,3 +1,6 @@
+// A bundle is flown or replayed into a folder beside the target: files of colliders are copied,
+// probes are written on the way, then scene, controls, recording, readme and last the manifest.
+// Only then is it zipped or renamed into its place.
 #include "bundle/bundle.h"
 
 #include "base/hash_text.h"

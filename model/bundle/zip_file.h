@@ -1,4 +1,5 @@
-// Zip files of folders, by libzip.
+// Zip files of folders, by libzip. Failures say which file is at fault; both calls end early when
+// the progress says so.
 #pragma once
 
 #include "base/progress.h"

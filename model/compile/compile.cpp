@@ -1,3 +1,6 @@
+// A compile checks the scene, then fills the system in the order of its arrays: settings,
+// particles, links, panels, winds and other items, and last what is derived of all. The order of
+// the rods is found before they are made, so that each is written once.
 #include "compile/compile.h"
 
 #include "assembly/finish.h"

@@ -1,3 +1,6 @@
+// Edits are applied to the scene and what they touch is noted. An update then makes a new system
+// where structure has changed, or else a patch that resolves again only what was noted, after
+// checking it for errors.
 #include "compile/live_system.h"
 
 #include "compile/compile.h"

@@ -1,3 +1,6 @@
+// A patch puts values in their places, first settings and materials, then particles, links, panels
+// and items, and notes what that touches. Last, the lists that depend on these values are made
+// again, and only as far as they are touched.
 #include "compile/patch.h"
 
 #include "assembly/finish.h"

@@ -1,3 +1,6 @@
+// What a row of the scene becomes, item by item: settings, particles, links, materials, winds,
+// obstacles, inputs, probes and the rods that weight shifts move. Probes collect the elements of
+// parts and groups by ranges of indices.
 #include "compile/resolve.h"
 
 #include "base/quantity.h"

@@ -1,3 +1,5 @@
+// Exports the curves of the probes over time as an SVG figure. It fails where the scene has no
+// probes.
 #pragma once
 
 #include "export/appearance.h"

@@ -1,3 +1,6 @@
+// The range is checked, a sink of the format is opened, and frames are taken from the source one
+// after the other; a frame is never added twice. Finishing the sink is the last fifth of the
+// progress.
 #include "export/export_run.h"
 
 #include "export/format.h"

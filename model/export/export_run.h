@@ -1,4 +1,5 @@
-// A flight for other programs: writes what a simulation or a recording passes through.
+// A flight for other programs: writes what a simulation or a recording passes through. Times are in
+// seconds of the simulation. Failures are sentences; one thread at a time uses the source.
 #pragma once
 
 #include "base/progress.h"

@@ -1,4 +1,5 @@
-// The formats that other programs read. Command line, dialog and manual are made from this table.
+// The formats that other programs read. Command line, dialog and manual are made from this table. A
+// name that no format has gives null, and the caller makes the message.
 #pragma once
 
 #include "export/appearance.h"

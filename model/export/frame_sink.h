@@ -1,3 +1,5 @@
+// The receiving end of an export: takes the frames of a series in order and makes files of them. A
+// failure of add() or finish() ends the export. A sink is used by one thread at a time.
 #pragma once
 
 #include "base/progress.h"

@@ -1,3 +1,5 @@
+// A file on the way for series whose mesh must not change: shapes go in as they come and are read
+// again when the last is known. Places are in metres, in single precision.
 #pragma once
 
 #include "export/output_files.h"

@@ -1,3 +1,5 @@
+// Arrays go into one buffer: the first frame as a mesh, each later one as a morph target, then the
+// animation that blends them, and last materials, node and scene.
 #include "export/gltf.h"
 
 #include "export/moment.h"

@@ -1,3 +1,5 @@
+// Exports a series as glTF 2.0 (Khronos). Frames come one after the other through the sink; files
+// are written when the series is finished.
 #pragma once
 
 #include "export/appearance.h"

@@ -1,4 +1,5 @@
-// One moment as a file for other programs: its bytes, or why there are none.
+// One moment as a file for other programs: its bytes, or why there are none. Lengths are in metres,
+// y up.
 #pragma once
 
 #include "base/result.h"

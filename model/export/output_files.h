@@ -1,3 +1,5 @@
+// The files of an export, which come into their places together or not at all. Failures name the
+// target and what to do.
 #pragma once
 
 #include "base/result.h"

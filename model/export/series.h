@@ -1,4 +1,5 @@
-// Series of files, one for each frame.
+// Series of files, one for each frame, and the table of the probes. The sinks write through
+// OutputFiles, so that a series is there whole or not at all.
 #pragma once
 
 #include "export/appearance.h"

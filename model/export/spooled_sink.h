@@ -1,3 +1,5 @@
+// The common part of sinks whose format knows one mesh for all frames, such as glTF and point
+// caches.
 #pragma once
 
 #include "export/constant_mesh.h"

@@ -1,4 +1,5 @@
-// Fabric and lines as other programs know them: vertices, triangles, edges.
+// Fabric and lines as other programs know them: vertices, triangles, edges. Lengths are in metres,
+// y up.
 #pragma once
 
 #include "export/appearance.h"

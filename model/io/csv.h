@@ -1,3 +1,5 @@
+// Cells and tables in CSV (RFC 4180), with units in the headings. A CsvWriter is used by one
+// thread; its failures say why the file could not be written.
 #pragma once
 
 #include "base/result.h"

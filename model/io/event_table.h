@@ -1,3 +1,5 @@
+// The events of a run as a CSV file, with times in seconds. The failure says why the file could not
+// be written.
 #pragma once
 
 #include "base/result.h"

@@ -1,4 +1,5 @@
-// The types of items, by the names that files use.
+// The types of items, by the names that scene files use. The names are those of Kind, without
+// settings and elements.
 #pragma once
 
 #include "scene/property.h"

@@ -1,3 +1,5 @@
+// Keeps keys of a scene file that this version does not know, with their values, as text, so that
+// they can be written back. The scene reader hands it the events of such a value.
 #pragma once
 
 #include "io/json_events.h"

@@ -1,4 +1,5 @@
-// Pieces of JSON text. Numbers are the shortest that read back as the same bits.
+// Pieces of JSON text. Numbers are the shortest that read back as the same bits. Nothing here
+// fails: what JSON or UTF-8 cannot say is replaced.
 #pragma once
 
 #include <string>

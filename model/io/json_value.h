@@ -1,4 +1,5 @@
-// Between the values of properties and JSON.
+// Between the values of properties and JSON: events become values, and values become text. Whether
+// a value is allowed is not decided here but by refusal().
 #pragma once
 
 #include "io/json_events.h"

@@ -1,3 +1,6 @@
+// First the blocks with their checksums, then the writer, which puts each design before the first
+// stretch that names it, then the reader, which goes block by block and keeps what came before any
+// damage. Packed frames stay in the file until they are asked for.
 #include "io/recording_file.h"
 
 #include "base/bytes.h"

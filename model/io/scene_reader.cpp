@@ -1,3 +1,6 @@
+// A machine of states that takes the events of the JSON text: file, items, tables, records, then
+// single values and lists. Each value is checked and set through the property table as it comes, so
+// that no tree of the text is built.
 #include "io/scene_reader.h"
 
 #include "io/item_types.h"

@@ -1,4 +1,5 @@
-// Reads the text of a scene, event by event, straight into its tables.
+// Reads the text of a scene, event by event, straight into its tables. The first thing that is
+// wrong ends the reading and is a Flaw; scene_file.h makes a message of it.
 #pragma once
 
 #include "io/json_events.h"

@@ -1,3 +1,5 @@
+// The breaks of a run as a CSV file, in SI units, for spreadsheets. The failure says why the file
+// could not be written.
 #pragma once
 
 #include "base/result.h"

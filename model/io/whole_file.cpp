@@ -1,3 +1,5 @@
+// Reading goes chunk by chunk, with a check of the first one. Writing goes to a file beside the
+// target, onto the disk where that is asked for, and then takes the target's place by a rename.
 #include "io/whole_file.h"
 
 #include <cerrno>

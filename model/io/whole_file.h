@@ -1,4 +1,5 @@
-// Files that are read and written as a whole.
+// Files that are read and written as a whole, so that nobody sees half of one. Failures name the
+// file, the reason and what to do.
 #pragma once
 
 #include "base/result.h"

@@ -1,4 +1,6 @@
-// Figures of a whole system.
+// Figures of a whole system in SI units: energies, momentum, strains, tensions, loads and the hash
+// of a state. They read the values that they are given and nothing else, so any thread may call
+// them; none fails.
 #pragma once
 
 #include "system/system.h"

@@ -1,3 +1,5 @@
+// The ledger looks at positions, velocities and forces at both ends of each substep, adds the work
+// between them, and at the end of the step takes it from the change of energy.
 #include "measure/energy_ledger.h"
 
 #include "measure/diagnostics.h"

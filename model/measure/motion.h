@@ -1,4 +1,5 @@
-// What probes read of particles and links together.
+// What probes read of particles and links together, in SI units. What has nothing to read from is
+// not a number.
 #pragma once
 
 #include "measure/probe.h"

@@ -1,3 +1,8 @@
+// What probes read: one number from one instant of a simulation, in the SI unit of its quantity;
+// angles are in degrees.
+//
+// A Readings refers to a system and a state that must outlive it, and is used by one thread. It
+// does not fail: what cannot be read is not a number.
 #pragma once
 
 #include "measure/diagnostics.h"

@@ -1,4 +1,5 @@
-// The air force on what a probe looks at, split as fliers do.
+// The air force on what a probe looks at, split into lift and drag as fliers do, in SI units.
+// Without wind there is no direction to split by, and both are not a number.
 #pragma once
 
 #include "measure/probe.h"

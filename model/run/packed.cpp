@@ -1,3 +1,6 @@
+// Compression by zstd: one level for speed, one for size, a prefix for texts that differ little
+// from the one before, and a bound on what is unpacked, as a damaged length must not take all
+// memory.
 #include "run/packed.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The design is made in stages, each an edit of a draft: rows for what tears have doubled, places,
+// velocities and pins of particles, places of carried colliders, removal of what is torn, and rest
+// lengths where they are to be rebound. Twins get rows first, because all later stages name rows.
 #include "run/pose.h"
 
 #include "assembly/split_system.h"

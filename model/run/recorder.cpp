@@ -1,3 +1,7 @@
+// The recorder begins a recording at the first step and after each step notes events, hash and
+// inputs. A stretch ends when its frames outweigh its exact state, when a second has passed, or
+// when design, splits, hand pins or the number of particles change, since frames are differences to
+// its first state.
 #include "run/recorder.h"
 
 #include "measure/diagnostics.h"

@@ -1,3 +1,9 @@
+// The public side of a Recording: each call takes the lock and reads or adds to what
+// recording_data.h holds. Frames come from the stretch that keeps them; exact moments are computed
+// again from the state at the start of their stretch.
+//
+// startChunk() waits while too many stretches are unpacked, so that a fast run cannot fill the
+// memory.
 #include "run/recording.h"
 
 #include "run/recording_data.h"

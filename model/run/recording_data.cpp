@@ -1,3 +1,8 @@
+// The life of a stretch, in order: it is sealed when the next begins, packed by the recording's own
+// thread, and moved to a temporary file when memory is over its bound. Packing and writing are done
+// without the lock, so that a step does not wait for them.
+//
+// Then reading: the stretch of a frame or a step is found, unpacked and shown by a simulation.
 #include "run/recording_data.h"
 
 #include "compile/compile.h"

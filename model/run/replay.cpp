@@ -1,3 +1,6 @@
+// A replay starts from the first exact state, gives each step the inputs that were recorded and
+// compares hashes. After the first hash that differs it goes on to the next frame in which a
+// particle differs by more than a frame's precision, to say where.
 #include "run/replay.h"
 
 #include "measure/diagnostics.h"

@@ -1,3 +1,6 @@
+// Frames are kept as differences to the exact state of their stretch, turned into states again, and
+// a stretch is turned into bytes and back. Fields that came with later versions stand behind the
+// rest, so that older stretches can be read.
 #include "run/run_chunk.h"
 
 #include "base/bytes.h"

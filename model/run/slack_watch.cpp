@@ -1,3 +1,7 @@
+// Lines are found first, as chains of links that resist tension alone. Then, at each look, the
+// tension that a line bears is followed with a running mean, and a change between slack and taut
+// counts when it has lasted. Large systems are looked at every few steps only, since links are
+// many.
 #include "run/slack_watch.h"
 
 #include "assembly/split_system.h"

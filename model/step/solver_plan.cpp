@@ -1,3 +1,8 @@
+// The plan is made from the worst rod. Networks sums the mass that rods join without passing a pin,
+// worstRod() estimates the load and from it the substeps of each rod, and planFor() gives rods to
+// direct blocks where that number is too large, then states its reason.
+//
+// While the system runs, adaptedSubsteps() follows the strain that is measured.
 #include "step/solver_plan.h"
 
 #include "base/joined_sets.h"

@@ -1,3 +1,9 @@
+// The step, in order: scratch arrays and the plan of Solver::Auto are made to fit the system, gusts
+// advance, and then each substep moves controls, fills accelerations, predicts positions, projects
+// rods, takes the velocities over, resolves contact and judges which links tear.
+//
+// Tensions are taken after the last substep, as the mean of the last few. Every few steps the
+// strain that is left decides the next number of substeps.
 #include "step/stepper.h"
 
 #include "base/portable_math.h"

@@ -1,3 +1,9 @@
+// The step: advances a State by one time step of its System, in substeps, each of which moves
+// controls, sums forces, predicts, projects rods, resolves contact and judges links.
+//
+// All quantities are SI. A step cannot fail; watchdog.h says afterwards whether the motion can be
+// gone on from. One thread at a time may use a stepper; it divides its loops among a thread pool of
+// its own.
 #pragma once
 
 #include "constraints/rod_solver.h"

@@ -1,3 +1,9 @@
+// A cut runs in two stages. Each flat piece of the stroke marks the links and panels that it
+// crosses and to which side particles and panels lean; after the last piece, links break and the
+// mesh parts at the particles where both sides meet, or crossed panels vanish.
+//
+// Marking comes first for all pieces, so that the outcome does not hang on how the stroke was
+// sampled.
 #include "tearing/cutting.h"
 
 #include "tearing/mesh_parting.h"

@@ -1,3 +1,8 @@
+// tearLinks() finds the overloads of springs and rods, lets links that are held wait, sorts the
+// rest (by overload where only some may break, else by link) and breaks them, noting an event each.
+//
+// Springs are sifted first by a test without roots, since nearly all are far from their limit in
+// every substep.
 #include "tearing/tearing.h"
 
 #include "assembly/split_system.h"

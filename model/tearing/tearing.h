@@ -1,4 +1,8 @@
-// Tearing: links that break, and the panels beside them that go with them or part.
+// Tearing: links that break when they are above their limit, and the panels beside them that vanish
+// with them or part.
+//
+// The stepper calls tearLinks() within a substep; cuts and the parting of the mesh call the others
+// between two steps. Nothing here fails: what breaks is noted in the State.
 #pragma once
 
 #include "system/system.h"
