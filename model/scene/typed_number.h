@@ -33,7 +33,7 @@ struct Typed
 // `unit` is the wanted one, as in the table of properties; empty for a pure number.
 Typed typedNumber(std::string_view text, std::string_view unit);
 
-// Reads a value where there is none to change: a factor or a negative term (-=) is refused, and a
+// Reads a value where there is none to change: a factor or a term (+=, -=) is refused, and a plain
 // plus before the number is a sign.
 Typed typedValue(std::string_view text, std::string_view unit);
 
