@@ -1,3 +1,8 @@
+// Lines things up in three stages: bodiesOf() decides what moves as a whole (each item when two or
+// more are selected, otherwise each particle and collider) and its interval along the axis; align
+// and distribute compute a shift for each body; shiftedBodies() makes one edit of all shifts, with
+// rest lengths as asked. Flattening works on particles alone: the eigenvector of least spread is
+// the normal of the plane.
 #include "author/align.h"
 
 #include <Eigen/Eigenvalues>

@@ -10,7 +10,7 @@ namespace ripstop {
 
 enum class Side { Least, Middle, Most };
 
-// Along one axis, the other two stay. Middle is that of the box around everything.
+// Moves along one axis only. Side::Middle is the middle of the box around everything.
 Edit aligned(const Scene& scene, const std::vector<Id>& ids, int axis, Side side,
              RestLengths restLengths);
 

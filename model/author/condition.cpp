@@ -1,3 +1,12 @@
+// Finds what meets a condition, clause by clause:
+// 1. condition_text.h makes clauses of the text; each finds a sorted list of ids, and "and"
+//    intersects these lists.
+// 2. subjectOf() resolves the key of a clause: a measurement, a property of elements, or else one
+//    of items; a vector needs an axis.
+// 3. Numbers are compared in the unit of the property, within rounding; words, switches, choices
+//    and references are compared for equality. A link without a number of its own is asked by that
+//    of its material.
+// 4. Every failure names the character of the text and what could stand there.
 #include "author/condition.h"
 
 #include "author/condition_text.h"
@@ -98,7 +107,7 @@ std::vector<std::string_view> knownKeys(const Measurement& measurement)
     return keys;
 }
 
-// A thing whose property is looked at, with its id.
+// Calls visit(id, thing) for all things of a kind.
 template <typename Visit>
 void forEachOf(const Scene& scene, Kind kind, Visit visit)
 {
@@ -185,7 +194,8 @@ Result<Subject> Matcher::subjectOf(const Clause& clause) const
     return subject;
 }
 
-// The things whose value passes. What a link leaves to its material is asked there.
+// The ids of the things whose value passes the test. Where a link leaves a value to its material,
+// that of the material is tested.
 template <typename Test>
 std::vector<Id> Matcher::where(const Property& property, Test test) const
 {
@@ -269,7 +279,7 @@ Result<std::vector<Id>> Matcher::byNumber(const Clause& clause, const Subject& s
     return ids;
 }
 
-// Switches, choices, names, and things by name or number.
+// Matches switches, choices, texts, and references by name or number.
 Result<std::vector<Id>> Matcher::byWord(const Clause& clause, const Subject& subject) const
 {
     const Property& first = *subject.properties.front();
@@ -315,7 +325,7 @@ Result<std::vector<Id>> Matcher::byWord(const Clause& clause, const Subject& sub
     return ids;
 }
 
-// "part = kite", "group = edge".
+// Matches membership, as in "part = kite" or "group = edge".
 Result<std::vector<Id>> Matcher::members(const Clause& clause) const
 {
     const Kind kind = clause.key == "part" ? Kind::Part : Kind::Group;

@@ -1,3 +1,6 @@
+// Reads clauses from the front of the text: an optional "not", a key, a sign with its spellings,
+// and a value that ends at the next "and" between spaces. It keeps the character of each piece, so
+// that whoever finds a fault in one can point at it.
 #include "author/condition_text.h"
 
 #include <algorithm>
@@ -13,7 +16,7 @@ struct Sign
     Comparison comparison;
 };
 
-// longer ones first
+// Longer signs stand first, so that "<=" is not read as "<".
 constexpr std::array signs{Sign{"!=", Comparison::NotEqual},     Sign{"<>", Comparison::NotEqual},
                            Sign{"\u2260", Comparison::NotEqual}, Sign{"<=", Comparison::NotMore},
                            Sign{"\u2264", Comparison::NotMore},  Sign{">=", Comparison::NotLess},

@@ -1,4 +1,5 @@
-// How conditions (condition.h) are written: text into clauses.
+// How conditions are written: text into clauses. What keys and values mean is not known here but
+// in condition.cpp, the only user.
 #pragma once
 
 #include "base/result.h"

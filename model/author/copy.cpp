@@ -1,3 +1,12 @@
+// Copies rows and items under fresh ids:
+// 1. Copier keeps which id became which; shared ones stand for themselves, so that a mirrored half
+//    hangs on the same particles on the plane.
+// 2. addCopy() makes one copy of a selection: whole parts as new items, rows into their own part,
+//    then the selected items with their references renewed.
+// 3. Arrays are copies by a list of motions; a mirror turns windings, puts near particles onto the
+//    plane and lets copies join groups.
+// 4. excerpt() and pasted() carry a selection between scenes; a material that is there already is
+//    used again, so materials come first.
 #include "author/copy.h"
 
 #include "base/key_index.h"
@@ -51,7 +60,7 @@ public:
         : m_next(nextId)
     {}
 
-    // Stands for itself in the copies.
+    // Lets a thing stand for itself in the copies.
     void share(Id id)
     {
         m_copyOf[id] = id;
@@ -59,7 +68,7 @@ public:
     }
     void use(Id original, Id copy) { m_copyOf[original] = copy; }
 
-    // Forgets the copies made so far: another copy of the same follows.
+    // Forgets the copies made so far, since another copy of the same things follows.
     void begin()
     {
         m_copyOf.clear();
@@ -128,7 +137,7 @@ public:
         return rows;
     }
 
-    // Everything in a list or of a single reference as its copy.
+    // A copy of an item whose references lead to copies where there are some.
     Item itemOf(const Item& item, const Motion& motion) const
     {
         Item copy = item;

@@ -1,3 +1,10 @@
+// Pairs what a builder made with what stands in a scene:
+// 1. motionOf() finds where the part went: a shift that most particles of a sample agree on, so
+//    that those moved by hand do not count, or else the best rigid motion of all (Umeyama 1991).
+// 2. Rows are paired in their order where the tables are as long; materials follow from paired
+//    rows.
+// 3. Other items are paired by name and by pointing at the part; each item of the scene is taken
+//    once.
 #include "author/counterparts.h"
 
 #include "scene/property.h"
@@ -100,7 +107,7 @@ private:
             m_pairs.heldAs[made[i].id] = held[i].id;
     }
 
-    // By the first row that is made of it and still of something of that name, or of anything.
+    // Pairs each material with that of the counterpart of the first row that is made of it.
     template <typename Row>
     void pairMaterials(const std::vector<Row>& made, const std::vector<Row>& held)
     {
@@ -124,7 +131,7 @@ private:
             m_elements.insert(row.id);
     }
 
-    // Points at something of the part, or at nothing.
+    // Whether the item points at something of the part, or at nothing.
     bool isOfPart(const Item& item) const
     {
         bool points = false;

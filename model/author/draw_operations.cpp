@@ -1,3 +1,7 @@
+// The rows of the drawing operations: their parameters first, then one function for each, then the
+// table. Each function takes the particles that the selection means, draws onto a Drawing
+// (drawing.h), and fails with a sentence that says what to select when nothing comes of it. Lines,
+// spars and rings find their order from the links that are there, or from the places.
 #include "author/draw_operations.h"
 
 #include "author/drawing.h"
@@ -68,7 +72,7 @@ Material named(const char* name)
     return plain;
 }
 
-// That of the neighbours where that is wanted and there are any.
+// The material of the neighbours where that is wanted and there is one; otherwise a new one.
 Id materialOr(Id neighbours, const Parameters& values, Drawing& drawing, Material otherwise)
 {
     const bool isNew = whole(values, "material") == 1;

@@ -1,4 +1,5 @@
-// The operations that draw: links, ropes, spars, panels, rigidity particles.
+// The operations that draw: links, ropes, spars, panels, rigidity particles. operation.cpp appends
+// these rows to its own; everybody else asks operation.h.
 #pragma once
 
 #include "author/operation.h"

@@ -1,3 +1,9 @@
+// A drawing in three parts: orders of particles, where Neighbours walks along links and panel
+// sides as long as they form one line or ring; the drawing calls, which collect new items and rows
+// by part, and refuse double links and panels; and finish(), which makes one edit of items, rows
+// and masses.
+// What is linked to a particle is looked up when it is first asked for, so that one click on a
+// large design does not sort all links.
 #include "author/drawing.h"
 
 #include "author/elements.h"
@@ -17,7 +23,7 @@ std::array<Id, 3> tripleOf(Id a, Id b, Id c)
     return triple;
 }
 
-// Who is tied to whom among these.
+// Which of some particles are tied to each other.
 class Neighbours
 {
 public:
@@ -121,8 +127,9 @@ Drawing::Drawing(const Scene& scene)
     , m_next(scene.nextId)
 {}
 
-// Who is linked to it, in the scene and by this drawing. One pass over the links for each particle
-// that is asked about, so that a click on a large design does not sort them all.
+// The particles linked to this one, in the scene and by this drawing. It takes one pass over the
+// links for each particle that is asked about, so that a click on a large design does not sort them
+// all.
 std::set<Id>& Drawing::linkedTo(Id particle)
 {
     const auto [place, isNew] = m_linkedTo.try_emplace(particle);

@@ -64,11 +64,12 @@ private:
     const Scene& m_scene;
     Id m_next;
     std::vector<AddItem> m_items;
-    std::map<Id, AddRows> m_rows;                          // by part
-    std::map<Id, Id> m_partOf;                             // of drawn elements
-    std::map<Id, double> m_mass;                           // kg, new, of particles that were there
-    std::map<Id, std::set<Id>> m_linkedTo;                 // of first ends, as they are asked for
-    std::map<Id, std::set<std::array<Id, 2>>> m_coveredBy; // of lowest corners, the same
+    std::map<Id, AddRows> m_rows;          // by part
+    std::map<Id, Id> m_partOf;             // of drawn elements
+    std::map<Id, double> m_mass;           // kg, new, of particles that were there
+    std::map<Id, std::set<Id>> m_linkedTo; // of first ends, as they are asked for
+    std::map<Id, std::set<std::array<Id, 2>>>
+        m_coveredBy; // of lowest corners, as they are asked for
     std::vector<Id> m_made;
 };
 

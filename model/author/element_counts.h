@@ -1,4 +1,6 @@
-// What an edit brings into a design and what it takes out of it, in numbers.
+// What an edit brings into a design and what it takes out of it, in numbers, for labels, for the
+// question before a removal and for the preview of operations. It reads the edit alone, before or
+// after it is applied.
 #pragma once
 
 #include "scene/edit.h"

@@ -1,3 +1,7 @@
+// Resolves selections: elementsOf() walks the ids along the sorted list of items and puts the
+// elements of an item in its place; then the rows are gathered by one pass over the tables
+// (rows_among.h). Lists are sorted only where they are not in order already, because parts rarely
+// interleave and selections have hundred thousands of ids.
 #include "author/elements.h"
 
 #include "author/rows_among.h"

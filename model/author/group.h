@@ -1,4 +1,6 @@
-// Edits of groups from a selection.
+// Edits of groups from a selection: a new one, and elements that join or leave one. The menus of
+// the editor, probes for several elements (measure.h) and rebuilt parts use it. Functions that
+// take a group expect it to exist.
 #pragma once
 
 #include "scene/edit.h"
@@ -14,7 +16,8 @@ std::string freeName(const Scene& scene, std::string_view base);
 // one of the scene.
 Edit grouped(const Scene& scene, const std::string& name, const std::vector<Id>& selected);
 
-// The same group with these elements, or without them; nothing where that changes nothing.
+// The edit that adds these elements to the group or takes them out of it; empty where that changes
+// nothing.
 Edit addedToGroup(const Scene& scene, Id group, const std::vector<Id>& selected);
 Edit removedFromGroup(const Scene& scene, Id group, const std::vector<Id>& selected);
 

@@ -1,3 +1,9 @@
+// Makes the edit that brings a built scene into an open one:
+// 1. What the wish leaves out goes: planes and winds, or controls, probes and plots.
+// 2. The rest is shifted to its place, and names that are taken get a number.
+// 3. pasted() of copy.h gives it fresh ids and makes the edit.
+// 4. Settings of the design are added where the scene still has the first ones; substeps only
+//    rise.
 #include "author/insert.h"
 
 #include "author/copy.h"

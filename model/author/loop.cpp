@@ -1,4 +1,7 @@
-// Lines that go on: loop() of select.h.
+// Lines that go on: loop() of select.h. Walker marks links from the selected ones in both
+// directions; at a particle it goes on along the edge of fabric, else to the only other link of
+// the material, else to the straightest within 40 degrees. The marked links then become links or
+// particles, as the selection has them.
 #include "author/net.h"
 #include "author/select.h"
 
@@ -28,7 +31,7 @@ public:
             m_onEdge[std::size_t(side.low)] = m_onEdge[std::size_t(side.high)] = 1;
     }
 
-    // The link and what it goes on into at both ends.
+    // Marks the link and what it goes on into at both ends.
     void walkFrom(int link)
     {
         if (!m_net.isWhole(m_net.ends[std::size_t(link)]) || m_walked[std::size_t(link)])

@@ -1,3 +1,6 @@
+// Probes for a selection: the kinds of elements that a quantity asks for stand in the table of
+// quantities (base/quantity.h). withProbe() fills target and further particles from the selection,
+// and where several elements are meant it makes a group first, whose id the probe points at.
 #include "author/measure.h"
 
 #include "author/elements.h"

@@ -1,4 +1,6 @@
-// Probes for what is selected.
+// Probes for what is selected: whether a quantity can be measured on it, what it asks for in
+// words, and the edit that adds the probe. The menu of measurements and the table of elements use
+// it.
 #pragma once
 
 #include "scene/edit.h"

@@ -1,3 +1,10 @@
+// An import in two stages, as the header has it.
+// prepared(): the mesh is scaled to metres and turned upright, split by object if asked, and each
+// piece repaired with a share of the progress; the report tells of odd sizes.
+// fabricOf(): the density is known or refused, materials are added to a scratch scene that counts
+// ids from where the open scene ends, each surface is woven into a part, and objects of the file
+// become groups. The items of the scratch scene are the edit, so that the open scene is not needed
+// on this thread.
 #include "author/mesh_import.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,10 @@
+// Weaves links into a mesh:
+// 1. findThreads() sums, for each edge, the area that it stands for: half a cell from either side,
+//    or whole triangles; sides are sorted so that an edge is found once.
+// 2. Particles, threads along edges, diagonals of cells and links across pairs of triangles
+//    follow, each with the width of its strip; two points are tied only once.
+// 3. Bend links join ends of edges that go on into each other, the straightest pairs first.
+// 4. Panels and the mass of the fabric come last. A cancelled import stops between stages.
 #include "author/mesh_network.h"
 
 #include "scene/link_stiffness.h"
@@ -110,7 +117,7 @@ private:
         }
     }
 
-    // False when these two are tied already.
+    // Ties two points; false when they are tied already.
     bool tie(int a, int b, LinkStyle style, Id material)
     {
         const std::uint64_t key =

@@ -1,3 +1,8 @@
+// Repairs a mesh by seven stages, listed in make(): points that lie on each other are joined,
+// faces without area and then double faces are left out, then points that no face uses any more;
+// windings are made alike (mesh_winding.h), corners of the texture become points of it, and
+// polygons become triangles. Each stage relies on those before it and reports what it did; between
+// stages the import may be cancelled. byObject() cuts a mesh into one for each object beforehand.
 #include "author/mesh_repair.h"
 
 #include "author/mesh_winding.h"
@@ -68,7 +73,8 @@ private:
     PolygonMesh& mesh() { return m_result.mesh; }
     MeshReport& report() { return m_result.report; }
 
-    // Points that no face uses are told first: they are not there to be joined with.
+    // Points that no face uses are reported and left out first, so that nothing is joined with
+    // them.
     void joinPoints()
     {
         std::vector<std::uint8_t> isUsed(mesh().points.size());
@@ -124,7 +130,7 @@ private:
         std::vector<int> corners;
         filterFaces([&](std::size_t i, std::vector<int>& places) {
             const auto point = [&](int place) { return mesh().corners[std::size_t(place)]; };
-            // corners that joining has put on the one before
+            // Corners that joining has put on the one before are left out.
             const Vec3 place = middleOf(mesh().face(i), mesh().points);
             const auto same = [&](int a, int b) { return point(a) == point(b); };
             places.erase(std::unique(places.begin(), places.end(), same), places.end());
@@ -171,7 +177,7 @@ private:
         });
     }
 
-    // What joining and leaving out faces has left over.
+    // Leaves out the points that joining and leaving out faces have left without a face.
     void dropLoosePoints()
     {
         std::vector<int> placeOf(mesh().points.size(), -1);

@@ -1,4 +1,6 @@
-// What is wrong with a mesh, and what was done about it.
+// What is wrong with a mesh, and what was done about it: a count for each kind of fault and the
+// first few places, m. Repair and import fill a report, and the import dialog and the command line
+// show it. The words and the gravity of each fault are one table in the source.
 #pragma once
 
 #include "base/message.h"

@@ -1,3 +1,10 @@
+// Winds faces alike, piece by piece:
+// 1. Neighbours lists the faces beside each face over edges of exactly two, and whether they are
+//    wound against each other.
+// 2. A walk over each piece notes which faces to turn; the smaller part by area is turned, and a
+//    closed piece that can be oriented is turned outwards by the sign of its volume.
+// 3. Edges and pieces are reported last: rims, edges of more than two faces, and edges that no
+//    turning helps.
 #include "author/mesh_winding.h"
 
 #include "base/joined_sets.h"
@@ -109,7 +116,7 @@ public:
 private:
     static constexpr std::uint8_t unseen = 2;
 
-    // All faces that edges of two connect with this one.
+    // Winds all faces alike that edges of two faces connect with this one.
     void unifyPiece(int start)
     {
         std::vector<int> faces{start};

@@ -1,11 +1,13 @@
-// Edges of a mesh, its pieces, and which way its faces are wound.
+// Edges of a mesh, its pieces, and which way its faces are wound. The repair of a mesh
+// (mesh_repair.cpp) calls it after double points and faces are gone, since both would look like
+// edges of the wrong count.
 #pragma once
 
 #include "author/mesh_repair.h"
 
 namespace ripstop {
 
-// Ascending by a, then b.
+// The edges of all faces, each once, ascending by a, then b.
 std::vector<MeshEdge> edgesOf(const PolygonMesh& mesh);
 
 // Winds faces that share an edge alike, as the larger part (by area) of a piece is, and closed

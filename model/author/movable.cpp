@@ -1,3 +1,7 @@
+// What a selection moves, found in three passes: particlesOf() resolves ids to particles, where a
+// part means its own alone; movableOf() copies their places, masses and guides, and sorts links
+// into those with both ends among them and those with one; colliders are those selected and those
+// that a selected control moves. Pivots and principal axes are computed from that copy.
 #include "author/movable.h"
 
 #include "author/elements.h"
@@ -14,7 +18,7 @@ namespace {
 
 constexpr int whole = 1; // in an index: the thing itself is meant
 
-// Of the places of all particles, about their middle; eigenvalues ascend.
+// The principal axes of the places of all particles about their middle; eigenvalues ascend.
 Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(const Movable& movable)
 {
     const double count = double(movable.position.size());

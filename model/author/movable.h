@@ -11,7 +11,7 @@
 
 namespace ripstop {
 
-// In ascending order, each once. What is not there is left out.
+// The particles that the ids mean, in ascending order, each once. Ids of nothing are left out.
 std::vector<Id> particlesOf(const Scene& scene, const std::vector<Id>& ids);
 
 // A link that has an end or both among the particles that move.
@@ -19,7 +19,7 @@ struct Tie
 {
     Id link;
     int from;          // place in Movable::particles, -1 when this end stays where it is
-    int to;            // the same
+    int to;            // place in Movable::particles, or -1
     Vec3 fromPosition; // m
     Vec3 toPosition;   // m
     double restLength; // m

@@ -1,3 +1,7 @@
+// Builds the net once per question: ids of particles become indices, links and panels become rows
+// of indices, and -1 stands for a particle that is lost. Marks walk the sorted ids along the rows.
+// Lists by particle are filled by counting first and placing second, so that each takes two passes
+// and two arrays.
 #include "author/net.h"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // A scene as a net: which particles its links and panels tie, by index instead of by id.
+// Selections, smoothing, the stability look and the totals of the inspector build one, ask it and
+// drop it: it points into the scene and is stale when that changes. All rows are in ascending
+// order of id.
 #pragma once
 
 #include "author/elements.h"
@@ -15,7 +18,7 @@ struct Net
 
     Elements all;
     std::vector<std::array<int, 2>> ends; // [links] indices of particles, -1 for one that is lost
-    std::vector<std::array<int, 3>> corners; // [panels] the same
+    std::vector<std::array<int, 3>> corners; // [panels] indices of particles, or -1
 
     bool isWhole(std::span<const int> particles) const;
 };
@@ -38,7 +41,7 @@ struct NetSide
 {
     int low;
     int high;
-    int panels; // how many have it
+    int panels; // number of panels that have this side
 
     friend bool operator==(const NetSide&, const NetSide&) = default;
 };

@@ -1,3 +1,7 @@
+// The rows of the shaping operations: names of choices and parameters first, then one function for
+// each operation, which takes whole values from the parameters, calls the function of its own
+// header (copy.h, weld.h, smooth.h and others), and turns an empty result into a sentence that
+// says what to select. allOperations() puts the drawing operations behind them.
 #include "author/operation.h"
 
 #include "author/copy.h"

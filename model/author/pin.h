@@ -1,4 +1,6 @@
-// Holds particles in place, along a line or in a plane, or lets them go.
+// Holds particles in place, along a line or in a plane, or lets them go. The operation "guide" and
+// the design menu make their edits here. Axes may have any length but 0 and lie in the frame of
+// the scene.
 #pragma once
 
 #include "base/result.h"
@@ -9,6 +11,7 @@ namespace ripstop {
 // True when all particles that are meant (see movable.h) are pinned.
 bool allPinned(const Scene& scene, const std::vector<Id>& ids);
 
+// Pins the particles that are meant, or unpins them; empty where there are none.
 Edit pinning(const Scene& scene, const std::vector<Id>& ids, bool pinned);
 
 // Frees the particles along a line through each of them, or in a plane; pins go. With Guide::None

@@ -1,3 +1,11 @@
+// Builds a part again in these stages:
+// 1. The builder runs twice, with the old and the new parameters; counterparts.h pairs the old
+//    build with what stands in the scene, and difference() counts the work of hands.
+// 2. Rows and items of the new build get ids: those of the scene where there is a counterpart or
+//    the tables are as long, otherwise fresh ones. What the author has removed stays away.
+// 3. Materials are added, the part is replaced at its place, items are merged property by property
+//    where the two builds differ, and what the builder makes no more goes.
+// 4. References to rows that are gone are let go, and settings follow where nobody has tuned them.
 #include "author/rebuild.h"
 
 #include "author/counterparts.h"
@@ -163,7 +171,7 @@ private:
         }
     }
 
-    // As it will stand in the scene: at the part's place, and pointing at what stands there.
+    // The item as it will stand in the scene: a collider goes where the part has gone.
     Item placedItem(const Item& item) const
     {
         Item copy = item;
@@ -324,7 +332,8 @@ private:
         }
     }
 
-    // Answers what goes. Materials stay: something else may be made of them.
+    // Removes the items that the builder makes no more and returns their ids. Materials stay, since
+    // something else may be made of them.
     std::set<Id> removeWhatIsNoMore()
     {
         std::set<Id> removed;
@@ -341,7 +350,7 @@ private:
         return removed;
     }
 
-    // What the author made and points at rows that are no more.
+    // Clears the references of what the author made to rows that are no more.
     void letGo(const Entry& entry)
     {
         for (const Property& property : propertiesOf(kindOf(entry.item))) {

@@ -1,3 +1,11 @@
+// Linear algebra on the velocities of all particles, three rows each:
+// 1. stretchesOf() has a column for each link; what pins and guides hold is taken out of it.
+// 2. freeOf() finds the velocities that stretch nothing as the eigenvectors of near zero;
+//    rigidMotionsOf() finds those of the whole as one body. What is left of the first without the
+//    second are the modes, each made as local as it can be.
+// 3. bracesFor() takes one rod after the other: the one that stretches the remaining modes most
+//    for its length, and removes the direction that it stops.
+// 4. withBraces() draws them.
 #include "author/rigidity.h"
 
 #include "author/drawing.h"
@@ -46,7 +54,7 @@ Vec3 heldPart(const Rigidity& r, int particle, const Vec3& velocity)
     return velocity - r.guides[std::size_t(particle)].freePart(velocity);
 }
 
-// Ways that a particle can go.
+// The number of independent directions that a particle can go in.
 int waysOf(const Rigidity& r, int particle)
 {
     if (r.pinned[std::size_t(particle)])
@@ -62,7 +70,8 @@ int waysOf(const Rigidity& r, int particle)
     return 3;
 }
 
-// v = 0 at pins; what the links allow is orthogonal to all columns. Directions are unit vectors.
+// A column for each link, its direction as a unit vector at both ends. Velocities that the links
+// allow are orthogonal to all columns; v = 0 at pins.
 MatrixXd stretchesOf(const Rigidity& r)
 {
     MatrixXd rows = MatrixXd::Zero(placeOf(int(r.particles.size())), Index(r.links.size()));
@@ -124,7 +133,8 @@ MatrixXd rigidMotionsOf(const Rigidity& r)
     return spanOf(all * solver.eigenvectors().leftCols(left));
 }
 
-// The same span, each column as local as can be: 1 in a place of its own where the others are 0.
+// A base of the span of the columns, each as local as can be: 1 in a place of its own where the
+// others are 0.
 MatrixXd localised(const MatrixXd& base)
 {
     if (base.cols() == 0)

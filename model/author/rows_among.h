@@ -1,3 +1,6 @@
+// Walks a table of rows along a sorted list of ids. Selections, tables and the census of the
+// editor ask for hundred thousands of ids at once, for which a search of each one would take too
+// long.
 #pragma once
 
 #include "scene/scene.h"

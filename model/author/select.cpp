@@ -1,3 +1,7 @@
+// Selections from selections, each on a Net and marks by row (net.h): growing and shrinking move
+// the edge by one ring, connected() joins particles into sets and takes those of the seeds, the
+// boundary is the sides with one panel, and turnedInto() goes over particles. loop() and similar()
+// stand in sources of their own.
 #include "author/select.h"
 
 #include "author/net.h"
@@ -8,11 +12,11 @@
 namespace ripstop {
 namespace {
 
-// What the sides of panels join some particles to.
+// The particles that sides of panels join to some particles.
 class Rings
 {
 public:
-    // Of the ends of `links`.
+    // Collects them for the ends of `links`.
     Rings(const Net& net, const std::vector<std::size_t>& links)
         : m_place(net.all.particles.size(), -1)
     {

@@ -9,12 +9,13 @@
 
 namespace ripstop {
 
-// Each kind by one ring of its own: particles to those that a panel's side or a link ties to them,
-// links to links that meet them at an end, panels to panels that meet them at a corner. Links that
-// run across fabric from ring to ring, as shear and bend springs do, are not a way.
+// Adds one ring to each kind that is selected: particles to those that a panel's side or a link
+// ties to them, links to links that meet them at an end, panels to panels that meet them at a
+// corner. Links that run across fabric from ring to ring, as shear and bend springs do, are not a
+// way.
 std::vector<Id> grown(const Scene& scene, const std::vector<Id>& selected);
 
-// The other way: what has a neighbour that is not selected goes.
+// Takes one ring away: what has a neighbour that is not selected goes.
 std::vector<Id> shrunk(const Scene& scene, const std::vector<Id>& selected);
 
 // All that links and panels tie to the selected, in any number of steps.

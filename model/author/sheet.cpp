@@ -1,3 +1,8 @@
+// A table of things in four stages: which rows and columns there are, from the property table;
+// keys to sort by, taken out of the scene in one pass so that another thread can sort them; the
+// text of a cell and the value that a text puts into it; and a pasted block, read cell by cell
+// into one change for each property, which fails as a whole at the first cell that does not fit.
+// Changed densities bring their masses (scene/weigh.h).
 #include "author/sheet.h"
 
 #include "author/rows_among.h"

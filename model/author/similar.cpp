@@ -1,4 +1,7 @@
-// Elements like others: similar() of select.h.
+// Elements like others: similar() of select.h. Each kind of likeness is a key (type, material,
+// role, part) that is spread from marked rows to all rows that have it, or a measure that is
+// compared within 1 % by halving in the sorted measures. Groups are resolved by their members
+// instead.
 #include "author/net.h"
 #include "author/select.h"
 

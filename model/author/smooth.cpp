@@ -1,3 +1,7 @@
+// Smooths places in three stages: neighboursOf() decides what each particle is drawn to, from
+// sides of panels or else from links, and nobody for borders that stay; passes then move all
+// selected particles at once by a share of the way to their mean, with a second pass of negative
+// share for Taubin; and the new places become an edit (transform.h).
 #include "author/smooth.h"
 
 #include "author/net.h"
@@ -24,7 +28,7 @@ void dropRepeats(std::vector<int>& list)
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-// Whom each particle is drawn to; nobody where it stays.
+// The particles that each particle is drawn to; none for one that stays.
 Neighbours neighboursOf(const Net& net, Border border)
 {
     const std::size_t count = net.all.particles.size();

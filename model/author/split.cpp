@@ -1,3 +1,7 @@
+// Splits links part by part: each selected link becomes a chain of new particles and pieces that
+// share its stretch, and the mass of its line moves from the ends to the chain; each panel with
+// such a side becomes a fan. finish() puts masses, new rows, references and removals into one edit
+// in this order, so that groups never point at what is gone.
 #include "author/split.h"
 
 #include "author/elements.h"
@@ -150,7 +154,7 @@ private:
         return piece;
     }
 
-    // NetSide after side, so that one that loses several is split into all their pieces.
+    // Splits side after side, so that a panel with several such sides is split at all of them.
     void splitPanel(const Panel& row, AddRows& added, RemoveRows& removed)
     {
         std::vector<std::array<Id, 3>> pieces{{row.a, row.b, row.c}};

@@ -1,3 +1,6 @@
+// Spreads mass over the particles that a selection means: evenly, in proportion, or by shares that
+// links and panels among them give (half to each end, a third to each corner). massPropertiesOf()
+// sums mass, centre and inertia in two passes, since the inertia is about the centre.
 #include "author/spread_mass.h"
 
 #include "author/movable.h"

@@ -1,4 +1,6 @@
-// Gives mass to what is selected, and says what it weighs.
+// Gives mass to what is selected, and says what it weighs. The operation "mass" and the targets of
+// parts use the first, the totals of the inspector the second. Masses in kg, lengths in m; edits
+// set masses and no densities.
 #pragma once
 
 #include "base/result.h"
@@ -24,7 +26,7 @@ struct MassProperties
     std::size_t particles = 0;
 };
 
-// Of what is selected, or of the whole design when nothing is.
+// The mass properties of what is selected, or of the whole design when nothing is.
 MassProperties massPropertiesOf(const Scene& scene, const std::vector<Id>& ids);
 
 } // namespace ripstop

@@ -1,3 +1,8 @@
+// Looks at a scene before its first step. Look holds what all questions need: an index and a net,
+// made once. Each question is a function that makes one finding or none: particles without mass,
+// loose ones, double links, the substep against its limit, the mass ratio of rods, the sweeps
+// against the length of the network, and lengths at the start. A finding that can be repaired has
+// the edit with it. Warnings are sorted to the front.
 #include "author/stability.h"
 
 #include "author/net.h"
@@ -9,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-// "0.0125", "1 200 000" is never needed
+// Three digits are enough for the figures here.
 Message shortNumber(double value) { return Message::number("%.3g", value); }
 
 Finding about(Message subject, std::string_view sort = {})
@@ -23,7 +28,7 @@ Edit setting(Message label, const Property& property, std::vector<Id> ids,
     return {std::move(label), {SetValues{&property, std::move(ids), std::move(values)}}};
 }
 
-// What is looked at, once.
+// What all questions look at, made once.
 struct Look
 {
     explicit Look(const Scene& which)
@@ -88,7 +93,8 @@ std::optional<Finding> timeStep(const Look& look)
     const double wanted = std::ceil(settings.timeStep / (0.9 * least));
     const Property& substeps = propertyOf<&Settings::substeps>();
     if (least > 0.0 && wanted <= substeps.range.high)
-        finding.repair = setting(Message("Take %1 substeps", shortNumber(wanted)), propertyOf<&Settings::substeps>(), {settingsId}, {int(wanted)});
+        finding.repair = setting(Message("Take %1 substeps", shortNumber(wanted)),
+                                 propertyOf<&Settings::substeps>(), {settingsId}, {int(wanted)});
     return finding;
 }
 
@@ -130,8 +136,8 @@ std::optional<Finding> massRatio(const Look& look)
                 "end by a light one only slowly: even the masses out, or choose the automatic "
                 "solver.",
                 shortNumber(worst));
-    finding.repair = setting(Message("Choose the automatic solver"), propertyOf<&Settings::solver>(),
-                             {settingsId}, {std::string("auto")});
+    finding.repair = setting(Message("Choose the automatic solver"),
+                             propertyOf<&Settings::solver>(), {settingsId}, {std::string("auto")});
     return finding;
 }
 
@@ -301,7 +307,8 @@ std::optional<Finding> massless(const Look& look)
     finding.message = finding.culprits.size() == 1
                           ? Message("1 free particle has no mass.")
                           : Message("%1 free particles have no mass.", finding.culprits.size());
-    finding.repair = setting(Message("Give %1 g each", shortNumber(1e3 * mean)), propertyOf<&Particle::mass>(), finding.culprits, {mean});
+    finding.repair = setting(Message("Give %1 g each", shortNumber(1e3 * mean)),
+                             propertyOf<&Particle::mass>(), finding.culprits, {mean});
     return finding;
 }
 

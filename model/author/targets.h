@@ -1,4 +1,6 @@
-// What a part or a group comes to, beside what its author wants it to come to.
+// What a part or a group comes to, beside what its author wants it to come to: mass, length of
+// line and area of panels, each in the unit of its property. The inspector shows them; targets are
+// authored numbers of a part or group and no simulation depends on them.
 #pragma once
 
 #include "base/result.h"
@@ -18,12 +20,12 @@ struct Target
     TargetOf of;
 
     double excess() const { return value - wanted; }
-    // To within half a percent.
+    // Whether the value is within half a percent of what is wanted.
     bool isMet() const;
 };
 
-// Those that are set; none for what has no targets. Of a group, its members count, and particles
-// that links and panels among them lead to do not.
+// The targets that are set; none for an item without targets. For a group its members count, and
+// particles that its links and panels lead to do not.
 std::vector<Target> targetsOf(const Scene& scene, Id id);
 
 // Spreads what is missing to the target mass, or is too much, over the particles in proportion to

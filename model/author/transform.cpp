@@ -1,3 +1,11 @@
+// Motions and their edits:
+// 1. shifted(), turned() and scaled() make an affine map; a scaling is not rigid.
+// 2. placed() moves a collider: its place and path by the map, its normal by the inverse
+//    transpose, its angles by the turn, and its sizes by the factors where its axes allow that,
+//    else evenly.
+// 3. moved() and relocated() make the edit: positions, guide axes, rest lengths of links that
+//    change, and for colliders every property that such a motion may change, since only edits of
+//    the same targets merge into one gesture.
 #include "author/transform.h"
 
 #include "scene/collider_path.h"
@@ -64,8 +72,8 @@ double radiusGrowth(Round round, const Vec3& factors, double growth)
     return growth;
 }
 
-// Says everything that a motion may change, also what stays as it is: steps of one gesture merge
-// only when they set the same things.
+// Sets everything that a motion may change, also what stays as it is, because steps of one gesture
+// merge only when they set the same things.
 void addCollider(Edit& edit, const MovableCollider& one, const Motion& motion)
 {
     const Collider now = placed(one.collider, motion);

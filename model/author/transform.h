@@ -35,7 +35,8 @@ Collider placed(const Collider& collider, const Motion& motion);
 // Where a guide (base/guide.h) points after the linear part of a motion.
 Vec3 turnedAxis(Guide guide, const Vec3& axis, const Eigen::Matrix3d& linear);
 
-// The same for places that are given one by one, m [particles]. Colliders stay.
+// Sets the positions of the particles to places that are given one by one, [particles] m, and rest
+// lengths when asked. Colliders stay.
 Edit relocated(const Movable& movable, const std::vector<Vec3>& places, RestLengths restLengths,
                Message label);
 

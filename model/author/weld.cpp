@@ -1,3 +1,8 @@
+// Welds in three stages: particles are joined into clusters, all of them or those within the
+// distance, found in cells of that size; each cluster becomes its first particle, with the mass of
+// all and the pin or guide of any; then RowRenamer gives links and panels their new ends, removes
+// those that lost one or became like another, and passes references on (scene/references.h). Rows
+// that stay as they are come first, so that a changed one gives way to them.
 #include "author/weld.h"
 
 #include "author/movable.h"
@@ -15,7 +20,8 @@
 namespace ripstop {
 namespace {
 
-// Cells of the size of the distance: only neighbours in 27 of them can be near enough.
+// Joins particles within the distance. Cells have the size of the distance, so that only particles
+// in 27 of them can be near enough.
 void joinNear(JoinedSets& clusters, const std::vector<const Particle*>& rows, double distance)
 {
     using Cell = std::array<std::int64_t, 3>;
@@ -43,7 +49,7 @@ void joinNear(JoinedSets& clusters, const std::vector<const Particle*>& rows, do
     }
 }
 
-// Who becomes whom.
+// Which particle each one becomes.
 class Renamed
 {
 public:
@@ -89,7 +95,8 @@ private:
     SetValues m_change;
 };
 
-// New ends and corners; and what has none any more, or has become what another one is already.
+// Gives links and panels new ends and corners, and removes those that have lost one or have become
+// what another one is already.
 class RowRenamer
 {
 public:
@@ -165,7 +172,7 @@ private:
         return key;
     }
 
-    // False when the row has to go.
+    // Notes the new ends of a row; false when the row has to go.
     bool rename(const Link& row)
     {
         const LinkKey key = keyOf(row);

@@ -18,7 +18,7 @@ struct Weld
     std::vector<Id> kept;   // what others were welded into, ascending
     std::size_t merged = 0; // particles that went
     std::size_t links = 0;  // that went with them
-    std::size_t panels = 0; // the same
+    std::size_t panels = 0; // that went with them
 };
 
 // All particles that are meant (see movable.h) become one.

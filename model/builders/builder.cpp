@@ -1,3 +1,10 @@
+// The table of builders and what is the same for all of them:
+// 1. The refusals: a parameter that does not exist, one out of range, and a cell of a table out of
+//    range, each by name and with the nearest name or the interval.
+// 2. The table itself, by family.
+// 3. build() fills in defaults, checks what is given, and calls the row, which may rely on every
+//    number.
+// 4. Tables of numbers: as cells among the parameters, and from the text of a spreadsheet.
 #include "builders/builder.h"
 
 #include "builders/designs.h"

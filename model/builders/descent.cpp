@@ -15,7 +15,7 @@ void setDrag(Scene& scene, const Network& network, std::span<const Id> cloth, do
     };
     const double alone = force(0.0);
     const double each = force(1.0) - alone;
-    force((wanted - alone) / each); // and leaves it at that
+    force((wanted - alone) / each); // the cloth keeps the last one that is set
 }
 
 CanopyMaterials addCanopyMaterials(Scene& scene, const std::map<std::string, double>& parameters,

@@ -1,4 +1,6 @@
-// What parachutes of the builders hang from and sink by.
+// What parachutes of the builders hang from and sink by: the coefficient of the cloth that gives a
+// wanted drag, the materials, and the hoop that holds the mouth open. The round and the cross
+// parachute share it; lengths in m, masses in kg.
 #pragma once
 
 #include "builders/network.h"

@@ -1,4 +1,5 @@
-// The rows of the table of builders; each stands in a file of its own, obstacles in one.
+// The rows of the table of builders, for builder.cpp alone, which puts them in order. Each stands
+// in a source of its own, and the obstacles share one. Everybody else asks builder.h.
 #pragma once
 
 #include "builders/builder.h"

@@ -1,3 +1,7 @@
+// Builds a kite around the sail that its builder lays: materials, sail and mass of the fabric, the
+// two rigidity particles, the bridle, the mass of the frame; then launch() turns the kite into its
+// trim. Tail and line follow after that, because they lie in the frame of the scene; groups,
+// controls and probes come last.
 #include "builders/flat_kite.h"
 
 #include "builders/statics.h"
@@ -72,7 +76,7 @@ Id addBridle(Network& network, const Parameters& p, const FlatSail& sail, Id mat
     return tow;
 }
 
-// It streams away with the wind, a little downwards.
+// Lays the tail, which streams away with the wind, a little downwards.
 std::vector<Id> addTail(Network& network, const Parameters& p, Id from, Id material)
 {
     if (p.at("tail_length") <= 0.0)

@@ -1,3 +1,7 @@
+// The flight of a kite in the order in which builders call it: the wind and its gusts; the launch,
+// at the angle where the moments of air and weight about the tow point cancel (found by halving
+// between 1 and 60 degrees); the line to the hand with second neighbours tied; the controls of the
+// hand; and the probes, with plots where there are gusts.
 #include "builders/kite_flight.h"
 
 #include "builders/delta_wing.h"

@@ -25,7 +25,7 @@ inline constexpr auto flightParameters = std::to_array<Parameter>({
 });
 // clang-format on
 
-// One table of two.
+// Joins two tables of parameters into one.
 template <std::size_t N, std::size_t M>
 constexpr auto joined(const std::array<Parameter, N>& first, const std::array<Parameter, M>& second)
 {
@@ -58,7 +58,7 @@ FlyingLine addFlyingLine(Network& network, const Parameters& p, const LineMateri
                          Id tow);
 
 void addHandControls(Scene& scene, const std::vector<Id>& hand);
-// And plots of what gusts do to it, when there are some.
+// Adds the probes of the flight, and plots of what gusts do to it when there are some.
 void addKiteProbes(Scene& scene, const Parameters& p, Id kite, Id tow, const FlyingLine& line);
 
 inline constexpr const char* kiteNotes =

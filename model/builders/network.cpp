@@ -1,3 +1,7 @@
+// Three groups of functions in the order of the header: items under fresh ids; Network, whose
+// calls append rows to one part and derive rest lengths from the places; and Lattice, which
+// numbers the nodes of a triangle row by row from the tip and lists its edges, cells and borders
+// from these numbers alone.
 #include "builders/network.h"
 
 #include <Eigen/Geometry>

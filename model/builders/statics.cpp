@@ -1,3 +1,7 @@
+// Sums the load of the air on a part at rest. Each panel adds its normal force (linear-normal law)
+// and its skin friction at its centroid. Panels with the vortex law add their skin friction only;
+// wings are then found among all of them, and their loads come from the functions that the engine
+// uses (base/vortex_wing.h), because a panel of a wing alone does not know its circulation.
 #include "builders/statics.h"
 
 #include "base/vortex_wing.h"
@@ -25,7 +29,7 @@ WingPanel wingPanelOf(const Material& material, const Vec3& doubled, const Vec3&
     return panel;
 }
 
-// Of the panels with the vortex law, beyond their skin friction.
+// Adds the load of the panels with the vortex law, without their skin friction.
 void addWings(const Scene& scene, const Part& part, const Vec3& wind, Load& total)
 {
     std::vector<PaddedVec3> position;

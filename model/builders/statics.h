@@ -20,7 +20,7 @@ struct Load
     Vec3 moment = Vec3::Zero(); // N m, about the origin
 };
 
-// Of all panels of a part that is at rest in `wind`, m/s.
+// The load on all panels of a part that is at rest in `wind`, m/s.
 Load airLoad(const Scene& scene, const Part& part, const Vec3& wind);
 
 struct LumpedMass
@@ -30,8 +30,8 @@ struct LumpedMass
 };
 LumpedMass lumpedMassOf(const Part& part);
 
-// Where a function that changes sign between `low` and `high` is zero, to 60 halvings. Without a
-// change of sign: the end where it is nearer to zero.
+// Where a function that changes sign between `low` and `high` is zero, by 60 halvings. Without
+// a change of sign it is the end at which the function is nearer to zero.
 template <typename Function>
 double root(const Function& function, double low, double high)
 {

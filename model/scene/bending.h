@@ -1,4 +1,7 @@
-// What bending (base/bend.h) asks of the step in a scene that is not compiled.
+// What bending (base/bend.h) asks of the step in a scene that is not compiled: for each particle
+// the sum of the stiffnesses of the bends that it takes part in.
+// The step limit of a scene (step_limits.cpp) adds these sums to those of the springs. It is a
+// function of its arguments alone and reports no errors.
 #pragma once
 
 #include "base/bend.h"
@@ -7,8 +10,9 @@
 
 namespace ripstop {
 
-// N/m, at each particle, counted through all parts; empty when nothing bends stiffly. What points
-// at nothing is passed over.
+// [particles] N/m, counted through all parts in the author's order; empty when no material resists
+// bending. Links and panels that point at no particle are passed over. `index` is that of the scene
+// as it is.
 std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index);
 
 } // namespace ripstop

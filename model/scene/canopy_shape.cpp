@@ -1,3 +1,12 @@
+// Finds the pieces of a canopy in these stages:
+// 1. It refuses a part without panels, with corners in other parts, or with more than two panels
+//    at an edge, because "beside" and "inside" have no meaning there.
+// 2. It collects the panels that share edges into pieces and turns each to face as its neighbour
+//    does; a piece that cannot be turned so has one side only.
+// 3. The edges with one panel are followed into loops. The loop with the most links to particles
+//    outside the piece is the mouth, the longest of equal ones; the others are vents.
+// 4. The sign of the volume over the middle of the mouth, with the vents closed, says whether all
+//    facets must be turned. A volume near zero leaves no inside to tell.
 #include "scene/canopy_shape.h"
 
 #include "scene/cloth_area.h"
@@ -102,8 +111,8 @@ private:
         }
     }
 
-    // All panels that hang together with this one, turned to face the same way. False when they
-    // cannot be.
+    // Collects all panels that hang together with this one and turns them to face the same way.
+    // Returns false when they cannot all be turned so.
     bool collect(int first, int piece)
     {
         std::vector<int> found{first};
@@ -151,7 +160,7 @@ private:
         return sum / double(loop.size());
     }
 
-    // Sorts the edges of the piece into its mouth and its vents. False when there are none.
+    // Sorts the edges of the piece into its mouth and its vents. Returns false without edges.
     bool findEdges(CanopyPiece& piece)
     {
         std::multimap<Id, Id> next; // along the edge, as the panels beside it go
@@ -210,7 +219,7 @@ private:
         return sum;
     }
 
-    // False when the piece holds no volume to tell its inside from.
+    // Returns false when the piece holds no volume to tell its inside from.
     bool faceOutwards(CanopyPiece& piece)
     {
         const Vec3 from = middleOf(piece.mouth);

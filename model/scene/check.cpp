@@ -1,3 +1,12 @@
+// Looks for the problems of a scene in this order:
+// 1. Errors: ids that are used twice, references that dangle or point at the wrong kind, free
+//    particles without mass or guide axis, and items whose numbers or files cannot work.
+// 2. Warnings of the mesh: links that join the same two particles, found by counting sort in one
+//    pass over all links, and particles without links.
+// 3. Warnings of the run: a substep above the limit of springs and bending, and colliders that fit
+//    between the particles of the fabric.
+// Elements that pass isSound() skip the walk over the property table, so that large tables stay
+// cheap. The result is sorted by severity and keeps the order of finding within each.
 #include "scene/check.h"
 
 #include "base/quantity.h"
@@ -17,7 +26,7 @@
 namespace ripstop {
 namespace {
 
-// As the subject of a sentence.
+// The thing as the subject of a sentence: "Particle 17".
 Message named(Kind kind, Id id)
 {
     std::string name(kindName(kind));
@@ -162,7 +171,7 @@ private:
             if (const Id* id = std::get_if<Id>(&value); id && *id != noId)
                 check(*id);
             if (const auto* ids = std::get_if<std::vector<Id>>(&value))
-                for (const Id member : *ids) // a list has no place for nothing
+                for (const Id member : *ids) // noId is no valid member of a list
                     check(member);
         }
     }
@@ -288,7 +297,7 @@ private:
 
     void gaps()
     {
-        std::optional<double> edge; // all panels are walked for it
+        std::optional<double> edge; // computed once at most, since it walks all panels
         for (const Entry& entry : m_scene.items) {
             const Collider* collider = std::get_if<Collider>(&entry.item);
             if (!collider || !std::isfinite(widthOf(*collider)))

@@ -1,4 +1,8 @@
-// How much cloth there is: the area of panels laid out flat.
+// How much cloth there is: the area of panels laid out flat, m^2.
+// A canopy in folds, or a sail that is drawn slack, has more cloth than its shape shows: the rest
+// lengths of the links along the sides of a panel say how large it was cut (Heron's formula). A
+// panel without a link on each side, or with rest lengths that close no triangle, counts as it
+// lies. Canopy pieces, design figures and the info command use it; nothing in it fails.
 #pragma once
 
 #include "scene/scene.h"
@@ -10,15 +14,14 @@
 
 namespace ripstop {
 
-// Of the panels of one part, which must outlive it. A canopy in folds, or a sail that is drawn
-// slack, has more cloth than its shape shows: the rest lengths of the links along the sides of a
-// panel say how large it was cut. A panel without a link on each side counts as it lies.
+// Measures the panels of one part. It keeps a reference to the part, which must outlive it and stay
+// as it is.
 class ClothArea
 {
 public:
     explicit ClothArea(const Part& part);
 
-    double of(const std::array<Id, 3>& corner) const; // m^2; 0 when one is of another part
+    double of(const std::array<Id, 3>& corner) const; // m^2; 0 for a corner in another part
     double whole() const;                             // m^2, of all panels
 
 private:

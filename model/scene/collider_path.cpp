@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-// Takes one number from the front.
+// Takes one number from the front of the text; nothing when it does not begin with a finite one.
 std::optional<double> takeNumber(std::string_view& text)
 {
     text.remove_prefix(std::min(text.find_first_not_of(" \t,"), text.size()));

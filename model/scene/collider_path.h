@@ -1,4 +1,6 @@
-// The text of a collider's path: "time: x y z; time: x y z; ...", s and m, times ascending.
+// The text of a collider's path: "time: x y z; time: x y z; ...", in s and m, with ascending
+// times. The property table accepts a path by it, the check of colliders reports one, and
+// compiling turns it into keys.
 #pragma once
 
 #include "base/path_key.h"
@@ -9,7 +11,8 @@
 
 namespace ripstop {
 
-// Empty for an empty text. The message is half a sentence, as refusal() has it.
+// The keys of the path; none for an empty text. The message of a failure is half a sentence, as
+// that of refusal() in property.h.
 Result<std::vector<PathKey>> pathFromText(std::string_view text);
 
 } // namespace ripstop

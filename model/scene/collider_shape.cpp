@@ -1,3 +1,8 @@
+// From the authored collider to a solid, in the order of the header: its turn as a matrix, the
+// heights or triangles that its row in the table of shapes is made of, and the solid that points
+// at them. Then what depends on more than the shape: the name of its file as seen from another
+// folder, its errors (path, numbers, file, in this order), and the warning for a collider that
+// fits between particles.
 #include "scene/collider_shape.h"
 
 #include "scene/collider_path.h"

@@ -1,4 +1,9 @@
-// What a collider is as a solid: its numbers, what its file makes, and what is wrong with it.
+// What a collider is as a solid: its numbers as the table of shapes takes them (shapes/solid.h),
+// the ground or mesh that its file makes, and what is wrong with it.
+// Lengths are in m, angles of a turn in degrees. Files are read through the cache of
+// shapes/shape_files.h; `Effort` says whether a caller may wait for one that is not read yet.
+// Compiling, the check, the scene writer and the views ask here, so that all of them mean the same
+// solid.
 #pragma once
 
 #include "scene/scene.h"
@@ -15,14 +20,14 @@ namespace ripstop {
 // Frame of a collider to that of the scene: turned about x, then y, then z, as Blender's XYZ.
 Eigen::Matrix3d turnOf(const Collider& collider);
 
-// The ground of a height field, whose size is sound, and the mesh of a mesh; the message is a whole
-// sentence.
+// The ground of a height field, whose size must be sound, and the triangles of a mesh. The message
+// of a failure is a whole sentence.
 Result<std::shared_ptr<const HeightGrid>> gridOf(const Scene& scene, const Collider& collider,
                                                  Effort effort = Effort::Any);
 Result<std::shared_ptr<const TriangleTree>> meshOf(const Scene& scene, const Collider& collider,
                                                    Effort effort = Effort::Any);
 
-// What its shape needs beside its numbers. Without effort both may be null where one will come.
+// What a shape needs beside its numbers. Without effort both may be null where one will come.
 struct ShapeData
 {
     std::shared_ptr<const HeightGrid> grid;   // of a height field
@@ -31,7 +36,8 @@ struct ShapeData
 Result<ShapeData> shapeDataOf(const Scene& scene, const Collider& collider,
                               Effort effort = Effort::Any);
 
-// What its row in the table of shapes is asked about; it points into the data.
+// The collider as its row in the table of shapes takes it; it points into `data`, which must
+// outlive it.
 Solid solidOf(const Collider& collider, const ShapeData& data = {});
 
 // How the file of the collider is named in a scene that lies in another folder. An absolute path
@@ -45,10 +51,11 @@ std::optional<Message> colliderError(const Scene& scene, const Collider& collide
 // The mean edge of all panels, m, 0 without any.
 double meanPanelEdge(const Scene& scene);
 
-// How wide it is where fabric must not slip by, m; infinite for what is wide by nature.
+// Width of the collider where fabric must not slip by, m; infinite for a shape without end.
 double widthOf(const Collider& collider);
 
-// Particles touch, panels do not: what is smaller than the gaps between particles goes through.
+// A warning about a collider that is narrower than the mean edge of panels, m. Particles touch
+// colliders and panels do not, so that it would pass through the gaps between particles.
 std::optional<Message> colliderWarning(const Collider& collider, double panelEdge);
 
 } // namespace ripstop

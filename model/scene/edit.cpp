@@ -1,3 +1,10 @@
+// Applies edits and makes the one edit that is made of a whole scene, the removal.
+// - Applier has one function for each kind of change. Each returns the change that undoes it; rows
+//   stay in ascending order of id, and the id counter of the scene only rises.
+// - apply() makes the changes in order and returns their inverses in reverse order.
+// - removal() first collects all that must go with the named things, then rewrites the references
+//   to them, and removes rows and items last, so that undo brings back the things before the
+//   references.
 #include "scene/edit.h"
 
 #include "scene/references.h"

@@ -1,4 +1,8 @@
 // Edits: the only way in which a scene changes.
+// An edit is a label and a list of changes. apply() makes them and returns the inverse edit, which
+// is what undo keeps. Edits are small beside a scene, so the document sends the same edit to its
+// follower thread and recordings note them. A scene has no lock: only the thread that owns it may
+// apply an edit to it.
 #pragma once
 
 #include "scene/property.h"
@@ -8,7 +12,8 @@
 
 namespace ripstop {
 
-// One property of one or of many things of the same kind; one value for all, or one for each.
+// Sets one property of one or of many things of the same kind. There is one value for all of them,
+// or one for each.
 struct SetValues
 {
     const Property* property;
@@ -27,7 +32,7 @@ struct RemoveItem
     Id id;
 };
 
-// Rows of the tables of one part.
+// Adds rows to the tables of one part. They may come in any order of id.
 struct AddRows
 {
     Id part;
@@ -60,7 +65,7 @@ struct Edit
 // True when both edits only set values, and set the same ones: the steps of one gesture.
 bool sameTargets(const Edit& a, const Edit& b);
 
-// What a running simulation must do about the edit.
+// What a running simulation must do about the edit: the strongest effect of all its changes.
 Effect worstEffect(const Edit& edit);
 
 // Removes the item or the elements with these ids and all that hangs on them: links and panels of a

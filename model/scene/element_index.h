@@ -1,4 +1,7 @@
-// Where the things of a scene are, by id: what it takes to follow references in one read each.
+// Where the things of a scene are, by id, so that each reference is followed in one read.
+// Compiling, the check and the step limit follow millions of references; halving a table for each
+// would cost more than building this once. It is a value for one scene at one time: adding or
+// removing rows or items makes it stale, and setting values does not.
 #pragma once
 
 #include "base/key_index.h"
@@ -9,7 +12,6 @@
 
 namespace ripstop {
 
-// Of one scene at one time: adding and removing rows or items makes it stale.
 class ElementIndex
 {
 public:
@@ -27,7 +29,7 @@ public:
     // The material's place in Scene::items; -1 when there is no such material.
     int material(Id id) const;
 
-    const std::vector<Id>& repeated() const { return m_repeated; } // ids that are used again
+    const std::vector<Id>& repeated() const { return m_repeated; } // ids of second uses
 
 private:
     int placeOf(Id id, Kind kind) const;

@@ -1,3 +1,12 @@
+// Reads a quantity in these stages:
+// 1. The tokenizer takes blanks, numbers, signs and words from the front; signs have several
+//    spellings, and a power behind a unit is written out. The first fault ends it.
+// 2. Formula writes the tokens in the language of muParser, with a variable for each number and
+//    unit, so that both can be changed between evaluations.
+// 3. evaluate() computes the value, and where there is a unit, the dimension: one evaluation for
+//    each basic unit made smaller by a factor e, whose logarithm is the power.
+// 4. A text that does not fit the wanted dimension is read a second time with each number bound to
+//    the unit behind it, because 1/240 s may mean either.
 #include "scene/expression.h"
 
 #include <muParser.h>
@@ -94,7 +103,7 @@ private:
         return at;
     }
 
-    // Decimals may have a comma. An e that no digits follow begins a word.
+    // Takes a number. Decimals may have a comma, and an e that no digits follow begins a word.
     bool takeNumber()
     {
         std::size_t end = digitsFrom(m_at);
@@ -144,7 +153,7 @@ private:
         return false;
     }
 
-    // A unit, a function or pi; digits right behind a unit are its power.
+    // Takes a unit, a function or pi. A digit right behind a unit is its power.
     bool takeWord()
     {
         std::size_t end = m_at;
@@ -226,8 +235,8 @@ public:
         m_parser.SetExpr(isOpen ? text + ')' : text);
     }
 
-    // With basic units that are smaller by these factors; `isProbe` keeps zeros and differences
-    // from hiding a dimension.
+    // Evaluates with basic units that are smaller by these factors. `isProbe` puts other numbers in
+    // place of the typed ones, so that zeros and differences do not hide a dimension.
     double value(const std::array<double, 4>& scale, bool isProbe)
     {
         double shift = 1.0;
@@ -252,7 +261,7 @@ private:
         return token.sort == Number || token.sort == Measure || token.sort == Close;
     }
 
-    // "5 kg", "2 (3 m)", "5 1/s"
+    // Whether a product sign is missing before the token, as in "5 kg", "2 (3 m)" or "5 1/s".
     bool isProduct(const Token& before, const Token& token, std::size_t i) const
     {
         if (!isEnd(before) || token.isPower)
@@ -278,7 +287,7 @@ private:
     mu::Parser m_parser;
 };
 
-// Nothing when unlike things are added.
+// The dimension of the value; nothing when unlike things are added.
 std::optional<Dimension> dimensionOf(Formula& formula)
 {
     constexpr double finer = std::numbers::e; // no power of it is a number that people type

@@ -36,7 +36,8 @@ struct Expression
 };
 Expression evaluate(std::string_view text, const Dimension& wanted);
 
-// "km/h"; nothing when a name in it is no unit. No text is the unit of pure numbers.
+// What one of this unit measures, as "km/h"; nothing when a name in it is no unit. An empty text is
+// the unit of pure numbers.
 std::optional<Measured> measureOfUnit(std::string_view unit);
 
 } // namespace ripstop

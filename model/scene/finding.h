@@ -22,11 +22,11 @@ struct Finding
     Severity severity = Severity::Fine;
     Message message;            // what is so, and what to do about it
     std::vector<Id> culprits;   // items or elements, ascending; none when it is the whole scene
-    std::string_view sort = {}; // "step", "loose": the same for all of its sort, of either look
+    std::string_view sort = {}; // "step", "loose": equal for all findings of one kind
     Message subject = {};       // "Time step", where the look has a heading for it
     std::optional<Edit> repair = {}; // its label says what it does; for the scene as it was
 
-    // The first of them; noId when it is the scene as a whole.
+    // The first culprit; noId when the finding is about the scene as a whole.
     Id culprit() const { return culprits.empty() ? noId : culprits.front(); }
 };
 

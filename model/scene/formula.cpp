@@ -1,3 +1,11 @@
+// Reads a formula once and evaluates it many times:
+// 1. Parts gives each name a variable of muParser and notes which of them the text uses.
+// 2. dimension() evaluates with every used name at a number of its own, once as it is and once for
+//    each basic unit made smaller; the growth is the power of that unit in the result. A formula
+//    that adds unlike things grows by no power and is refused.
+// 3. The first listed unit of that dimension names the result, or one is composed of m, kg and s.
+// 4. formulasOf() reads the probes of a scene in their order, and offers each formula that it has
+//    read to those behind it, so that there are no circles.
 #include "scene/formula.h"
 
 #include "base/quantity.h"
@@ -15,7 +23,7 @@ namespace {
 
 constexpr std::size_t angle = 3; // among the powers of a dimension
 
-// Units for results, those that people know first.
+// Units for results, in the order of preference.
 constexpr std::array resultUnits{"m",       "m/s",        "m/s\u00b2", "N",   "J",
                                  "W",       "Pa",         "kg",        "s",   "1/s",
                                  "m\u00b2", "m\u00b3",    "N/m",       "N m", "kg m/s",
@@ -70,8 +78,8 @@ public:
                 m_used.push_back(i);
     }
 
-    // Nothing when unlike things are added. Numbers that depend on the size of an angle in no
-    // power, as a sine does, measure no angle.
+    // The dimension of the result; nothing when unlike things are added. A result that depends on
+    // an angle by no power, as a sine does, measures no angle.
     std::optional<Dimension> dimension()
     {
         constexpr double finer = std::numbers::e;
@@ -108,7 +116,7 @@ public:
     const std::vector<std::size_t>& used() const { return m_used; }
 
 private:
-    // With a number of its own for each name, so that no difference vanishes.
+    // Evaluates with another number for each name, so that no difference vanishes.
     double probed(const std::array<double, 4>& scale)
     {
         double number = 0.5;

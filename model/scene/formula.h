@@ -1,3 +1,8 @@
+// Formulas of probes: a number made of others that have names and units, as "line_tension /
+// weight" or "sqrt(a^2 + b^2)".
+// A formula is read once, when a scene is checked or compiled, and evaluated for each reading of
+// the probes (run/probe_reader.h). value() writes into variables of the parser, so that one
+// formula belongs to one thread at a time. muParser stays in the source.
 #pragma once
 
 #include "base/result.h"
@@ -11,7 +16,7 @@
 
 namespace ripstop {
 
-// A number made of others that have names and units: "line_tension / weight", "sqrt(a^2 + b^2)".
+// One formula that has been read.
 //
 // Names are written with _ for what is neither a letter nor a digit. Functions: sqrt, abs, min,
 // max, sin, cos, tan, asin, acos, atan, atan2, exp, ln. Angles are radians inside, so that sin()
@@ -37,7 +42,7 @@ public:
     const std::string& unit() const;              // "deg" of angles; empty of pure numbers
     const std::vector<std::size_t>& used() const; // indices of names, ascending
 
-    // From what was read, in the units of the names.
+    // The result in unit(), from one value for each name, in the unit of that name.
     //   values  [names]
     double value(std::span<const double> values);
 

@@ -1,3 +1,5 @@
+// The number that names a thing of a scene. Every reference between things is an id, in files,
+// edits, selections and frames; inside the engine there are indices instead.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@
 
 namespace ripstop {
 
-using NumberRows = std::vector<std::vector<double>>; // rows of numbers
+using NumberRows = std::vector<std::vector<double>>; // rows of a table
 
 // --- elements: rows of the tables of a part, in ascending order of id -----------------------
 

@@ -23,7 +23,8 @@ namespace ripstop {
 // role, it is the material's `stiffness`. `width` and `restLength` in m.
 double springStiffness(const Material& material, LinkRole role, double width, double restLength);
 
-// m/N, the same of a rod: the reciprocal, or the material's `compliance`.
+// m/N, of a rod that does not set its own: the reciprocal of the stiffness that follows from the
+// material, or the material's `compliance`.
 double rodCompliance(const Material& material, LinkRole role, double width, double restLength);
 
 // m, of either diagonal of a cell with sides p and q, m.

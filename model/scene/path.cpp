@@ -1,3 +1,8 @@
+// Resolves a path from the right: the part behind the last dot is the key of a property, and what
+// is before it names the settings, an id, an item, or a table of a part, tried in this order. A
+// name that finds nothing is answered with the nearest one that exists, or with a list of all of
+// them. assignment() adds the value and, where a density changes, the masses that follow from it
+// (weigh.h).
 #include "scene/path.h"
 
 #include "scene/weigh.h"

@@ -1,3 +1,12 @@
+// The table of materials, and how one of them is given to a material of a scene.
+// 1. Fabrics, lines and spars each have functions that derive the stored numbers from what their
+//    source gives (strength and elongation, stretch at a load, diameter and modulus); the text of
+//    each preset says what was derived or assumed.
+// 2. The settable properties are those that any preset sets, apart from densities. A preset that
+//    is silent about one of them sets its default, so that no number of the preset before it
+//    stays.
+// 3. presetEdit() sets them all and changes the density only where both the old and the new are
+//    known, because weighing needs both (weigh.h).
 #include "scene/presets.h"
 
 #include "scene/weigh.h"

@@ -1,4 +1,11 @@
-// What each property is, and the lookups. What a change of it does stands in property_uses.h.
+// The rows of the table of properties: what each property is. What a change of it does stands in
+// property_uses.h; text and limits of values stand in value.cpp.
+// 1. Codec turns a field into a Value and back: fields as they are, enumerations as their names,
+//    optional fields with nothing as an absent value.
+// 2. property() joins a row from a pointer to member and finds its half in property_uses.h while
+//    compiling, so that a missing half does not compile.
+// 3. The table stands in the order of Kind, because propertiesOf() returns a span of it.
+// 4. The lookups follow: by kind and key, by meaning, and by field.
 #include "scene/property.h"
 
 #include "scene/property_uses.h"
@@ -10,7 +17,7 @@ namespace ripstop {
 namespace {
 
 template <typename Field>
-struct Codec // bool, int, double, text, Vec3, id, ids: held as they are
+struct Codec // bool, int, double, text, Vec3, id, ids and tables are held as they are
 {
     static constexpr bool optional = false;
     static std::span<const std::string_view> choices() { return {}; }
@@ -47,7 +54,7 @@ struct Codec<std::optional<T>>
     }
 };
 
-// The other half of a row; a field without one does not compile.
+// The half of a row that stands in property_uses.h; a field without one does not compile.
 consteval PropertyUse useOf(const MemberPlace& place)
 {
     for (const PropertyUse& use : propertyUses)

@@ -74,7 +74,7 @@ struct Range
     bool openLow = false; // `low` itself is not allowed
 };
 
-// A few of an enumeration's names.
+// A set of enumerators, as bits.
 template <typename Enum>
 class SetOf
 {
@@ -169,7 +169,8 @@ struct Need
     const char* otherwise; // half a sentence: "the particle is pinned"
 };
 
-// All of them, in the order in which they are asked; none for what always counts.
+// The conditions of one property, in the order in which they are asked. A property that always
+// counts has none.
 class NeedList
 {
 public:
@@ -236,7 +237,8 @@ bool isOneOf(const Property& property)
     return ((property.use.place == memberPlace<members>) || ...);
 }
 
-// What a link takes where it has no value of its own: the same of its material; or null.
+// The property of the material that a link takes where it has no value of its own; null for a
+// property that the material does not have, or that is always the link's own.
 const Property* ofMaterial(const Property& property);
 
 bool isResettable(const Property& property); // has a default worth going back to
@@ -246,9 +248,8 @@ bool changesLooks(const Property& property); // of things in the view, or what t
 // Dangling ids are found by check.h, which sees the whole scene.
 std::optional<Message> refusal(const Property& property, const Value& value);
 
-// Values as people type them: "0.5", "true", "verlet", "1, 0, -2", "17", "0, 1; 2, 3" for a
-// table of two rows. An empty text is the
-// absence of an optional value.
+// Values as people type them: "0.5", "true", "verlet", "1, 0, -2", "17", or "0, 1; 2, 3" for a
+// table of two rows. An empty text is the absence of an optional value.
 Result<Value> valueFromText(const Property& property, std::string_view text);
 std::string textFromValue(const Value& value);
 

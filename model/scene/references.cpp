@@ -14,7 +14,8 @@ Id passedOn(Id id, const Heirs& heirs)
     return found.empty() ? noId : found.front();
 }
 
-// As it was when all are their own heirs; else in order, each once.
+// The list as it was when every member is its own heir; otherwise the heirs in ascending order of
+// id, each once.
 std::vector<Id> passedOn(const std::vector<Id>& list, const Heirs& heirs)
 {
     std::vector<Id> found;

@@ -12,11 +12,11 @@ namespace ripstop {
 // Appends who comes in the place of `id`: itself, others, or nobody.
 using Heirs = std::function<void(Id id, std::vector<Id>& heirs)>;
 
-// Adds to `edit` what `holder` points at from now on; nothing where that is what it was. A
-// reference to one thing goes to its first heir.
+// Adds to `edit` the references of `holder` that change; those that stay as they were add nothing.
+// A reference to one thing goes to its first heir.
 void passOn(Edit& edit, Id holder, const ConstRef& ref, const Heirs& heirs);
 
-// The same for all items of the scene.
+// Passes on what each item of the scene points at, by the rule of the function above.
 void passOn(Edit& edit, const Scene& scene, const Heirs& heirs);
 
 } // namespace ripstop

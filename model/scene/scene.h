@@ -1,3 +1,7 @@
+// The scene: what the author made, before anything is computed from it.
+// It is a plain value that can be copied, compared and saved; what the items and elements in it
+// are stands in items.h. Every number in it is authored and none is derived. It has no lock: each
+// thread works on a scene of its own or on one that nobody changes.
 #pragma once
 
 #include "scene/items.h"
@@ -25,8 +29,7 @@ struct Folder
     friend bool operator==(const Folder&, const Folder&) { return true; }
 };
 
-// What the author made. A plain value: copy it, compare it, save it. Only apply() (edit.h), the
-// file reader and the builders write to one.
+// Only apply() (edit.h), the file reader and the builders write to a scene.
 struct Scene
 {
     Settings settings;
@@ -42,7 +45,8 @@ struct Scene
 // A fresh id; the only way to make one.
 Id takeId(Scene& scene);
 
-// Null when there is no such item, or it is of another type.
+// The item with this id; null when there is none, or when it is of another type. It reads the list
+// of items from the start, which is short.
 const Item* findItem(const Scene& scene, Id id);
 Item* findItem(Scene& scene, Id id);
 template <typename T>
@@ -61,7 +65,7 @@ const Row* findRow(const std::vector<Row>& rows, Id id)
     return findRow(const_cast<std::vector<Row>&>(rows), id);
 }
 
-// The name of an item, by any kind.
+// The name of an item of any kind.
 const std::string& nameOf(const Item& item);
 
 // Calls visit(id, part) for each part in the author's order.

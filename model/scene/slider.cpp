@@ -1,3 +1,9 @@
+// Sliders in three stages: reading one from text word by word (property, ids, range), with a
+// failure that quotes the word at fault; the ranges themselves (a fitting one around a value, what
+// a property refuses, and the way between a place on the track and a value, linear or by decades);
+// and the list of sliders as one text, both ways, without things that are gone.
+// Values along a track have three digits and go through text, so that what a drag leaves is what a
+// person would have typed.
 #include "scene/slider.h"
 
 #include <algorithm>
@@ -14,8 +20,8 @@ std::string numberText(double value)
     return std::string(text, std::size_t(end - text));
 }
 
-// Three digits are enough for a number that a hand drags; through text, so that 0.3 is the 0.3 that
-// people type.
+// Three digits are enough for a number that a hand drags. It is rounded through text, so that 0.3
+// is the 0.3 that people type.
 double rounded(double value)
 {
     if (!std::isfinite(value))

@@ -26,22 +26,24 @@ struct Slider
 inline constexpr std::size_t mostOfASlider = 200;
 
 bool hasRange(const Property& property);   // numbers and vectors
-bool canBeTuned(const Property& property); // those, switches and choices
+bool canBeTuned(const Property& property); // numbers, vectors, switches, choices
 
-// The usual one of the table, or one around the value.
+// The usual range of the property table, or one around the value where the table has none or the
+// value is above it.
 SliderRange rangeAround(const Property& property, double value);
 
-// A refusal as half a sentence where the range cannot be had.
+// Why the property cannot have this range, as half a sentence, or nothing.
 std::optional<Message> refusal(const Property& property, const SliderRange& range);
 
-double valueAt(const SliderRange& range, double place); // place 0..1; three digits
+double valueAt(const SliderRange& range, double place); // place 0..1 along the track; three digits
 double placeOf(const SliderRange& range, double value);
 
-// A message is half a sentence, as those of refusal().
+// The sliders of a text, and the text of sliders. The message of a failure is half a sentence, as
+// that of refusal().
 Result<std::vector<Slider>> slidersFromText(std::string_view text);
 std::string textOf(const std::vector<Slider>& sliders);
 
-// Those whose things exist, without the things that are gone.
+// The sliders that still have something to write to. Ids of things that are gone are left out.
 std::vector<Slider> existing(const Scene& scene, std::vector<Slider> sliders);
 
 } // namespace ripstop

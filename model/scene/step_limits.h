@@ -1,4 +1,7 @@
-// The longest substep at each particle of a scene that is not compiled (base/step_limit.h).
+// The longest substep that springs and bending allow at each particle of a scene that is not
+// compiled, s; the formula and its source stand in base/step_limit.h. The check of a scene takes
+// the smallest one, and the stability look of the author (author/stability.h) reads all of them.
+// Nothing in it fails: references to nothing are passed over.
 #pragma once
 
 #include "scene/element_index.h"

@@ -1,3 +1,10 @@
+// Reads what a person types for a number:
+// 1. A sign at the front says whether the text is a factor (* or /), a term (+, +=, -=) or the
+//    value itself; a minus alone belongs to the number, and a signed number that ends with % is a
+//    factor.
+// 2. plain() reads what is left as an expression (expression.h) and converts it to the wanted
+//    unit. A complaint names units that would fit and the character that it is about.
+// 3. changed() applies the result to a value of any numeric type.
 #include "scene/typed_number.h"
 
 #include "scene/expression.h"
@@ -40,7 +47,7 @@ struct Rest
 
 constexpr std::string_view minus = "\u2212"; // the typographic one
 
-// "kg, g or t"; a few are enough to see what is meant.
+// Up to five units that fit, as "kg, g or t": a few are enough to see what is meant.
 Message offered(std::string_view wanted)
 {
     const std::vector<std::string> units = unitsLike(wanted);
@@ -87,7 +94,7 @@ std::size_t unitAt(std::string_view text)
     return std::min(text.find_first_not_of("0123456789.,+-*/^() \te"), text.size());
 }
 
-// Without the dust of binary products: 7 cm is 0.07 m.
+// Rounds to 15 digits, so that 7 cm is 0.07 m and not its neighbour by a binary product.
 double clean(double value)
 {
     char text[32];
@@ -98,7 +105,7 @@ double clean(double value)
     return value;
 }
 
-// The number in the wanted unit.
+// Reads the whole text as a value in the wanted unit.
 Typed plain(const Rest& rest, std::string_view wanted)
 {
     const std::optional<Measured> unit = measureOfUnit(wanted);
@@ -167,7 +174,7 @@ Value changed(const Value& before, const TypedNumber& typed, int axis)
     if (const int* whole = std::get_if<int>(&before)) {
         const double result = typed.appliedTo(*whole);
         const bool fits = std::abs(result) < 2e9;
-        // Left as it is, a broken number is refused by its type.
+        // A number that is not whole stays a double, which refusal() then refuses by its type.
         const bool isWhole =
             typed.sort != TypedNumber::Sort::Absolute || result == std::rint(result);
         return fits && isWhole ? Value(int(std::lround(result))) : Value(result);
@@ -177,7 +184,7 @@ Value changed(const Value& before, const TypedNumber& typed, int axis)
         result[axis] = typed.appliedTo(result[axis]);
         return result;
     }
-    // absent: only a value of its own can take its place
+    // The value is absent: only a value of its own can take its place.
     return typed.sort == TypedNumber::Sort::Absolute ? Value(typed.number) : before;
 }
 

@@ -33,7 +33,8 @@ struct Typed
 // `unit` is the wanted one, as in the table of properties; empty for a pure number.
 Typed typedNumber(std::string_view text, std::string_view unit);
 
-// Where nothing is there to change: a relative text is refused.
+// Reads a value where there is none to change: a factor or a term (+=, -=) is refused, and a plain
+// plus before the number is a sign.
 Typed typedValue(std::string_view text, std::string_view unit);
 
 // A number, or one axis of a vector, after the change. Relative changes of whole numbers are
@@ -44,7 +45,8 @@ Value changed(const Value& before, const TypedNumber& typed, int axis = 0);
 // material compares with.
 std::string_view unitOf(const Scene& scene, const Property& property, const ConstRef& ref);
 
-// As valueFromText() of property.h, with numbers in `unit` where they have none of their own.
+// Reads a value as valueFromText() of property.h does. Numbers without a unit of their own are in
+// `unit`.
 Result<Value> valueFromText(const Property& property, std::string_view text, std::string_view unit);
 
 } // namespace ripstop

@@ -18,12 +18,12 @@ struct Use
     std::size_t rods = 0;
     std::size_t panels = 0;
     std::size_t ownStiffness = 0;  // springs that have their own
-    std::size_t ownDamping = 0;    // springs
-    std::size_t ownCompliance = 0; // rods
-    std::size_t ownTearLimit = 0;  // links
+    std::size_t ownDamping = 0;    // springs that have their own
+    std::size_t ownCompliance = 0; // rods that have their own
+    std::size_t ownTearLimit = 0;  // links that have their own
     std::size_t lines = 0;         // links with the role line
     std::size_t threads = 0;       // links with the role thread and a width
-    std::size_t biases = 0;        // the same with the role bias
+    std::size_t biases = 0;        // links with the role bias and a width
 
     std::size_t links() const { return springs + rods; }
 };

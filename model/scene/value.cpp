@@ -1,4 +1,11 @@
-// Values: what a property accepts, and what people type.
+// Values: what a property accepts, and how people write them.
+// 1. Small readers take numbers, ids, lists and tables from text.
+// 2. reading() has an overload for each type of value; it says what a text means there, or what it
+//    should have been.
+// 3. refusal() checks a value against its row: type, range, choices, colours, paths and polars.
+// 4. valueFromText() reads and then refuses in one call; textFromValue() writes what it would
+//    read.
+// 5. nearest() finds the word that a misspelt one may be meant for.
 #include "scene/property.h"
 
 #include "scene/collider_path.h"
@@ -129,7 +136,8 @@ bool isColor(std::string_view text)
            && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
 }
 
-// What a text means, by the type of value that is wanted. Without a complaint, the type is wanted.
+// What a text means where a type of value is wanted. Without a value and without a complaint, the
+// message names that type.
 struct Reading
 {
     std::optional<Value> value;
@@ -147,7 +155,7 @@ Reading reading(bool, std::string_view text, std::string_view)
 
 Reading reading(double, std::string_view text, std::string_view unit)
 {
-    if (const auto plain = toNumber(text)) // also what is not finite, which refusal() names
+    if (const auto plain = toNumber(text)) // reads infinities too, which refusal() names
         return {*plain};
     const Typed typed = typedValue(text, unit);
     return typed.number ? Reading{typed.number->number} : Reading{{}, typed.complaint};
@@ -206,7 +214,7 @@ Reading reading(const std::vector<Id>&, std::string_view text, std::string_view)
 Reading reading(const NumberRows&, std::string_view text, std::string_view)
 {
     NumberRows table;
-    if (text.ends_with(';')) // after the last row, too
+    if (text.ends_with(';')) // a separator may end the last row
         text.remove_suffix(1);
     for (const std::string_view part : splitAt(';', text))
         if (!readNumbers(part, table.emplace_back()))

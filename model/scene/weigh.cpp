@@ -1,3 +1,9 @@
+// Weighs particles in two ways that share one set of sums:
+// 1. Scales adds up, over all panels and links of a material, what a density per area or per
+//    length gives to each particle.
+// 2. weighed() takes the differences of the densities that an edit changes from one known value to
+//    another, and adds the masses that follow; it fails where a mass would not stay above zero.
+// 3. weighing() takes the densities themselves, and sets the masses of all particles that get any.
 #include "scene/weigh.h"
 
 #include "scene/element_index.h"
@@ -22,7 +28,7 @@ public:
         m_mass.resize(m_particles.size());
     }
 
-    // Mass per area of panels, kg/m^2, and per length of links, kg/m.
+    // Adds what a material gives: mass per area of panels, kg/m^2, and per length of links, kg/m.
     void add(Id material, double areal, double linear)
     {
         forEachPart(m_scene, [&](Id, const Part& part) {
@@ -36,7 +42,7 @@ public:
         });
     }
 
-    // Mass that is given, kg, by particle; only those that are given any.
+    // Calls visit(particle, mass in kg) for each particle that is given any.
     template <typename Visit>
     void forEachGiven(Visit visit) const
     {
@@ -46,7 +52,7 @@ public:
     }
 
 private:
-    // what points at nothing is for the check to tell
+    // A reference to nothing is passed over, since check.cpp reports it.
     const Particle* find(Id particle) const
     {
         const int place = m_index.particle(particle);

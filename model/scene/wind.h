@@ -1,4 +1,6 @@
-// The winds of a scene.
+// The winds of a scene as base/airflow.h takes them: angles become slopes, and the winds add up.
+// Compiling makes the airflows of a system here, and the views ask for the mean wind to draw it in
+// a scene that does not run.
 #pragma once
 
 #include "base/airflow.h"
@@ -8,7 +10,7 @@ namespace ripstop {
 
 Airflow airflowOf(const Wind& wind);
 
-// m/s at a place, all winds of the scene but gusts, which depend on time.
+// m/s at a place, m: the sum of all winds of the scene but gusts, which depend on time.
 Vec3 meanWindAt(const Scene& scene, const Vec3& place);
 
 } // namespace ripstop

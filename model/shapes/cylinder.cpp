@@ -1,3 +1,11 @@
+// A cylinder in three stages:
+// 1. The way into it: a way is crossed with the endless cylinder of the side and with the planes
+//    of the caps; the later of the two crossings is where it enters, if the place lies on the
+//    other surface as well. With a margin the shape is a wider and a taller cylinder, which are
+//    asked first.
+// 2. The answers to contact: the nearest place by distances beside and above, and the touch, by
+//    the entry for points that came through and by the nearest place for light ones.
+// 3. The answers to the view: a ray as a way that ends beyond the shape, and the faces.
 #include "shapes/cylinder.h"
 
 #include <algorithm>
@@ -25,7 +33,7 @@ struct Crossing
     double share = 0.0;
 };
 
-// Into the endless cylinder. A start on the surface counts as outside of it.
+// Crosses the way with the endless cylinder. A start on the surface counts as outside of it.
 Crossing throughSide(double radius, double slack, const Vec3& from, const Vec3& way)
 {
     if (reach(from) - radius < -slack)
@@ -42,7 +50,7 @@ Crossing throughSide(double radius, double slack, const Vec3& from, const Vec3& 
     return {Crossing::Kind::Enters, entry / squared};
 }
 
-// Between the endless planes of the caps.
+// Crosses the way with the endless plane of the cap that the start is nearer to.
 Crossing throughCap(double half, double slack, const Vec3& from, const Vec3& way)
 {
     const double gap = std::abs(from.y()) - half;
@@ -80,8 +88,8 @@ std::optional<WayIn> entered(const Cylinder& cylinder, const Vec3& from, const V
     return WayIn{share, Vec3(place.x(), 0.0, place.z()).normalized()};
 }
 
-// The same for the shape with its margin. That is a wider cylinder and a taller one, with a ring
-// around each rim; a way through a ring is looked at where it comes to the cylinder within.
+// Where the way enters the shape with its margin. That is a wider cylinder and a taller one, with a
+// ring around each rim; a way through a ring is looked at where it comes to the cylinder within.
 std::optional<WayIn> enteredWithMargin(const Cylinder& cylinder, double margin, const Vec3& from,
                                        const Vec3& to)
 {
@@ -130,7 +138,7 @@ std::optional<Touch> touchCylinder(const Cylinder& cylinder, double margin, cons
 
 double rayToCylinder(const Cylinder& cylinder, const ShapeRay& ray)
 {
-    // as a way that ends beyond the shape
+    // The ray is taken as a way that ends beyond the shape.
     const double size = std::hypot(cylinder.radius, cylinder.half);
     const double length = (ray.origin.norm() + 2.0 * size) / ray.direction.norm();
     const auto entry = entered(cylinder, ray.origin, ray.origin + length * ray.direction);

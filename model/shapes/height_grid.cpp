@@ -1,3 +1,12 @@
+// Ground from a grid of heights:
+// 1. generatedHills() sums five octaves of smooth noise on a lattice and stretches the sum to 0 to
+//    1. The noise is made of integer hashes, so that it is the same on every machine.
+// 2. groundAt() interpolates bilinearly and takes the normal from the derivatives of the same
+//    surface.
+// 3. touchGround() follows a long way in steps of half a cell and halves the step in which it goes
+//    below, so that a fast point does not jump over a hill. A deep touch belongs to the place of
+//    entry, a light one to the nearest place; at last the point is raised along the normals until
+//    the margin is kept.
 #include "shapes/height_grid.h"
 
 #include "base/split_mix.h"
@@ -10,7 +19,7 @@ namespace {
 
 constexpr double slack = 1e-9; // of the size: what round-off may do to a point that rests
 
-// A number from 0 to 1 for each point of a lattice.
+// A random number from 0 to 1 for each point of a lattice.
 double random(std::uint32_t seed, std::int64_t x, std::int64_t z)
 {
     const std::uint64_t n = std::uint64_t(x) * 0x9E3779B97F4A7C15u
@@ -32,7 +41,7 @@ double noise(std::uint32_t seed, double x, double z)
 
 struct Above
 {
-    double distance; // m, to the tangent plane below or above the point
+    double distance; // m, over the tangent plane of the ground there; negative below it
     Ground ground;
 };
 
@@ -42,7 +51,7 @@ Above above(const HeightGrid& grid, const Vec3& size, const Vec3& point)
     return {(point.y() - ground.height) * ground.normal.y(), ground};
 }
 
-// Out of the ground along its normals, and at last straight up.
+// Moves a touch out of the ground along its normals, and in the last try straight up.
 Touch raised(const HeightGrid& grid, const Vec3& size, double margin, Touch touch)
 {
     constexpr int tries = 4;

@@ -27,8 +27,8 @@ struct HeightGrid
     friend bool operator==(const HeightGrid&, const HeightGrid&) = default;
 };
 
-// Hills from 0 to 1 of smooth noise in five octaves, the same on every machine. `length` is that
-// of the largest ones over the width of the grid.
+// Hills from 0 to 1 of smooth noise in five octaves, the same on every machine: `grid` points along
+// each side, and `length` from one of the largest hills to the next, over the width of the grid.
 HeightGrid generatedHills(int grid, std::uint32_t seed, double length);
 
 bool isOver(const Vec3& size, const Vec3& point); // between the rims
@@ -39,7 +39,7 @@ struct Ground
 };
 Ground groundAt(const HeightGrid& grid, const Vec3& size, const Vec3& point);
 
-// As touchBox(). The way is followed in steps of half a cell.
+// See touch.h. The way is followed in steps of half a cell.
 std::optional<Touch> touchGround(const HeightGrid& grid, const Vec3& size, double margin,
                                  const Vec3& from, const Vec3& to);
 

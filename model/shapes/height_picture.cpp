@@ -1,3 +1,9 @@
+// Reads a picture as heights. The first two bytes tell the format, whatever the name of the file
+// is.
+// 1. PGM, as text or binary, is read here: size, largest value, then samples of one or two bytes.
+// 2. PNG is read by libpng, which turns palettes and colours into grey. It reports flaws by a long
+//    jump, so that the function it jumps through holds nothing with a destructor.
+// 3. Samples become heights from 0 (black) to 1 (white). Sizes are checked before memory is taken.
 #include "shapes/height_picture.h"
 
 #include <png.h>
@@ -77,7 +83,8 @@ Result<HeightGrid> readPgm(const std::filesystem::path& file)
     return gridFrom(samples, columns, rows, double(white), wide);
 }
 
-// libpng reports flaws by a jump back to here, so nothing with a destructor may live in between.
+// Reads the rows of a PNG; false with a reason when that fails. libpng reports flaws by a jump back
+// to here, so nothing with a destructor may live in between.
 bool readRows(png_structp png, png_infop info, std::FILE* file, std::vector<unsigned char>& samples,
               long (&size)[2], bool& wide, Message& why)
 {

@@ -1,3 +1,11 @@
+// Reads mesh files in these stages:
+// 1. refusal() looks at the file before it is opened: whether it exists, its extension, its size.
+// 2. OBJ, PLY and OFF go to readers of our own, all others to assimp, whose progress can cancel
+//    it. Collector copies each of its meshes as often as a node shows it, at the place of the
+//    node.
+// 3. A mesh without faces or with points that are not finite is refused; exceptions end here.
+// 4. readMeshFile() makes a collider of it: it splits polygons into triangles and joins points at
+//    the same place, because a tree of loose triangles would never be closed.
 #include "shapes/mesh_file.h"
 
 #include "shapes/obj_file.h"
@@ -37,7 +45,7 @@ Failure unread(const std::filesystem::path& file, std::string_view why)
     return Failure("The mesh %1 cannot be read (%2).", file.string(), why);
 }
 
-// What would make reading it pointless.
+// The reason why reading the file would be pointless, or nothing.
 std::optional<Failure> refusal(const std::filesystem::path& file)
 {
     std::error_code error;
@@ -208,7 +216,7 @@ Result<PolygonMesh> readObjFile(const std::filesystem::path& file, const Progres
     if (!text)
         return text.failure();
     Result<PolygonMesh> mesh = readObj(*text, file.string(), progress);
-    // colours are worth having, and not worth a refusal
+    // A missing or broken file of colours is no reason to refuse the mesh.
     const std::filesystem::path colors = std::filesystem::path(file).replace_extension(".mtl");
     std::error_code error;
     if (mesh && std::filesystem::is_regular_file(colors, error))
@@ -250,7 +258,7 @@ try {
                 "again.",
                 file.string(), i + 1);
     if (extension == "gltf" || extension == "glb" || extension == "dae") {
-        mesh->unit = 1.0; // what assimp makes of them
+        mesh->unit = 1.0; // assimp converts these formats
         mesh->isUpright = true;
     }
     return mesh;
@@ -266,7 +274,7 @@ Result<TriangleTree> readMeshFile(const std::filesystem::path& file)
     std::vector<std::array<int, 3>> triangles;
     for (std::size_t i = 0; i < mesh->faceCount(); ++i)
         splitPolygon(mesh->face(i), mesh->points, triangles);
-    // corners that differ in texture alone, or are those of loose triangles, are one
+    // Corners that differ in texture alone, or are those of loose triangles, become one.
     const std::vector<int> target = welded(mesh->points, 0.0);
     std::vector<int> place(target.size());
     std::vector<Vec3> points;

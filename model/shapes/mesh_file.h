@@ -1,5 +1,7 @@
-// Files of meshes. Nobody else calls assimp, which reads all of them but OBJ (obj_file.h), PLY and
-// OFF (ply_file.h).
+// Files of meshes as polygons or as triangles. Nobody else calls assimp, which reads all of them
+// but OBJ (obj_file.h), PLY and OFF (ply_file.h).
+// Both functions read the file at each call and may run on any thread; the message of a failure is
+// a whole sentence that names the file. Files above 1 GiB are refused.
 #pragma once
 
 #include "base/progress.h"
@@ -11,7 +13,7 @@
 
 namespace ripstop {
 
-// The triangles of a collider. See meshFromFile(), which remembers.
+// The triangles of a collider. meshFromFile() of shape_files.h keeps the result.
 Result<TriangleTree> readMeshFile(const std::filesystem::path& file);
 
 // A mesh as it is, to be brought in: polygons stay polygons, and nothing is joined or left out but

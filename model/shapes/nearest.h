@@ -1,10 +1,11 @@
+// The nearest place of a solid shape to a point, as a signed distance and a direction. Boxes,
+// spheres (round_shapes.h) and cylinders (cylinder.h) answer with it.
 #pragma once
 
 #include "base/vec3.h"
 
 namespace ripstop {
 
-// What a solid shape says of a point.
 struct Nearest
 {
     double distance; // m, negative inside

@@ -1,3 +1,7 @@
+// Reads OBJ line by line: a backslash joins lines, a keyword chooses what to add, and what is not
+// known is passed over. Points and texture points are kept as they come; faces keep indices only,
+// because those may point forward, and checkFaces() looks at all of them in the end. The first
+// flaw ends the reading with its line. Colours of materials come from a second file, by name.
 #include "shapes/obj_file.h"
 
 #include "shapes/text_words.h"
@@ -12,7 +16,7 @@ namespace {
 
 constexpr int linesBetweenReports = 20000;
 
-// What stands after the keyword, without blanks around it: names may have blanks inside.
+// The rest of a line after the keyword, without blanks around it; names may have blanks inside.
 std::string rest(std::string_view line)
 {
     while (!line.empty() && isBlank(line.front()))
@@ -22,7 +26,7 @@ std::string rest(std::string_view line)
     return std::string(line);
 }
 
-// The next line, and what a backslash at its end goes on with.
+// Takes the next line, joined with those that a backslash at its end goes on with.
 std::string_view takeLine(std::string_view& text, int& number, std::string& joined)
 {
     joined.clear();
@@ -156,7 +160,7 @@ private:
         m_material = place->second;
     }
 
-    // Indices may point forward, so they are looked at in the end.
+    // Checks the indices of all faces. They may point forward, so this comes last.
     void checkFaces()
     {
         const int points = int(m_mesh.points.size());

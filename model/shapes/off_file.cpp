@@ -1,3 +1,6 @@
+// Reads OFF (see ply_file.h) as lines: the counts, the vertices, then the faces. Faces of one or
+// two corners are counted as stray, and a face with a wrong index or a missing line ends the
+// reading.
 #include "shapes/ply_file.h"
 #include "shapes/text_words.h"
 
@@ -8,7 +11,7 @@ namespace {
 
 constexpr long long linesBetweenReports = 20000;
 
-// Lines that say something: neither empty nor a comment.
+// The lines of the file that are neither empty nor only a comment.
 class Lines
 {
 public:
@@ -18,7 +21,7 @@ public:
         , m_progress(progress)
     {}
 
-    // Empty at the end of the file.
+    // The next line; empty at the end of the file, and when the reading is cancelled.
     std::string_view take()
     {
         while (!m_text.empty()) {

@@ -1,3 +1,11 @@
+// Reads PLY in three stages:
+// 1. The header lists elements with their properties, in the order of the body, and the format.
+// 2. The body is numbers only. Numbers takes one after the other from text or from bytes of either
+//    order; rows of vertices and faces are kept, and all others are read to get past them.
+// 3. whole() checks the corners against the number of points, since faces may stand before
+//    vertices, and gives corners the texture of their points.
+// A body that ends too early fails at the row where it ends, and rows without properties are
+// refused, because a count alone could make them endless.
 #include "shapes/ply_file.h"
 
 #include "shapes/text_words.h"
@@ -51,7 +59,7 @@ const PlyType* typeCalled(std::string_view name)
     return found == types.end() ? nullptr : &*found;
 }
 
-// Number after number, whatever the format.
+// Takes one number after the other from the body, whatever the format.
 class Numbers
 {
 public:
@@ -224,7 +232,7 @@ private:
         }
         if (element.name == "edge")
             ++m_mesh.strayElements;
-        return !element.properties.empty(); // rows without bytes could be endless
+        return !element.properties.empty(); // rows without bytes could go on for ever
     }
 
     void place(const std::string& name, double number, Vec3& point,
@@ -264,7 +272,7 @@ private:
         return true;
     }
 
-    // What the parts of the file say of each other.
+    // The mesh, when the parts of the file agree with each other.
     Result<PolygonMesh> whole()
     {
         for (std::size_t i = 0; i < m_mesh.faceCount(); ++i)

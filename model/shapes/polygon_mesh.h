@@ -1,4 +1,8 @@
-// A mesh as its file has it: polygons, what they are called, and what the file says of units.
+// A mesh as its file has it: polygons with any number of corners, the names of objects and
+// materials, and what the file says of units.
+// Readers fill it (mesh_file.h), and the import repairs it (author/mesh_repair.h) and makes a
+// network of it. Points are in the unit of the file, as arrays by face and by corner; nothing is
+// joined or split yet.
 #pragma once
 
 #include "base/vec3.h"
@@ -16,7 +20,7 @@ struct PolygonMesh
 {
     using TexturePoint = std::array<double, 2>; // u, v
 
-    // Of a corner without a texture point in a file that has some.
+    // The texture point of a corner that has none, in a file where others have one.
     static TexturePoint noTexture()
     {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -36,7 +40,7 @@ struct PolygonMesh
     std::vector<int> object;           // [faces] index into `objects`
     std::vector<int> material;         // [faces] index into `materials`
     std::vector<std::string> objects;  // names
-    std::vector<Material> materials;   //
+    std::vector<Material> materials;   // names and colours
     std::optional<double> unit;        // m, when the format or the file says
     bool isUpright = false;            // y is up, because the format or the file says so
     std::size_t strayElements = 0;     // lines and single points, which are left out

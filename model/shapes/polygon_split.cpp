@@ -1,3 +1,8 @@
+// Splits polygons: a triangle stays, a convex quad is cut along its shorter diagonal, and any
+// other polygon is seen along its area vector and loses one ear after the other. A polygon that
+// rounding or a crossing leaves without an ear loses its widest corner, so that the loop always
+// ends.
+// The joining of points, which the header has too, stands in weld.cpp.
 #include "shapes/polygon_split.h"
 
 #include <Eigen/Geometry>
@@ -5,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-// A polygon seen along its area vector: counter-clockwise, but for hollow corners.
+// A polygon seen along its area vector, where it goes counter-clockwise but for hollow corners.
 class FlatPolygon
 {
 public:

@@ -1,4 +1,6 @@
 // Polygons as triangles, and points that lie on each other as one.
+// Readers of meshes, the mesh repair and the drawing operations call these functions; they depend
+// on their arguments alone. Lengths are in the unit of the points.
 #pragma once
 
 #include "base/vec3.h"
@@ -9,8 +11,8 @@
 
 namespace ripstop {
 
-// For each point the one before it that it is joined with, or its own index: the nearest within
-// `tolerance` (m) of those that stay, so that chains of points do not collapse.
+// [points] For each point the one before it that it is joined with, or its own index: the nearest
+// within `tolerance` of those that stay, so that chains of points do not collapse.
 std::vector<int> welded(const std::vector<Vec3>& points, double tolerance);
 
 // Splits one polygon into triangles, point indices: a convex quad along its shorter diagonal,
@@ -18,7 +20,7 @@ std::vector<int> welded(const std::vector<Vec3>& points, double tolerance);
 void splitPolygon(std::span<const int> corners, const std::vector<Vec3>& points,
                   std::vector<std::array<int, 3>>& triangles);
 
-// Twice the area vector of a polygon (Newell), m^2.
+// Twice the area vector of a polygon (Newell), in the square of the unit of the points.
 Vec3 doubleArea(std::span<const int> corners, const std::vector<Vec3>& points);
 
 // Whether a quad has no hollow or straight corner, seen along its area vector.

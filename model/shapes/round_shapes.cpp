@@ -1,3 +1,7 @@
+// Boxes and spheres: where a way enters them, the nearest place to a point, and the touch made of
+// both. A point whose way enters is put onto the face that it came through, however deep it is;
+// otherwise a point within the margin goes to the nearest place. A sphere takes the nearest place
+// for light touches too, so that fabric slides around it.
 #include "shapes/round_shapes.h"
 
 #include <algorithm>

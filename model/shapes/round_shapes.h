@@ -14,7 +14,7 @@ namespace ripstop {
 Nearest nearestOnBox(const Vec3& half, const Vec3& point); // half the edges, m
 Nearest nearestOnSphere(double radius, const Vec3& point);
 
-// See touch.h.
+// See touch.h. The radius of the sphere has the margin in it.
 std::optional<Touch> touchBox(const Vec3& half, double margin, const Vec3& from, const Vec3& to);
 std::optional<Touch> touchSphere(double radius, const Vec3& from, const Vec3& to);
 

@@ -1,3 +1,10 @@
+// A cache of shapes, one for pictures, one for meshes and one for hills:
+// 1. A name says what the shape is made of: path, date and size of the file, or the numbers of
+//    hills.
+// 2. Shelf finds a shape of that name as long as anybody uses it, keeps the last four in any case,
+//    and remembers the last failures, so that a flawed file is not read at every edit.
+// 3. A shape that is not known is made while the lock is held, so that two threads do not read one
+//    file twice. A caller without effort does not wait for the lock and gets null.
 #include "shapes/shape_files.h"
 
 #include "shapes/height_picture.h"
@@ -10,7 +17,7 @@
 namespace ripstop {
 namespace {
 
-// The last few shapes stay, whoever uses them; older ones are found while somebody does.
+// Keeps the last few shapes alive; older ones are found as long as somebody uses them.
 template <typename Shape>
 class Shelf
 {

@@ -17,7 +17,7 @@ namespace ripstop {
 
 enum class Effort { Any, None };
 
-// A path of a scene, seen from the folder of its file.
+// The place of a file that a scene names, which is seen from the folder of the scene.
 std::filesystem::path placeOfFile(std::string_view folder, std::string_view file);
 
 // Grey PNG of 8 or 16 bits (others are turned into grey) or PGM; black is 0 and white is 1, and
@@ -25,10 +25,12 @@ std::filesystem::path placeOfFile(std::string_view folder, std::string_view file
 Result<std::shared_ptr<const HeightGrid>> heightsFromFile(const std::filesystem::path& file,
                                                           Effort effort = Effort::Any);
 
-// What assimp reads: OBJ, STL, PLY, glTF and more, all its meshes together.
+// The triangles of a mesh file in any format of mesh_file.h, all its meshes together. The message
+// names the file and what to do.
 Result<std::shared_ptr<const TriangleTree>> meshFromFile(const std::filesystem::path& file,
                                                          Effort effort = Effort::Any);
 
+// Generated hills (height_grid.h); null only without effort.
 std::shared_ptr<const HeightGrid> hills(int grid, std::uint32_t seed, double length,
                                         Effort effort = Effort::Any);
 

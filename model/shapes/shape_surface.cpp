@@ -1,3 +1,7 @@
+// How shapes are drawn and where rays meet them. Surfaces come first: a sphere of 72 meridians and
+// 48 circles, a box with sharp edges, ground thinned to what can be told apart, and a mesh as it
+// is. Rays follow: sphere and box in closed form, the ground in steps of half a cell between the
+// sides of its box, and a mesh by its tree.
 #include "shapes/shape_surface.h"
 
 #include <algorithm>

@@ -30,7 +30,7 @@ inline constexpr double drawnRadius = 0.965; // over the radius
 
 ShapeSurface sphereSurface(double radius);
 ShapeSurface boxSurface(const Vec3& half);
-// As fine as the grid, or as the eye can tell apart: at most 512 points along each side.
+// The ground as fine as its grid, with at most 512 points along each side.
 ShapeSurface groundSurface(const HeightGrid& grid, const Vec3& size);
 ShapeSurface meshSurface(const TriangleTree& mesh);
 

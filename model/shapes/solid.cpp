@@ -1,3 +1,6 @@
+// The rows of the table of shapes: first the answers that several shapes share, then those of one
+// shape after the other, then the table in the order of the enumeration. Two static assertions
+// make a shape without a row, or a row without an answer, fail to compile.
 #include "shapes/solid.h"
 
 #include "shapes/cylinder.h"
@@ -34,9 +37,8 @@ std::vector<Vec3> cornersOf(const Box& box)
 
 Message flawOfPlane(const Solid& solid)
 {
-    return solid.normal.norm() > 0.0
-               ? Message()
-               : Message("Collider %1 needs a normal that is not zero.");
+    return solid.normal.norm() > 0.0 ? Message()
+                                     : Message("Collider %1 needs a normal that is not zero.");
 }
 
 Box boundsOfSphere(const Solid& solid) { return around(Vec3::Constant(solid.radius)); }
@@ -77,8 +79,10 @@ Box boundsOfCylinder(const Solid& solid)
 
 Message flawOfCylinder(const Solid& solid)
 {
-    return solid.size.y() > 0.0 ? Message()
-                                : Message("Collider %1 needs a height above 0: correct the second number of its size.");
+    return solid.size.y() > 0.0
+               ? Message()
+               : Message(
+                   "Collider %1 needs a height above 0: correct the second number of its size.");
 }
 
 Box boundsOfGround(const Solid& solid)

@@ -6,8 +6,8 @@
 // it looks like and where it is met. A row is in the shape's own frame, around the origin and
 // before the collider's turn and place. Any thread may ask.
 //
-// A new shape is a name in base/contact_laws.h, its functions in a file of its own, and a row in solid.cpp;
-// the table does not compile without it.
+// A new shape is a name in base/contact_laws.h, its functions in a file of its own, and a row in
+// solid.cpp; the table does not compile without it.
 #pragma once
 
 #include "base/contact_laws.h"
@@ -45,7 +45,7 @@ struct ShapeUses
     bool turn = false;
     bool file = false;
     bool scale = false;
-    bool hills = false; // those of generated ones
+    bool hills = false; // the numbers of generated hills
 };
 
 // What a shape needs beside its numbers: nothing, a HeightGrid or a TriangleTree.
@@ -67,14 +67,15 @@ struct ShapeRow
     // height, four particles at a time (contact/contact_kernel.inl).
     std::optional<Touch> (*touch)(const Solid&, const Vec3& from, const Vec3& to, bool inside);
 
-    // Around it, without its margin; empty for what has no end or is not there yet.
+    // The box around it, without its margin; empty for what has no end or is not there yet.
     Eigen::AlignedBox3d (*bounds)(const Solid&);
 
-    // How wide it is where fabric must not slip by, m, with its margin: particles touch and panels
-    // do not. Infinite for what is wide by nature.
+    // Its width where fabric must not slip by, m, with its margin, since particles touch and panels
+    // do not. Infinite for a shape that nothing can slip by.
     double (*width)(const Solid&);
 
-    // What its numbers must have, as the end of a sentence on the collider; empty when they do.
+    // What is wrong with its numbers, as a sentence in which %1 is the name of the collider; empty
+    // when nothing is.
     Message (*flaw)(const Solid&);
 
     // What the view draws; without faces when there is nothing.

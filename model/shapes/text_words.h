@@ -1,4 +1,5 @@
-// Words, numbers and lines of text files, as readers of meshes take them.
+// Words, numbers and lines of text files. The readers of OBJ, OFF and PLY take them from the front
+// of a view into the text, so that nothing is copied; numbers have a point in every locale.
 #pragma once
 
 #include <charconv>
@@ -8,7 +9,7 @@ namespace ripstop {
 
 inline bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// The next word of a line, which gets shorter; empty at its end.
+// Takes the next word off the front of a line; empty at its end.
 inline std::string_view takeWord(std::string_view& line)
 {
     std::size_t begin = 0;
@@ -22,7 +23,7 @@ inline std::string_view takeWord(std::string_view& line)
     return word;
 }
 
-// The next line without its end; the text gets shorter.
+// Takes the next line off the front of a text, without its line end.
 inline std::string_view takePlainLine(std::string_view& text)
 {
     const std::size_t end = text.find('\n');
@@ -33,7 +34,7 @@ inline std::string_view takePlainLine(std::string_view& text)
     return line;
 }
 
-// False when the word is not a number as a whole.
+// Reads the whole word as a number; false when it is none. A plus in front is allowed.
 template <typename Number>
 bool readNumber(std::string_view word, Number& number)
 {

@@ -25,7 +25,7 @@ inline constexpr double onSurface = 1e-9;
 // lightly: when the cosine of the angle between there and where it came in is at least this.
 inline constexpr double lightly = 0.995;
 
-// On the plane through `onIt`, at the foot of the point.
+// A touch on the plane through `onIt`, at the foot of the point.
 inline Touch touchOnPlane(const Vec3& point, const Vec3& onIt, const Vec3& normal)
 {
     return {point - (point - onIt).dot(normal) * normal, normal};

@@ -1,3 +1,5 @@
+// The place of a triangle that is nearest to a point, in shares of its corners. Contact of fabric
+// with fabric and the tree of a mesh use it; lengths are in the unit of the caller.
 #pragma once
 
 #include "base/vec3.h"

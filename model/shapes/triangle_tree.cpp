@@ -1,3 +1,12 @@
+// The tree over a mesh and the questions to it:
+// 1. The constructor leaves out triangles without area and halves the faces at the middle of the
+//    longest axis until four or fewer are left; equal middles are ordered by corner, so that the
+//    tree does not depend on the sort.
+// 2. findNormals() sums the normals at edges and corners, and sees whether each edge is gone once
+//    each way, which makes the mesh closed.
+// 3. firstHit() and nearest() walk the tree with a stack of fixed size.
+// 4. touchMesh() brings a way back to the side it came from, face by face, at most four times;
+//    then it keeps the margin; then, if asked, it brings a point that is inside a closed mesh out.
 #include "shapes/triangle_tree.h"
 
 #include "shapes/triangle_point.h"

@@ -47,7 +47,7 @@ public:
 
     // The first face on the way from one point to the other; through an edge counts as well.
     std::optional<Hit> firstHit(const Vec3& from, const Vec3& to) const;
-    // The nearest place that is nearer than `within`.
+    // The nearest place of the mesh that is nearer than `within`; nothing when there is none.
     std::optional<Near> nearest(const Vec3& point, double within) const;
 
     friend bool operator==(const TriangleTree& a, const TriangleTree& b);
@@ -74,8 +74,8 @@ private:
     bool m_closed = false;
 };
 
-// As touchBox(). A mesh has some thickness always, or rounding would decide on which side a point
-// is that rests on it: the margin is at least `leastMargin` of its size.
+// See touch.h. A mesh always has some thickness, or rounding would decide on which side a point is
+// that rests on it: the margin is at least `leastMargin` of its size.
 // `inside` also looks for points that are deep in a closed mesh, which takes longer.
 inline constexpr double leastMargin = 1e-5;
 std::optional<Touch> touchMesh(const TriangleTree& mesh, double margin, const Vec3& from,

@@ -1,4 +1,6 @@
-// Points sorted into cells that are larger than the tolerance, so that most of them look into one.
+// Joins points that lie on each other. Points that stay are sorted into cells that are larger than
+// the tolerance, so that most of them look into one cell; each point looks into the cells around
+// it for the nearest one that stays, and joins it or stays itself.
 #include "shapes/polygon_split.h"
 
 #include <algorithm>
@@ -64,7 +66,7 @@ std::vector<int> welded(const std::vector<Vec3>& points, double tolerance)
                     for (int other = found->second; other >= 0;
                          other = before[std::size_t(other)]) {
                         const double distance = (points[std::size_t(other)] - point).norm();
-                        // of equally near ones the first, whatever the order in the cell
+                        // the first of equally near ones wins, whatever the order in the cell
                         const bool isNearer =
                             distance < best
                             || (distance == best && (nearest == i || other < nearest));
