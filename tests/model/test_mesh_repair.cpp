@@ -70,7 +70,7 @@ private slots:
         const auto findings = mesh.report.findings();
         const auto found = std::ranges::find(findings, MeshFault(fault), &MeshFinding::fault);
         QVERIFY(found != findings.end());
-        QVERIFY(found->text().find('%') == std::string::npos);
+        QVERIFY(found->text().english().find('%') == std::string::npos);
         QVERIFY(MeshFault(fault) == MeshFault::OddSize
                 || MeshFault(fault) == MeshFault::StrayElements || !found->places.empty());
     }
