@@ -1,3 +1,11 @@
+// Reads, writes and replays control tracks.
+//
+// Reading goes line by line: addRow() takes a row for one of a hand when its second cell begins
+// with "@", otherwise commandOf() splits it at the first and the last comma, so that a name may
+// hold commas. Both lists are then sorted by time, and rows of equal times keep their order.
+// Writing merges the two lists by time, commands first where times are equal, and names a control
+// by its id where its name would not lead back to it. ControlPlayer gives what is due less than
+// half a time step from now, so that rounding of times does not move it to another step.
 #include "io/control_track.h"
 
 #include "io/csv.h"

@@ -1,3 +1,8 @@
+// Cells come first, then the rows of a table, then the file that they go into.
+//
+// Numbers are written by appendNumber() and read by std::from_chars, as neither asks the locale for
+// a decimal point. CsvWriter looks at its stream when it opens and when it closes: a stream that
+// has failed stays failed, so close() still tells of a write that went wrong in between.
 #include "io/csv.h"
 
 #include "io/json_text.h"

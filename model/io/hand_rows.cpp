@@ -1,3 +1,11 @@
+// Turns what hands did into rows and back.
+//
+// 1. RowReader and append() go over the fields of a note in one order, the list in
+//    base/hand_fields.h (jetOf() for a fan), so that reading and writing cannot differ.
+// 2. The table `words` says for each word how many numbers follow it, how many of them are keys,
+//    and how they are read; Writer gives the word and the numbers of each alternative.
+// 3. handOf() finds the word, reads finite numbers to the end of the row, and checks their count
+//    and the keys before the note is made, as RowReader itself checks nothing.
 #include "io/hand_rows.h"
 
 #include "base/hand_fields.h"

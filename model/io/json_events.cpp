@@ -1,3 +1,11 @@
+// Walks a JSON text with RapidJSON and tells a visitor of what comes.
+//
+// walkJson() lets the parser run iteratively, so that nesting costs no stack, and has it leave
+// numbers as text, since it does not round each of them to the nearest double. Handler reads these
+// and turns the calls of the parser into events with their ends. When the parser gives up,
+// explanation() looks at the text around that place for the usual causes (NaN, infinity, zero
+// bytes, line breaks in strings) before it quotes the parser. A walk that the visitor ends is no
+// error.
 #include "io/json_events.h"
 
 #include <rapidjson/error/en.h>

@@ -1,3 +1,9 @@
+// Finds places by walking the text anew.
+//
+// placeOf() counts lines before the end of an event, and keeps one Level for each object or list
+// that is open, with its last key or its count of values; at the event, pathOf() writes the levels
+// as a path. findMember() and endOfMember() count only the depth, so that keys of inner objects are
+// not taken for those of the object that they look in.
 #include "io/json_place.h"
 
 #include <algorithm>

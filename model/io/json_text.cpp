@@ -1,3 +1,10 @@
+// Writes numbers and strings as JSON.
+//
+// Numbers go through std::to_chars, which gives the shortest text of the same bits. Strings that
+// need no change, as nearly all do, are appended at once; others go through appendCharacters(),
+// which finds each character by its length in UTF-8, so that broken bytes become question marks and
+// whole characters pass. appendQuoted() escapes characters of one byte, and printable() blanks
+// controls.
 #include "io/json_text.h"
 
 #include <algorithm>

@@ -1,3 +1,10 @@
+// Carries values of properties between JSON and memory.
+//
+// valueFromEvent() makes the type that the property has where the event can be one, and otherwise a
+// value of another type, so that refusal() alone words what is wrong; whole numbers beyond the
+// range of int are clamped to it. shown() and quoted() are for messages and cut long text. Appender
+// writes each alternative of a Value. sameBits() compares numbers and vectors by their bits and
+// everything else by equality.
 #include "io/json_value.h"
 
 #include "io/json_text.h"

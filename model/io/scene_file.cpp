@@ -1,3 +1,10 @@
+// Reads and saves scenes.
+//
+// parseScene() goes from the coarse to the fine, so that the message names the true cause: the
+// first character, an empty file, format and version, then the content, then references. Each flaw
+// has only its place as an offset; failureAt() walks the text again for line and path. saveScene()
+// first asks each property for refusal(), as readScene() would refuse what it wrote, and then
+// replaces the file. sceneText() is in scene_writer.cpp.
 #include "io/scene_file.h"
 
 #include "io/json_place.h"

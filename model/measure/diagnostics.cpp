@@ -1,3 +1,10 @@
+// Sums over the particles, links, panels and forces of one state.
+//
+// Energies come from three places: velocities, compliant rods (whose stored energy no force knows)
+// and the forces that have a potential; air and hands have none, so their work is counted instead
+// (energy_ledger.h). Strains and tensions follow the order of the links. Loads of panels and lines
+// are computed by the code that the step uses, on one thread. stateHash() feeds the marked fields
+// of the state to a hash in the order of their list.
 #include "measure/diagnostics.h"
 
 #include "base/bytes.h"

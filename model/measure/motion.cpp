@@ -1,3 +1,9 @@
+// Most functions go once over the particles, links or panels that a probe names.
+//
+// Torn links and panels that are gone are left out of strains, lengths and areas. reaction() marks
+// the pinned particles of the probe first, then adds up their weight, the tension of all links with
+// one marked end, and a third of the air load of a panel for each marked corner; what holds them is
+// the opposite of that. A link between two marked particles is passed over, as it cancels itself.
 #include "measure/motion.h"
 
 #include <Eigen/Geometry>

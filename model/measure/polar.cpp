@@ -1,3 +1,10 @@
+// Makes the polar of a material and keeps the published curves.
+//
+// platePolar() turns the wind instead of the plate and divides the force by dynamic pressure and
+// area. A material without stall is one triangle, as its law looks at each panel by itself. With
+// stall, the vortex law needs a span: rectangle() builds a plate with the strips of a wing, once,
+// and wingLoad() adds what the wing gives to the loads of its panels. The references are normal
+// coefficients, from which rowOf() makes lift and drag.
 #include "measure/polar.h"
 
 #include "base/vortex_wing.h"

@@ -1,3 +1,9 @@
+// Reads the value of a probe.
+//
+// The first functions of Readings compute strains, tensions, loads and energies when they are first
+// asked for, as several probes may share them. value() then goes by the quantity: simple ones are
+// read here, those of motion, attitude and wings in the files of these names. A formula and the
+// steps per second are not a number here, as they need other probes and the clock.
 #include "measure/probe.h"
 
 #include "measure/attitude.h"

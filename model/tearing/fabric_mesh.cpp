@@ -1,3 +1,11 @@
+// Keeps the changes of the mesh beside a system that itself stays as it is.
+//
+// Questions look first at what has changed (m_panelsAt, m_linksAt, m_corners, m_ends) and then at
+// the system. Numbers beyond the counts of the system are twins and their links; origin() leads a
+// twin back to the particle of the system, whose position it still has. The last four functions
+// make the changes: addTwin() enters empty lists for a new particle, and moveCorner(), moveEnd()
+// and addTwinLink() fill them. They append, so the lists stay in ascending order only as callers
+// move panels and links in that order.
 #include "tearing/fabric_mesh.h"
 
 #include "base/portable_math.h"

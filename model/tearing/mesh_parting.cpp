@@ -1,3 +1,12 @@
+// Parts the mesh at a particle in two stages, after the constructor has found what is held and what
+// lies on earlier tears:
+//
+// 1. sides() divides what ends there and changes nothing. Panels go as the caller says, an edge
+//    with panels on both sides is cut, an edge of one side goes with it, and goesAlong() decides
+//    for other links. It also finds the share of the mass, and whether something stays behind.
+// 2. part() makes the twin, moves panels and links, doubles those that are cut, and notes the
+//    Split. It asks linksAcross() before that, since only a comparison with afterwards tells which
+//    links near the opening have lost their neighbours and break.
 #include "tearing/mesh_parting.h"
 
 #include "tearing/tearing.h"

@@ -1,3 +1,11 @@
+// Opens the mesh at each link that has torn and waits in State::tearHolds.
+//
+// openTears() works on a copy of the list, as parting adds to it. Opening::open() passes over links
+// whose panels are gone and divides the panels at both ends of the others by their angles from the
+// link. Where nothing would stay behind at either end, the panels beside the link go. Otherwise the
+// link is whole again, and the mesh parts at the end where something stays behind, or of two such
+// ends at the one that preference() ranks higher. anglesFrom() sums the angles of panels outwards
+// from the link until none becomes smaller; panels that it does not reach stay.
 #include "tearing/tear_opening.h"
 
 #include "tearing/mesh_parting.h"
