@@ -4,7 +4,7 @@
 // adds a row for each frame and ends with the state of the last.
 //
 // All write as the frames come, so that no series is held in memory, and commit their OutputFiles
-// in finish(). fileOfFrame() numbers with at least four digits, so that names sort by frame.
+// in finish(). fileOfFrame() gives four digits at least: the first 10 000 names sort by frame.
 #include "export/series.h"
 
 #include "export/moment.h"
