@@ -1,3 +1,11 @@
+// manifestText() writes the fields in a fixed order, and the files by name, so that equal manifests
+// are equal texts. readManifest() reads them back: parsed() checks format and version before any
+// field, since only then a missing field is a fault, and readManifest() puts the name of the file
+// before what parsed() says.
+//
+// filesIn() walks a folder, the same way for writing a bundle and for checking one. It takes the
+// size of each file and the checksum of its content, but leaves out the sum of the recording, which
+// has its own, and the manifest, which cannot hold its own sum.
 #include "bundle/manifest.h"
 
 #include "io/whole_file.h"

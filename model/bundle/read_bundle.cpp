@@ -1,3 +1,11 @@
+// openBundle() uses a folder where it lies and unpacks a zip into a temporary folder, which lives
+// as long as the bundle. It finds the manifest, reads it, and compares size and sum of each file
+// that it names: a missing file is a failure, a changed one is only listed, since the bundle can
+// still be looked at. Files that the manifest does not name are not looked at.
+//
+// flyAgain() opens the recording, which must be undamaged. What was flown from a recording is
+// replayed from its first state and inputs. What was flown from a scene is compiled from the scene
+// of the bundle, steered by its controls, and compared with the recording step by step.
 #include "bundle/bundle.h"
 
 #include "bundle/zip_file.h"

@@ -1,3 +1,12 @@
+// zipFolder() lists the files in sorted order and adds each with the first date that a zip can
+// say, so that the same files give the same bytes; recordings and pictures are packed already and
+// are stored as they are. libzip does the work only in zip_close(), which therefore carries
+// progress and cancelling, and which puts the target into place in one rename. After a failure
+// Discard drops the archive, so that the target stays as it was.
+//
+// unzip() opens the archive with libzip's check of consistency and unpacks entry by entry: the name
+// must not lead out of the folder, then the content is copied in pieces of 64 KiB, so that large
+// recordings need little memory.
 #include "bundle/zip_file.h"
 
 #include <algorithm>

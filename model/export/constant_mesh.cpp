@@ -1,3 +1,12 @@
+// of() refuses a series whose panels change their ids, then lays vertices for the corners of the
+// panels of the last layout, and after them for the ends of its lines. vertexAt() shares a vertex
+// among all that stay whole and gives a new one to each corner that may go. The first frame gives
+// the surface its positions.
+//
+// positions() fills the vertices for one frame. followLinks() finds the links of the last layout in
+// that of the frame, by id where the two have different counts, since tears add links; panels keep
+// their indices. Then each vertex takes the place of its particle in that layout, or the middle of
+// its panel or link when this is gone.
 #include "export/constant_mesh.h"
 
 #include <algorithm>

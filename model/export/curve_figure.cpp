@@ -1,3 +1,11 @@
+// add() collects: times, a curve for each probe by its id with gaps where it was not read, and the
+// tears of the newest frame, which lists all since the start. Nothing is drawn before finish(),
+// since the axes need the extremes of the whole series.
+//
+// text() then groups the curves by unit and draws a panel for each unit below the other, over one
+// axis of time. drawPanel() settles the axis of values at round numbers and draws grid, marks of
+// tears, names and curves; drawCurve() takes the samples that drawnSamples() leaves and lifts the
+// pen at gaps. OutputFiles puts the figure into its place.
 #include "export/curve_figure.h"
 
 #include "export/output_files.h"

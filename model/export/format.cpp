@@ -1,3 +1,10 @@
+// The table comes first: a row for each format with its ending, its words for the screen, what it
+// can hold, its size for each element in bytes, and the functions that write it. The functions
+// below only read the table, so that a new format is one row.
+//
+// formatOf() compares the extension without case and whether the name has {frame}, since a sequence
+// of files has the extension of a single mesh. openSink() takes the function of the row, or else
+// writes a file of the row's content for each frame.
 #include "export/format.h"
 
 #include "export/curve_figure.h"

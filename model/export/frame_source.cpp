@@ -1,3 +1,11 @@
+// FlownFrames steps a simulation until the asked time is reached: before each step it gives the
+// controls, then tells the recorder, and every 50 steps it asks whether to go on. OwnFlight is the
+// same for a simulation that belongs to the source.
+//
+// RecordedFrames turns the time into a step by the frames around it, because the time step of a
+// recording may have changed on the way. A frame that was kept of that step is taken as it is,
+// unless exact places are wanted. Otherwise computed() starts from an exact state and gives the
+// recorded inputs before each step. It keeps that simulation for the next call, since times ascend.
 #include "export/frame_source.h"
 
 #include "compile/compile.h"

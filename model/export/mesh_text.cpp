@@ -1,3 +1,9 @@
+// objText() writes positions, texture points and normals, then the faces, with a group where the
+// fabric changes, and the lines as the last group. One number serves as the index of position,
+// texture point and normal, since a vertex has one of each; OBJ counts from 1.
+//
+// plyMoment() must declare its counts before the rows, so it first finds which panels and links
+// still stand. Then come particles with velocities, panels, and links with strain and tension.
 #include "export/moment.h"
 
 #include "export/standing.h"

@@ -1,3 +1,9 @@
+// open(), write(), reserve() and scratch() note each file with a name of its own beside its target
+// (TARGET.N.part), so that the rename stays in one folder. makeFolder() notes new folders.
+//
+// commit() renames the files in the order in which they were opened and then forgets them and the
+// new folders; if a rename fails, those before it stay renamed. The destructor removes what is
+// still noted: scratch files, files that were not committed, and new folders if they are empty.
 #include "export/output_files.h"
 
 #include "io/whole_file.h"

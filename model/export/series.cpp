@@ -1,3 +1,10 @@
+// There are three sinks. Sequence writes a file for each frame. Pvd makes the folder at the first
+// frame, writes a VTP file for each frame into it and collects the rows of the index, which it
+// writes last. Table opens its file with the first frame, since the header needs its probes, then
+// adds a row for each frame and ends with the state of the last.
+//
+// All write as the frames come, so that no series is held in memory, and commit their OutputFiles
+// in finish(). fileOfFrame() gives four digits at least: the first 10 000 names sort by frame.
 #include "export/series.h"
 
 #include "export/moment.h"

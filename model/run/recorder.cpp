@@ -1,7 +1,8 @@
 // The recorder begins a recording at the first step and after each step notes events, hash and
-// inputs. A stretch ends when its frames outweigh its exact state, when a second has passed, or
-// when design, splits, hand pins or the number of particles change, since frames are differences to
-// its first state.
+// inputs. A stretch ends when its frames take more than eight times the bytes of its exact state
+// and more than 256 KiB, when more than a second of simulated time has passed, or when design,
+// splits, hand pins or the number of particles change, since frames are differences to its first
+// state.
 #include "run/recorder.h"
 
 #include "measure/diagnostics.h"
