@@ -411,6 +411,19 @@ private slots:
                      qPrintable(it.key() + " is defined in " + it->join(" and in ")));
     }
 
+    // A header says what it is for before it says anything else, and a long source its stages.
+    void sourcesOpenLikeAPage()
+    {
+        constexpr qsizetype longSource = 100; // lines
+        for (const char* top : {"model", "views", "app", "tests"})
+            for (const QString& file : sourcesUnder(top)) {
+                const QString text = textOf(file);
+                const bool isHeader = file.endsWith(".h");
+                if (isHeader || (file.endsWith(".cpp") && text.count('\n') > longSource))
+                    QVERIFY2(text.startsWith("//"), qPrintable(relative(file)));
+            }
+    }
+
     void filesAreShort_data()
     {
         everySource();
