@@ -52,7 +52,7 @@ QString textOf(const DesignFigures& figures)
     return counts.join(point) + QChar('\n') + sizes.join(point) + QChar('\n') + shape.join(point);
 }
 
-QString textOf(const HandWork& lost, std::size_t letGo)
+QString textOf(const HandmadeParts& lost, std::size_t letGo)
 {
     QStringList work;
     if (lost.moved > 0)

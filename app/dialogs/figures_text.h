@@ -13,6 +13,6 @@ namespace ripstop {
 QString textOf(const DesignFigures& figures);
 
 // What is lost when a part is built again, and how to keep it; empty when nothing is.
-QString textOf(const HandWork& lost, std::size_t letGo);
+QString textOf(const HandmadeParts& lost, std::size_t letGo);
 
 } // namespace ripstop

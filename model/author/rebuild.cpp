@@ -57,9 +57,9 @@ std::size_t countDifferent(const std::vector<Row>& built, const std::vector<Row>
     return different;
 }
 
-HandWork difference(const Part& built, const Part& held, const Counterparts& counterparts)
+HandmadeParts difference(const Part& built, const Part& held, const Counterparts& counterparts)
 {
-    HandWork work;
+    HandmadeParts work;
     const auto count = [&](const auto& made, const auto& there) {
         work.added += there.size() - std::min(made.size(), there.size());
         work.removed += made.size() - std::min(made.size(), there.size());
@@ -443,7 +443,7 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
     return outcome;
 }
 
-HandWork handWork(const Scene& scene, Id id)
+HandmadeParts handWork(const Scene& scene, Id id)
 {
     const Part& part = *findItem<Part>(scene, id);
     const Result<Scene> before = build(*builderOf(part), part.parameters);

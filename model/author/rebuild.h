@@ -7,7 +7,7 @@
 // their ids where there are as many as before, so that what points at them still does.
 //
 // The rows of the part are the builder's alone. What was changed in them by hand goes when the part
-// is built again; `HandWork` counts it, so that one is told before.
+// is built again; `HandmadeParts` counts it, so that one is told before.
 #pragma once
 
 #include "builders/builder.h"
@@ -19,7 +19,7 @@ namespace ripstop {
 
 // What tells the rows of a part from those that its builder made. A part that was moved or turned
 // as a whole has none.
-struct HandWork
+struct HandmadeParts
 {
     std::size_t moved = 0;   // particles
     std::size_t changed = 0; // rows with another mass, pin, length, material or end
@@ -31,7 +31,7 @@ struct HandWork
 struct Rebuilt
 {
     Edit edit;
-    HandWork lost;
+    HandmadeParts lost;
     std::size_t letGo = 0; // groups, probes, controls and links that pointed at what goes
     Scene built;           // as the builder makes it, for its figures
 };
@@ -48,7 +48,7 @@ Result<Rebuilt> rebuilt(const Scene& scene, Id id, const Parameters& parameters,
                         std::optional<Id> nextId = {});
 
 // What the part would lose if it were built again as it is.
-HandWork handWork(const Scene& scene, Id id);
+HandmadeParts handWork(const Scene& scene, Id id);
 
 // The parts keep what they are and forget how they were built. Empty where none has a builder.
 Edit detached(const Scene& scene, const std::vector<Id>& parts);

@@ -1,15 +1,7 @@
-// Stages, in the order of the sections below:
-//   strips    layOut() makes one strip for each unit, with axes, legend, graphs and impulses for
-//             marks; it runs only when the curves themselves change, because it loses a zoom
-//             of the value axes
-//   drawing   draw() chooses the time to show, fill() reduces each curve to what the pixels can
-//             tell, and fitValues() moves an axis only when its values leave it or fill too little
-//             of it
-//   hands     takeTime() passes the time of one strip to all; m_setting tells a program's change of
-//             a range, which keeps following, from a user's, which stops it
-//   looks     colours, fonts and legends, which follow the palette and the size of the widget
-// The two cursors lie on a buffered layer of their own, so that the mouse does not redraw the
-// curves.
+// Strips (layOut(): one for each unit, anew only when the curves themselves change), drawing
+// (fill() reduces each curve to what the pixels can tell, fitValues() moves an axis only when it
+// must), hands (m_setting tells a program's change of a range from a user's, which stops
+// following), looks. The cursors have a layer of their own: the mouse does not redraw the curves.
 #include "plots/chart.h"
 
 #include "document/event_words.h"
