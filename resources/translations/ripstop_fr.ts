@@ -4,624 +4,39 @@
 <context>
     <name>ripstop</name>
     <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;About Ripstop</source>
-        <translation>À &amp;propos de Ripstop</translation>
+        <location filename="align.cpp"/>
+        <source>Align</source>
+        <translation>Aligner</translation>
     </message>
     <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Arrows</source>
-        <translation>&amp;Flèches</translation>
+        <location filename="align.cpp"/>
+        <source>Distribute</source>
+        <translation>Répartir</translation>
     </message>
     <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Back</source>
-        <translation>De de&amp;rrière</translation>
+        <location filename="align.cpp"/>
+        <source>Flatten</source>
+        <translation>Aplatir</translation>
     </message>
     <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Corner</source>
-        <translation>De trois &amp;quarts</translation>
+        <location filename="arrivals.cpp"/>
+        <source>Imported %1. Pin what is to be held: nothing holds it yet.</source>
+        <translation>%1 importé. Fixer ce qui doit être tenu : rien ne le tient encore.</translation>
     </message>
     <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Delete</source>
-        <translation>&amp;Supprimer</translation>
+        <location filename="arrivals.cpp"/>
+        <source>untitled</source>
+        <translation>sans titre</translation>
     </message>
     <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Export…</source>
-        <translation>E&amp;xporter…</translation>
+        <location filename="assimp_mesh.cpp"/>
+        <source>The mesh cannot be written: %1</source>
+        <translation>Le maillage ne peut pas être écrit : %1</translation>
     </message>
     <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Find an action…</source>
-        <translation>&amp;Trouver une action…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Find in outline</source>
-        <translation>Rec&amp;hercher dans l’arborescence</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Fit</source>
-        <translation>Tout voi&amp;r</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Help</source>
-        <translation>Ai&amp;de</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importer…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Keys…</source>
-        <translation>&amp;Raccourcis clavier…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Left</source>
-        <translation>De &amp;gauche</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;New scene</source>
-        <translation>&amp;Nouvelle scène</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;None</source>
-        <translation>A&amp;ucune</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Open…</source>
-        <translation>&amp;Ouvrir…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Play</source>
-        <translation>&amp;Lancer</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Polar of an air law</source>
-        <translation>&amp;Polaire d’une loi d’air</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Quit</source>
-        <translation>&amp;Quitter</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rétablir</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir : %1</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Reset</source>
-        <translation>&amp;Réinitialiser</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Step</source>
-        <translation>&amp;Avancer d’un pas</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Tension</source>
-        <translation>&amp;Tension</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Top</source>
-        <translation>De &amp;dessus</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Tour</source>
-        <translation>&amp;Visite guidée</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Undo</source>
-        <translation>&amp;Annuler</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler : %1</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Velocity</source>
-        <translation>&amp;Vitesse</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&amp;Verification…</source>
-        <translation>Véri&amp;fication…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;An editor and simulator for fabric that flies: kites, hang gliders, parachutes, cloth.&lt;/p&gt;&lt;p&gt;Every number on the screen can be made again by &lt;tt&gt;ripstop-cli&lt;/tt&gt;, bit for bit.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, RapidJSON, nlohmann/json, CLI11, muParser, assimp, tinygltf, zstd and QCustomPlot.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;Un éditeur et simulateur de tissu qui vole : cerfs-volants, deltaplanes, parachutes, toiles.&lt;/p&gt;&lt;p&gt;Chaque nombre à l’écran peut être recalculé par &lt;tt&gt;ripstop-cli&lt;/tt&gt;, au bit près.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, VTK, Eigen, oneTBB, RapidJSON, nlohmann/json, CLI11, muParser, assimp, tinygltf, zstd et QCustomPlot.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>A kite, glider, parachute, cloth or rope from its dimensions.</source>
-        <translation>Un cerf-volant, un deltaplane, un parachute, une toile ou une corde à partir de ses dimensions.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>About Ripstop</source>
-        <translation>À propos de Ripstop</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>All keys, to see and to change, and those of the controls of this scene.</source>
-        <translation>Toutes les touches, à consulter et à changer, et celles des commandes de cette scène.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>An empty scene, to draw or import into.</source>
-        <translation>Une scène vide, pour dessiner ou importer.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Back to the design; controls return to zero.</source>
-        <translation>Revenir au modèle ; les commandes reviennent à zéro.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Botto&amp;m</source>
-        <translation>De desso&amp;us</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Colour by &amp;material</source>
-        <translation>Colorer par &amp;matériau</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Colour by &amp;strain</source>
-        <translation>Colorer par dé&amp;formation</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Colour by fabric stress</source>
-        <translation>Colorer par contrainte du tissu</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Colour by panel loa&amp;d</source>
-        <translation>Colorer par c&amp;harge des panneaux</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Colour by s&amp;peed</source>
-        <translation>Colorer par vit&amp;esse</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Colour by t&amp;ension</source>
-        <translation>Colorer par t&amp;ension</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Colour by tea&amp;r limit</source>
-        <translation>Colorer par &amp;limite de rupture</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Draw a dot at each particle.</source>
-        <translation>Dessiner un point à chaque particule.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Draw an arrow for the wind.</source>
-        <translation>Dessiner une flèche pour le vent.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Draw arrows for the wind all around the design.</source>
-        <translation>Dessiner des flèches de vent tout autour du modèle.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Draw springs, rods and lines.</source>
-        <translation>Dessiner les ressorts, les tiges et les lignes.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Draw the fabric.</source>
-        <translation>Dessiner le tissu.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Draw the ways that the selected particles have come in the last five seconds; of those that probes look at when none is selected.</source>
-        <translation>Tracer le chemin des particules sélectionnées pendant les cinq dernières secondes ; sans sélection, de celles que regardent les sondes.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>F&amp;ollow</source>
-        <translation>Sui&amp;vre</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Fit sele&amp;ction</source>
-        <translation>Cadrer la &amp;sélection</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Fro&amp;nt</source>
-        <translation>De &amp;face</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How far links are stretched.</source>
-        <translation>De combien les liaisons sont étirées.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How fast each particle moves, and where to.</source>
-        <translation>À quelle vitesse chaque particule se déplace, et vers où.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How fast particles move.</source>
-        <translation>À quelle vitesse les particules se déplacent.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How hard each link pulls at its ends.</source>
-        <translation>Avec quelle force chaque liaison tire à ses bouts.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How hard links pull.</source>
-        <translation>Avec quelle force les liaisons tirent.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How hard the air pushes each panel.</source>
-        <translation>Avec quelle force l’air pousse chaque panneau.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How hard the air pushes panels, per area.</source>
-        <translation>Avec quelle force l’air pousse les panneaux, par unité d’aire.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>How much of what it tears at each link bears.</source>
-        <translation>Quelle part de sa limite de rupture porte chaque liaison.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Keep the design as one to begin new ones from.</source>
-        <translation>Garder cette scène comme point de départ de nouvelles.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Leave Ripstop.</source>
-        <translation>Quitter Ripstop.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Look from a corner above.</source>
-        <translation>Regarder depuis un coin, d’en haut.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Look from above.</source>
-        <translation>Regarder d’en haut.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Look from behind.</source>
-        <translation>Regarder de derrière.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Look from below.</source>
-        <translation>Regarder d’en bas.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Look from the front.</source>
-        <translation>Regarder de face.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Look from the left.</source>
-        <translation>Regarder depuis la gauche.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Look from the right.</source>
-        <translation>Regarder depuis la droite.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF or Collada.</source>
-        <translation>Faire du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF ou Collada.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Make the last edit again that was taken back.</source>
-        <translation>Refaire la dernière modification annulée.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Mark the centre of gravity of what is selected, or of the whole design, with its mass.</source>
-        <translation>Marquer le centre de gravité de la sélection, ou de tout le modèle, avec sa masse.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Meshes for Blender, series for ParaView, tables of the probes and of what has torn.</source>
-        <translation>Maillages pour Blender, séries pour ParaView, tableaux des sondes et des déchirures.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>New from &amp;builder…</source>
-        <translation>Nouveau à partir d’un &amp;générateur…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>New from te&amp;mplate</source>
-        <translation>Nouveau à partir d’un &amp;modèle</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>No arrows on particles, panels and links.</source>
-        <translation>Aucune flèche sur les particules, panneaux et liaisons.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>None yet: File, Save as template</source>
-        <translation>Aucun pour l’instant : Fichier, Enregistrer comme modèle</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>O&amp;rthographic</source>
-        <translation>&amp;Orthographique</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>One time step.</source>
-        <translation>Un pas de temps.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Open &amp;recent</source>
-        <translation>Fichiers &amp;récents</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Open a scene file.</source>
-        <translation>Ouvrir un fichier de scène.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Panel &amp;load</source>
-        <translation>&amp;Charge des panneaux</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Panels and &amp;docks</source>
-        <translation>Pa&amp;nneaux de la fenêtre</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>R&amp;ight</source>
-        <translation>De droi&amp;te</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Range of colours…</source>
-        <translation>Intervalle des couleurs…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Remove what is selected, and all that hangs on it.</source>
-        <translation>Supprimer la sélection et tout ce qui y est attaché.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Run the cases whose answer is known, and see what comes out.</source>
-        <translation>Exécuter les cas dont la réponse est connue, et voir ce qui en sort.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Run the simulation, or hold it.</source>
-        <translation>Lancer la simulation, ou la suspendre.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>S&amp;tart page</source>
-        <translation>Page d'&amp;accueil</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Samples, recent files and builders.</source>
-        <translation>Exemples, fichiers récents et générateurs.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Save &amp;as…</source>
-        <translation>Enregistrer &amp;sous…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Save &amp;picture…</source>
-        <translation>Enregistrer une i&amp;mage…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Save as &amp;template…</source>
-        <translation>Enregistrer &amp;comme modèle…</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Save the scene in another file.</source>
-        <translation>Enregistrer la scène dans un autre fichier.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Save the scene in its file.</source>
-        <translation>Enregistrer la scène dans son fichier.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Search the outline by name.</source>
-        <translation>Chercher par nom dans l’arborescence.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show &amp;wind</source>
-        <translation>Montrer le ven&amp;t</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show centre of &amp;gravity</source>
-        <translation>Montrer le centre de grav&amp;ité</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show lin&amp;ks</source>
-        <translation>Montrer les &amp;liaisons</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show p&amp;anels</source>
-        <translation>Montrer les p&amp;anneaux</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show partic&amp;les</source>
-        <translation>Montrer les &amp;particules</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show the &amp;folder</source>
-        <translation>Afficher le &amp;dossier</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show the design as a ghost</source>
-        <translation>Montrer le dessin d'origine en fantôme</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show the whole scene.</source>
-        <translation>Montrer toute la scène.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show trails</source>
-        <translation>Montrer les traînées</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show what &amp;probes read</source>
-        <translation>Montrer ce que lisent les &amp;sondes</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show what is selected, or the whole scene when nothing is.</source>
-        <translation>Montrer la sélection, ou toute la scène si rien n’est sélectionné.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Show wind fiel&amp;d</source>
-        <translation>Montrer le &amp;champ de vent</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Take back the last edit.</source>
-        <translation>Annuler la dernière modification.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Tension of threads over the width of fabric that they stand for.</source>
-        <translation>Tension des fils divisée par la largeur de tissu qu'ils représentent.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>The 3D view as a PNG or JPEG file.</source>
-        <translation>La vue 3D dans un fichier PNG ou JPEG.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>The camera goes with the fabric.</source>
-        <translation>La caméra accompagne le tissu.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>The colours of the materials.</source>
-        <translation>Les couleurs des matériaux.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>The shape as it was designed, beside what has become of it; where nothing is pinned it goes along.</source>
-        <translation>La forme telle qu'elle a été dessinée, à côté de ce qu'elle est devenue ; là où rien n'est épinglé, elle suit le mouvement.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Type the values at the ends of the colours, or let them follow. A click on the colours does the same.</source>
-        <translation>Saisir les valeurs aux deux bouts des couleurs, ou les laisser suivre. Un clic sur les couleurs fait de même.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Type to find anything that the menus can do.</source>
-        <translation>Taper pour trouver tout ce que les menus savent faire.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Version and licence.</source>
-        <translation>Version et licence.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>What the air law of a material does to a flat plate, beside published curves.</source>
-        <translation>Ce que la loi d’air d’un matériau fait à une plaque plane, à côté de courbes publiées.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>What the parts of the window are for, in a minute.</source>
-        <translation>À quoi servent les parties de la fenêtre, en une minute.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Without perspective: parallels stay parallel.</source>
-        <translation>Sans perspective : les parallèles restent parallèles.</translation>
-    </message>
-    <message>
-        <location filename="actions.cpp"/>
-        <source>Write the values of probes beside what they look at.</source>
-        <translation>Écrire les valeurs des sondes à côté de ce qu’elles regardent.</translation>
+        <location filename="autosave.cpp"/>
+        <source>%1 cannot be written: free some space.</source>
+        <translation>%1 ne peut pas être écrit : libérer de la place.</translation>
     </message>
     <message>
         <location filename="autosave.cpp"/>
@@ -632,6 +47,56 @@
         <location filename="autosave.cpp"/>
         <source>Unsaved work is not kept: %1</source>
         <translation>Le travail non enregistré n’est pas gardé : %1</translation>
+    </message>
+    <message>
+        <location filename="bend_force.cpp"/>
+        <source>bending</source>
+        <translation>la flexion</translation>
+    </message>
+    <message>
+        <location filename="bridle.cpp"/>
+        <source>lengths, row %1, column %2: %3 m do not reach; it takes %4 m.</source>
+        <translation>longueurs, rang %1, colonne %2 : %3 m ne suffisent pas ; il faut %4 m.</translation>
+    </message>
+    <message>
+        <location filename="bridle.cpp"/>
+        <source>lengths, row 1, column 11: more than 10 levels would be more than a thousand lines in each row.</source>
+        <translation>longueurs, rang 1, colonne 11 : plus de 10 niveaux feraient plus de mille lignes dans chaque rang.</translation>
+    </message>
+    <message>
+        <location filename="builder.cpp"/>
+        <source>%1 must be a number from %2 to %3, and is %4.</source>
+        <translation>%1 doit être un nombre de %2 à %3, et est %4.</translation>
+    </message>
+    <message>
+        <location filename="builder.cpp"/>
+        <source>%1 must be a whole number from %2 to %3, and is %4.</source>
+        <translation>%1 doit être un nombre entier de %2 à %3, et est %4.</translation>
+    </message>
+    <message>
+        <location filename="builder.cpp"/>
+        <source>%1, row %2, column %3: "%4" is not a number.</source>
+        <translation>%1, rang %2, colonne %3 : « %4 » n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <location filename="builder.cpp"/>
+        <source>%1, row %2, column %3: each row needs as many numbers as the first, %4, and this one has %5.</source>
+        <translation>%1, rang %2, colonne %3 : chaque rang demande autant de nombres que le premier, %4, et celui-ci en a %5.</translation>
+    </message>
+    <message>
+        <location filename="builder.cpp"/>
+        <source>%1, row %2, column %3: must be from %4 to %5 %6, and is %7.</source>
+        <translation>%1, rang %2, colonne %3 : doit être de %4 à %5 %6, et est %7.</translation>
+    </message>
+    <message>
+        <location filename="builder.cpp"/>
+        <source>The builder %1 has no parameter "%2"; did you mean "%3"?</source>
+        <translation>Le générateur %1 n’a pas de paramètre « %2 » ; vouliez-vous dire « %3 » ?</translation>
+    </message>
+    <message>
+        <location filename="builder.cpp"/>
+        <source>The builder %1 has no parameter "%2"; it has %3.</source>
+        <translation>Le générateur %1 n’a pas de paramètre « %2 » ; il a %3.</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -699,6 +164,41 @@
         <translation>Trop grand pour être montré pendant la saisie.</translation>
     </message>
     <message>
+        <location filename="canopy_shape.cpp"/>
+        <source>Part %1 %2, or set its canopyPressure to 0.</source>
+        <translation>La pièce %1 %2, ou mettre sa pression de voilure à 0.</translation>
+    </message>
+    <message>
+        <location filename="canopy_shape.cpp"/>
+        <source>has canopy pressure and closed fabric that no air can enter: leave a mouth open</source>
+        <translation>a une pression de voilure et un tissu fermé où l’air ne peut entrer : laisser une bouche ouverte</translation>
+    </message>
+    <message>
+        <location filename="canopy_shape.cpp"/>
+        <source>has canopy pressure and fabric with one side only, like a twisted ribbon: remove a panel of the twist</source>
+        <translation>a une pression de voilure et un tissu à une seule face, comme un ruban tordu : supprimer un panneau de la torsion</translation>
+    </message>
+    <message>
+        <location filename="canopy_shape.cpp"/>
+        <source>has canopy pressure and lies flat where the run starts, so that neither side is the inside: give it a hollow</source>
+        <translation>a une pression de voilure et démarre à plat, sans intérieur d’aucun côté : lui donner un creux</translation>
+    </message>
+    <message>
+        <location filename="canopy_shape.cpp"/>
+        <source>has canopy pressure and no panels to hold the air: add panels</source>
+        <translation>a une pression de voilure et pas de panneaux pour tenir l’air : ajouter des panneaux</translation>
+    </message>
+    <message>
+        <location filename="canopy_shape.cpp"/>
+        <source>has canopy pressure, and more than two panels meet between particles %1 and %2: remove all but two of them</source>
+        <translation>a une pression de voilure, et plus de deux panneaux se rejoignent entre les particules %1 et %2 : n’en garder que deux</translation>
+    </message>
+    <message>
+        <location filename="canopy_shape.cpp"/>
+        <source>has canopy pressure, and panel %1 has a corner that is not a particle of this part: join the two parts</source>
+        <translation>a une pression de voilure, et le panneau %1 a un coin qui n’est pas une particule de cette pièce : joindre les deux pièces</translation>
+    </message>
+    <message>
         <location filename="centre_mark.cpp"/>
         <source>%1 kg</source>
         <translation>%1 kg</translation>
@@ -714,6 +214,156 @@
         <translation>et %1 de plus</translation>
     </message>
     <message>
+        <location filename="check.cpp"/>
+        <source>%1 needs three different particles as its corners; remove it.</source>
+        <translation>%1 : il faut trois particules différentes à ses coins ; le supprimer.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1 needs two different particles as its ends; remove it.</source>
+        <translation>%1 : il faut deux particules différentes à ses bouts ; la supprimer.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1 of %2 has no links and will fly by itself.</source>
+        <translation>%1 de %2 n’a pas de liaisons et volera seule.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1 of %2 is free and has no mass: give it a mass or pin it.</source>
+        <translation>%1 de %2 est libre et sans masse : lui donner une masse ou la fixer.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1 of %2 joins two particles that are joined already.</source>
+        <translation>%1 de %2 joint deux particules déjà jointes.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1 of %2 needs a guide axis that is not zero.</source>
+        <translation>%1 de %2 demande un axe de guidage non nul.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1: %2 points at %3, which does not exist; choose another or remove it.</source>
+        <translation>%1 : %2 désigne %3, qui n’existe pas ; en choisir un autre ou le retirer.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1: %2 points at %3, which is a %4.</source>
+        <translation>%1 : %2 désigne %3, qui est de la sorte : %4.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Control %1 has no targets and does nothing.</source>
+        <translation>La commande %1 n’a pas de cible et ne fait rien.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Control %1 needs an axis that is not zero.</source>
+        <translation>La commande %1 demande un axe non nul.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Control %1 shifts weights, and a collider has none: make it move, or remove the collider from its targets.</source>
+        <translation>La commande %1 déporte des poids, et un obstacle n’en a pas : la faire déplacer, ou retirer l’obstacle de ses cibles.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Plot %1 needs the probe that its curves are against.</source>
+        <translation>Le graphique %1 demande la sonde en abscisse de ses courbes.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Plot %1 shows no values: its lowest has to be below its highest.</source>
+        <translation>Le graphique %1 ne montre aucune valeur : sa plus basse doit être sous sa plus haute.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Probe %1 needs a target and a particle to measure from.</source>
+        <translation>La sonde %1 demande une cible et une particule de référence.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Probe %1 needs a third particle, on the right.</source>
+        <translation>La sonde %1 demande une troisième particule, à droite.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>The formula of probe %1 cannot be worked out: %2.</source>
+        <translation>La formule de la sonde %1 ne peut pas être calculée : %2.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>The id %1 is used twice; give one of the two another id.</source>
+        <translation>L’id %1 sert deux fois ; donner un autre id à l’un des deux.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>The scene has no particles: insert a part or import a mesh.</source>
+        <translation>La scène n’a pas de particules : insérer une pièce ou importer un maillage.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>The substep of %1 s is above the %2 s that springs and bending at particle %3 may need: shorten the time step, add substeps, or lower stiffness and damping.</source>
+        <translation>Le sous-pas de %1 s dépasse les %2 s que peuvent demander ressorts et flexion à la particule %3 : raccourcir le pas de temps, ajouter des sous-pas, ou baisser raideur et amortissement.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Wind %1 needs a roughness that is below its reference height.</source>
+        <translation>Le vent %1 demande une rugosité inférieure à sa hauteur de référence.</translation>
+    </message>
+    <message>
+        <location filename="clipboard.cpp"/>
+        <source>There is nothing to paste: the clipboard holds no design. Copy something that is selected first.</source>
+        <translation>Il n’y a rien à coller : le presse-papiers ne contient pas de modèle. Copier d’abord une sélection.</translation>
+    </message>
+    <message>
+        <location filename="collider_path.cpp"/>
+        <source>must be times and places as 0: 0 1 0; 2.5: 3 1 0 (%1 is not)</source>
+        <translation>doit être des temps et des lieux comme 0: 0 1 0; 2.5: 3 1 0 (%1 n’en est pas)</translation>
+    </message>
+    <message>
+        <location filename="collider_path.cpp"/>
+        <source>must have times that ascend (%1 is not later than the row before)</source>
+        <translation>doit avoir des temps croissants (%1 n’est pas après le rang d’avant)</translation>
+    </message>
+    <message>
+        <location filename="collider_shape.cpp"/>
+        <source>Collider %1 is %2 m wide and the panels have edges of %3 m: it fits between particles, which are what touches; make the mesh finer or the collider larger.</source>
+        <translation>L’obstacle %1 fait %2 m de large et les panneaux ont des arêtes de %3 m : il passe entre les particules, seules à toucher ; affiner le maillage ou agrandir l’obstacle.</translation>
+    </message>
+    <message>
+        <location filename="collider_shape.cpp"/>
+        <source>Collider %1: %2</source>
+        <translation>Obstacle %1 : %2</translation>
+    </message>
+    <message>
+        <location filename="collider_shape.cpp"/>
+        <source>Collider %1: its path %2.</source>
+        <translation>Obstacle %1 : son trajet %2.</translation>
+    </message>
+    <message>
+        <location filename="collider_shape.cpp"/>
+        <source>It needs a mesh: set its file to an OBJ, STL or PLY.</source>
+        <translation>il lui faut un maillage : donner comme fichier un OBJ, STL ou PLY.</translation>
+    </message>
+    <message>
+        <location filename="collider_shape.cpp"/>
+        <source>It needs a width and a depth above 0 and a height of at least 0: correct its size.</source>
+        <translation>il faut une largeur et une profondeur au-dessus de 0 et une hauteur d’au moins 0 : corriger sa taille.</translation>
+    </message>
+    <message>
+        <location filename="compare_runs.cpp"/>
+        <source>One of the recordings holds no frame.</source>
+        <translation>L’un des enregistrements ne contient aucune image.</translation>
+    </message>
+    <message>
+        <location filename="compare_runs.cpp"/>
+        <source>The recordings have no time in common.</source>
+        <translation>Les enregistrements n’ont aucun instant en commun.</translation>
+    </message>
+    <message>
         <location filename="compass.cpp"/>
         <source>No wind</source>
         <translation>Pas de vent</translation>
@@ -722,6 +372,86 @@
         <location filename="compass.cpp"/>
         <source>Wind %1 m/s</source>
         <translation>Vent %1 m/s</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>"not" goes with a switch, as in not pinned; elsewhere compare with !=</source>
+        <translation>« not » va avec un interrupteur, comme not pinned ; ailleurs, comparer avec !=</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>%1 has no x, y or z; say %2</source>
+        <translation>%1 n’a ni x, ni y, ni z ; dire %2</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>%1 has three numbers; say %2.x, %3.y or %4.z</source>
+        <translation>%1 a trois nombres ; dire %2.x, %3.y ou %4.z</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>%1 is a list and cannot be compared; choose another property</source>
+        <translation>%1 est une liste et ne se compare pas ; choisir une autre propriété</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>%1 is a number; go on with &lt;, &gt; or = and a value</source>
+        <translation>%1 est un nombre ; continuer avec &lt;, &gt; ou = et une valeur</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>%1 is not a number; compare it with = or !=</source>
+        <translation>%1 n’est pas un nombre ; le comparer avec = ou !=</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>%1 is not a number; write one, as in %2 &gt; 1</source>
+        <translation>%1 n’est pas un nombre ; en écrire un, comme dans %2 &gt; 1</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>%1 is not a unit of %2; %3</source>
+        <translation>%1 n’est pas une unité de %2 ; %3</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>a number is missing; write one, as in %1 &gt; 1</source>
+        <translation>il manque un nombre ; en écrire un, comme dans %1 &gt; 1</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>go on with = and a value, as in %1 = %2</source>
+        <translation>continuer avec = et une valeur, comme dans %1 = %2</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>go on with = and the name of a %1</source>
+        <translation>continuer avec = et le nom de : %1</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>leave it out</source>
+        <translation>l’omettre</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>name</source>
+        <translation>nom</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>nothing has a %1; did you mean %2?</source>
+        <translation>rien n’a de %1 ; vouliez-vous dire %2 ?</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>nothing has a %1; say for example mass, restLength, material or strain</source>
+        <translation>rien n’a de %1 ; dire par exemple mass, restLength, material ou strain</translation>
+    </message>
+    <message>
+        <location filename="condition.cpp"/>
+        <source>use one of %1</source>
+        <translation>en prendre une parmi %1</translation>
     </message>
     <message>
         <location filename="condition_dialog.cpp"/>
@@ -809,6 +539,41 @@
         <translation>strain &gt; 5 %    mass &lt; 1 g and not pinned    material = ripstop</translation>
     </message>
     <message>
+        <location filename="condition_text.cpp"/>
+        <source>At character %1: %2</source>
+        <translation>Au caractère %1 : %2</translation>
+    </message>
+    <message>
+        <location filename="condition_text.cpp"/>
+        <source>a property is missing; begin with one, as in mass &lt; 1 g</source>
+        <translation>il manque une propriété ; commencer par une, comme dans mass &lt; 1 g</translation>
+    </message>
+    <message>
+        <location filename="condition_text.cpp"/>
+        <source>a value is missing after %1</source>
+        <translation>il manque une valeur après %1</translation>
+    </message>
+    <message>
+        <location filename="condition_text.cpp"/>
+        <source>expected &lt;, &gt;, =, != or "and", not "%1"</source>
+        <translation>attendu &lt;, &gt;, =, != ou « and », et non « %1 »</translation>
+    </message>
+    <message>
+        <location filename="constant_mesh.cpp"/>
+        <source>The lines of the design change after %1 s, and this format knows one mesh only; choose a sequence of files.</source>
+        <translation>Les lignes du modèle changent après %1 s, et ce format ne connaît qu’un maillage ; choisir une suite de fichiers.</translation>
+    </message>
+    <message>
+        <location filename="constant_mesh.cpp"/>
+        <source>The panels of the design change after %1 s, and this format knows one mesh only; choose a sequence of files.</source>
+        <translation>Les panneaux du modèle changent après %1 s, et ce format ne connaît qu’un maillage ; choisir une suite de fichiers.</translation>
+    </message>
+    <message>
+        <location filename="constant_mesh.cpp"/>
+        <source>The scene has neither fabric nor lines, so there is nothing to show.</source>
+        <translation>La scène n’a ni tissu ni lignes, il n’y a donc rien à montrer.</translation>
+    </message>
+    <message>
         <location filename="control_strip.cpp"/>
         <source>%1%2 m for each press of %3</source>
         <translation>%1%2 m à chaque appui sur %3</translation>
@@ -822,6 +587,71 @@
         <location filename="control_strip.cpp"/>
         <source>No controls. Add one in the outline to steer with keys.</source>
         <translation>Aucune commande. En ajouter une dans l’arborescence pour piloter au clavier.</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>%1, line %2: %3</source>
+        <translation>%1, ligne %2 : %3</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>there is no control "%1".</source>
+        <translation>il n’y a pas de commande « %1 ».</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>there is no control "%1"; did you mean "%2"?</source>
+        <translation>il n’y a pas de commande « %1 » ; vouliez-vous dire « %2 » ?</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>there is no control "%1"; the scene has none.</source>
+        <translation>il n’y a pas de commande « %1 » ; la scène n’en a aucune.</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>time (s) and value (m) must be finite numbers.</source>
+        <translation>le temps (s) et la valeur (m) doivent être des nombres finis.</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>time (s) must be a finite number.</source>
+        <translation>le temps (s) doit être un nombre fini.</translation>
+    </message>
+    <message>
+        <location filename="control_track.cpp"/>
+        <source>write TIME,CONTROL,VALUE.</source>
+        <translation>écrire TEMPS,COMMANDE,VALEUR.</translation>
+    </message>
+    <message>
+        <location filename="copy.cpp"/>
+        <source>Array in a ring</source>
+        <translation>Répétition circulaire</translation>
+    </message>
+    <message>
+        <location filename="copy.cpp"/>
+        <source>Array in a row</source>
+        <translation>Répétition linéaire</translation>
+    </message>
+    <message>
+        <location filename="copy.cpp"/>
+        <source>Mirror</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <location filename="copy.cpp"/>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <location filename="csv.cpp"/>
+        <source>%1 is not complete: %2; make room or choose another folder.</source>
+        <translation>%1 n’est pas complet : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <location filename="curve_figure.cpp"/>
+        <source>The scene has no probes, so there is nothing to draw in %1; add a probe first.</source>
+        <translation>La scène n’a pas de sondes, il n’y a donc rien à tracer dans %1 ; ajouter d’abord une sonde.</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -937,6 +767,11 @@
         <location filename="design_rows.cpp"/>
         <source>D&amp;uplicate</source>
         <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -1124,6 +959,76 @@
         <translation>Les deux n’ont aucune particule en commun : elles sont d’autres modèles.</translation>
     </message>
     <message>
+        <location filename="dock_table.cpp"/>
+        <source>Click a step to go back to it, or forward again.</source>
+        <translation>Cliquer une étape pour y revenir, ou y retourner.</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Everything that the scene is made of: parts, materials, groups, controls, colliders. The tab History goes back to any step.</source>
+        <translation>Tout ce dont la scène est faite : pièces, matériaux, groupes, commandes, obstacles. L’onglet Historique revient à n’importe quelle étape.</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Measure it</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Outline</source>
+        <translation>Arborescence</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Problems (%1)</source>
+        <translation>Problèmes (%1)</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Strain, energy, forces and probes as they happen. Problems of the design stand beside, each with a click to what it is about.</source>
+        <translation>Déformation, énergie, forces et sondes en direct. Les problèmes du modèle sont à côté, chacun à un clic de ce qu’il concerne.</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>The design as it was opened</source>
+        <translation>Le modèle tel qu’il a été ouvert</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>The values of what is selected, one thing or thousands. Type with units (12 cm, 25 g), drag a label sideways, or change a value while the simulation runs.</source>
+        <translation>Les valeurs de la sélection, une chose ou des milliers. Taper avec des unités (12 cm, 25 g), faire glisser un libellé de côté, ou changer une valeur pendant que la simulation tourne.</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
+        <source>Tuning</source>
+        <translation>Mise au point</translation>
+    </message>
+    <message>
         <location filename="draw_bar.cpp"/>
         <source>(new material)</source>
         <translation>(nouveau matériau)</translation>
@@ -1247,6 +1152,71 @@
         <location filename="draw_bar.cpp"/>
         <source>Where places off the fabric lie: in a plane through the particle that was clicked last, or through the origin.</source>
         <translation>Où se trouvent les points hors du tissu : dans un plan par la dernière particule cliquée, ou par l’origine.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>A rope runs between two particles: select these two.</source>
+        <translation>Une corde court entre deux particules : sélectionner ces deux-là.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Each with each of more than %1 particles are too many links. Select fewer, or choose another way.</source>
+        <translation>Chacune à chacune de plus de %1 particules fait trop de liaisons. En sélectionner moins, ou choisir une autre façon.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Fill</source>
+        <translation>Remplir</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Rigidity particles</source>
+        <translation>Particules de rigidité</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Rope</source>
+        <translation>Corde</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Select the particles along the spar first.</source>
+        <translation>Sélectionner d’abord les particules le long du longeron.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Select the particles that are to become stiff first.</source>
+        <translation>Sélectionner d’abord les particules qui doivent devenir raides.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Select three or more particles around the hole first.</source>
+        <translation>Sélectionner d’abord au moins trois particules autour du trou.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Select two or more particles first.</source>
+        <translation>Sélectionner d’abord au moins deux particules.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>Spar</source>
+        <translation>Longeron</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>There are panels on all of these particles already.</source>
+        <translation>Il y a déjà des panneaux sur toutes ces particules.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>These particles are linked already, or lie in one place. Nothing is added.</source>
+        <translation>Ces particules sont déjà liées, ou sont au même endroit. Rien n’est ajouté.</translation>
+    </message>
+    <message>
+        <location filename="draw_operations.cpp"/>
+        <source>These particles are linked already, or lie in one place. Take more links.</source>
+        <translation>Ces particules sont déjà liées, ou sont au même endroit. Prendre plus de liaisons.</translation>
     </message>
     <message>
         <location filename="draw_rows.cpp"/>
@@ -1419,6 +1389,41 @@
         <location filename="draw_tool.cpp"/>
         <source>on a particle</source>
         <translation>sur une particule</translation>
+    </message>
+    <message>
+        <location filename="edit.cpp"/>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
+        <source>&amp;Find in outline</source>
+        <translation>Rec&amp;hercher dans l’arborescence</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
+        <source>Make the last edit again that was taken back.</source>
+        <translation>Refaire la dernière modification annulée.</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
+        <source>Remove what is selected, and all that hangs on it.</source>
+        <translation>Supprimer la sélection et tout ce qui y est attaché.</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
+        <source>Search the outline by name.</source>
+        <translation>Chercher par nom dans l’arborescence.</translation>
+    </message>
+    <message>
+        <location filename="edit_rows.cpp"/>
+        <source>Take back the last edit.</source>
+        <translation>Annuler la dernière modification.</translation>
     </message>
     <message>
         <location filename="empty_hint.cpp"/>
@@ -1764,6 +1769,66 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>pixels</translation>
     </message>
     <message>
+        <location filename="export_dialog.cpp"/>
+        <source>the picture could not be saved</source>
+        <translation>l’image n’a pas pu être enregistrée</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>%1 Nothing was written.</source>
+        <translation>%1 Rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>%1 What was written ends there.</source>
+        <translation>%1 Ce qui est écrit finit là.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>%1 has no known ending: %2.</source>
+        <translation>%1 n’a pas de fin connue : %2.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>%1 is a series; for one moment %2.</source>
+        <translation>%1 est une série ; pour un seul instant %2.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>The end of the range must not lie before its start.</source>
+        <translation>La fin de l’intervalle ne doit pas précéder son début.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>The export was cancelled and what was written has been removed.</source>
+        <translation>L’export a été annulé et ce qui était écrit a été supprimé.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>The export was cancelled; nothing was written.</source>
+        <translation>L’export a été annulé ; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>The number of frames per second must be above 0.</source>
+        <translation>Le nombre d’images par seconde doit être supérieur à 0.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>The range starts at %1, but the run begins only at %2.</source>
+        <translation>L’intervalle commence à %1, mais la simulation ne commence qu’à %2.</translation>
+    </message>
+    <message>
+        <location filename="export_run.cpp"/>
+        <source>The range starts at %1, but the run ends at %2.</source>
+        <translation>L’intervalle commence à %1, mais la simulation finit à %2.</translation>
+    </message>
+    <message>
+        <location filename="fabric_air.cpp"/>
+        <source>air on fabric</source>
+        <translation>l’air sur la toile</translation>
+    </message>
+    <message>
         <location filename="fan_tool.cpp"/>
         <source>%1 m/s · wheel: strength · Ctrl + wheel: spread %2°</source>
         <translation>%1 m/s · molette : force · Ctrl + molette : ouverture %2°</translation>
@@ -1869,6 +1934,141 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>allongement %1</translation>
     </message>
     <message>
+        <location filename="file_rows.cpp"/>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>&amp;New scene</source>
+        <translation>&amp;Nouvelle scène</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>A kite, glider, parachute, cloth or rope from its dimensions.</source>
+        <translation>Un cerf-volant, un deltaplane, un parachute, une toile ou une corde à partir de ses dimensions.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>An empty scene, to draw or import into.</source>
+        <translation>Une scène vide, pour dessiner ou importer.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Keep the design as one to begin new ones from.</source>
+        <translation>Garder cette scène comme point de départ de nouvelles.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Leave Ripstop.</source>
+        <translation>Quitter Ripstop.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Look at a run that was saved, compare with it, or go on from it.</source>
+        <translation>Regarder une simulation enregistrée, la comparer, ou continuer à partir d’elle.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Make fabric of a mesh: OBJ, STL, PLY, OFF, glTF or Collada.</source>
+        <translation>Faire du tissu d’un maillage : OBJ, STL, PLY, OFF, glTF ou Collada.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Meshes for Blender, series for ParaView, tables of the probes and of what has torn.</source>
+        <translation>Maillages pour Blender, séries pour ParaView, tableaux des sondes et des déchirures.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>New from &amp;builder…</source>
+        <translation>Nouveau à partir d’un &amp;générateur…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Open a scene file.</source>
+        <translation>Ouvrir un fichier de scène.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Open reco&amp;rding…</source>
+        <translation>Ouvrir un enre&amp;gistrement…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>S&amp;tart page</source>
+        <translation>Page d'&amp;accueil</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Sa&amp;ve recording…</source>
+        <translation>E&amp;nregistrer la simulation…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Samples, recent files and builders.</source>
+        <translation>Exemples, fichiers récents et générateurs.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Save &amp;picture…</source>
+        <translation>Enregistrer une i&amp;mage…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Save as &amp;template…</source>
+        <translation>Enregistrer &amp;comme modèle…</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Save the run that the timeline shows, every step of it.</source>
+        <translation>Enregistrer la simulation que montre la chronologie, chacun de ses pas.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Save the scene in another file.</source>
+        <translation>Enregistrer la scène dans un autre fichier.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>Save the scene in its file.</source>
+        <translation>Enregistrer la scène dans son fichier.</translation>
+    </message>
+    <message>
+        <location filename="file_rows.cpp"/>
+        <source>The 3D view as a PNG or JPEG file.</source>
+        <translation>La vue 3D dans un fichier PNG ou JPEG.</translation>
+    </message>
+    <message>
         <location filename="files.cpp"/>
         <source> Your changes are then lost.</source>
         <translation> Vos modifications sont alors perdues.</translation>
@@ -1940,11 +2140,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="files.cpp"/>
-        <source>Imported %1. Pin what is to be held: nothing holds it yet.</source>
-        <translation>%1 importé. Fixer ce qui doit être tenu : rien ne le tient encore.</translation>
-    </message>
-    <message>
-        <location filename="files.cpp"/>
         <source>Name of the template:</source>
         <translation>Nom du modèle :</translation>
     </message>
@@ -1999,14 +2194,14 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Modifications non enregistrées</translation>
     </message>
     <message>
-        <location filename="files.cpp"/>
-        <source>untitled</source>
-        <translation>sans titre</translation>
-    </message>
-    <message>
         <location filename="film.cpp"/>
         <source>%1 was not written; ffmpeg says: %2</source>
         <translation>%1 n’a pas été écrit ; ffmpeg dit : %2</translation>
+    </message>
+    <message>
+        <location filename="film.cpp"/>
+        <source>A picture of this size cannot be drawn here; choose a smaller one.</source>
+        <translation>Une image de cette taille ne peut pas être dessinée ici ; en choisir une plus petite.</translation>
     </message>
     <message>
         <location filename="film.cpp"/>
@@ -2059,6 +2254,56 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>aucun</translation>
     </message>
     <message>
+        <location filename="formula.cpp"/>
+        <source>"%1" is no other probe; names are written with _ for blanks</source>
+        <translation>« %1 » n’est pas une autre sonde ; les noms s’écrivent avec _ pour les blancs</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>it adds, or takes a function of, things of different units</source>
+        <translation>elle additionne des choses d’unités différentes, ou en prend une fonction</translation>
+    </message>
+    <message>
+        <location filename="formula.cpp"/>
+        <source>it is empty; write one like line_tension / weight</source>
+        <translation>elle est vide ; en écrire une comme line_tension / weight</translation>
+    </message>
+    <message>
+        <location filename="frame_source.cpp"/>
+        <source>The recording ends at %1.</source>
+        <translation>L’enregistrement finit à %1.</translation>
+    </message>
+    <message>
+        <location filename="frame_source.cpp"/>
+        <source>The simulation stopped: %1</source>
+        <translation>La simulation s’est arrêtée : %1</translation>
+    </message>
+    <message>
+        <location filename="frame_spool.cpp"/>
+        <source>the shapes of the series cannot be read again</source>
+        <translation>les formes de la série ne peuvent pas être relues</translation>
+    </message>
+    <message>
+        <location filename="frame_spool.cpp"/>
+        <source>there is no room for the shapes of the series</source>
+        <translation>il n’y a pas de place pour les formes de la série</translation>
+    </message>
+    <message>
+        <location filename="gltf.cpp"/>
+        <source>The animation would have %1 MB, and a glTF file holds 4096 at most; choose fewer frames, or a point cache (.pc2).</source>
+        <translation>L’animation ferait %1 Mo, et un fichier glTF en contient 4096 au plus ; choisir moins d’images, ou un cache de points (.pc2).</translation>
+    </message>
+    <message>
+        <location filename="gltf.cpp"/>
+        <source>The glTF text cannot be written.</source>
+        <translation>Le texte glTF ne peut pas être écrit.</translation>
+    </message>
+    <message>
+        <location filename="gltf.cpp"/>
+        <source>There is neither fabric nor a line at this moment to make a mesh of.</source>
+        <translation>Il n’y a à cet instant ni tissu ni ligne dont faire un maillage.</translation>
+    </message>
+    <message>
         <location filename="grab_tool.cpp"/>
         <source>%1 N/m, all that the time step allows</source>
         <translation>%1 N/m, tout ce que permet le pas de temps</translation>
@@ -2082,6 +2327,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="grab_tool.cpp"/>
         <source>the most it may</source>
         <translation>le plus qu’il peut</translation>
+    </message>
+    <message>
+        <location filename="group.cpp"/>
+        <source>Add to %1</source>
+        <translation>Ajouter à %1</translation>
+    </message>
+    <message>
+        <location filename="group.cpp"/>
+        <source>Group %1</source>
+        <translation>Groupe %1</translation>
+    </message>
+    <message>
+        <location filename="group.cpp"/>
+        <source>Remove from %1</source>
+        <translation>Retirer de %1</translation>
     </message>
     <message>
         <location filename="group_menus.cpp"/>
@@ -2247,6 +2507,141 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="hand_bar.cpp"/>
         <source>automatic %1</source>
         <translation>automatique %1</translation>
+    </message>
+    <message>
+        <location filename="hand_pull.cpp"/>
+        <source>hand</source>
+        <translation>la main</translation>
+    </message>
+    <message>
+        <location filename="hand_rows.cpp"/>
+        <source>a hand does not "%1".</source>
+        <translation>une main ne fait pas « %1 ».</translation>
+    </message>
+    <message>
+        <location filename="hand_rows.cpp"/>
+        <source>a hand does not "%1"; did you mean "%2"?</source>
+        <translation>une main ne fait pas « %1 » ; vouliez-vous dire « %2 » ?</translation>
+    </message>
+    <message>
+        <location filename="hand_rows.cpp"/>
+        <source>what follows %1 must be %2.</source>
+        <translation>ce qui suit %1 doit être : %2.</translation>
+    </message>
+    <message>
+        <location filename="hand_rows.cpp"/>
+        <source>what follows %1 must be finite numbers.</source>
+        <translation>ce qui suit %1 doit être des nombres finis.</translation>
+    </message>
+    <message>
+        <location filename="handle_drag.cpp"/>
+        <source>typed: %1</source>
+        <translation>tapé : %1</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>The picture %1 cannot be read (%2); save it as a grey PNG of 8 or 16 bits, or choose another file.</source>
+        <translation>L’image %1 ne peut pas être lue (%2) ; l’enregistrer en PNG gris de 8 ou 16 bits, ou choisir un autre fichier.</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>it ends too early</source>
+        <translation>elle finit trop tôt</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>it ends too early or has a value that is too large</source>
+        <translation>elle finit trop tôt ou a une valeur trop grande</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>it is %1 x %2 points, and 2 x 2 to 8192 x 8192 are possible</source>
+        <translation>elle a %1 x %2 points, et de 2 x 2 à 8192 x 8192 sont possibles</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>it is damaged</source>
+        <translation>elle est abîmée</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>it is neither a PNG nor a PGM</source>
+        <translation>ce n’est ni un PNG ni un PGM</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>its kind of colour is not known</source>
+        <translation>sa sorte de couleur n’est pas connue</translation>
+    </message>
+    <message>
+        <location filename="height_picture.cpp"/>
+        <source>its largest value is not 1 to 65535</source>
+        <translation>sa plus grande valeur n’est pas de 1 à 65535</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>&amp;About Ripstop</source>
+        <translation>À &amp;propos de Ripstop</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>&amp;Find an action…</source>
+        <translation>&amp;Trouver une action…</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>&amp;Help</source>
+        <translation>Ai&amp;de</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>&amp;Keys…</source>
+        <translation>&amp;Raccourcis clavier…</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>&amp;Tour</source>
+        <translation>&amp;Visite guidée</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>&amp;Verification…</source>
+        <translation>Véri&amp;fication…</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;An editor and simulator for fabric that flies: kites, hang gliders, parachutes, cloth.&lt;/p&gt;&lt;p&gt;Every number on the screen can be made again by &lt;tt&gt;ripstop-cli&lt;/tt&gt;, bit for bit.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, VTK, Eigen, oneTBB, RapidJSON, nlohmann/json, CLI11, muParser, assimp, tinygltf, zstd and QCustomPlot.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Ripstop %1&lt;/h3&gt;&lt;p&gt;Un éditeur et simulateur de tissu qui vole : cerfs-volants, deltaplanes, parachutes, toiles.&lt;/p&gt;&lt;p&gt;Chaque nombre à l’écran peut être recalculé par &lt;tt&gt;ripstop-cli&lt;/tt&gt;, au bit près.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, VTK, Eigen, oneTBB, RapidJSON, nlohmann/json, CLI11, muParser, assimp, tinygltf, zstd et QCustomPlot.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>About Ripstop</source>
+        <translation>À propos de Ripstop</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>All keys, to see and to change, and those of the controls of this scene.</source>
+        <translation>Toutes les touches, à consulter et à changer, et celles des commandes de cette scène.</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>Run the cases whose answer is known, and see what comes out.</source>
+        <translation>Exécuter les cas dont la réponse est connue, et voir ce qui en sort.</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>Type to find anything that the menus can do.</source>
+        <translation>Taper pour trouver tout ce que les menus savent faire.</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>Version and licence.</source>
+        <translation>Version et licence.</translation>
+    </message>
+    <message>
+        <location filename="help_rows.cpp"/>
+        <source>What the parts of the window are for, in a minute.</source>
+        <translation>À quoi servent les parties de la fenêtre, en une minute.</translation>
     </message>
     <message>
         <location filename="id_field.cpp"/>
@@ -2584,6 +2979,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>La mémoire ne suffit pas pour ce maillage.</translation>
     </message>
     <message>
+        <location filename="insert.cpp"/>
+        <source>Insert %1</source>
+        <translation>Insérer %1</translation>
+    </message>
+    <message>
         <location filename="insert_rows.cpp"/>
         <source>%1 keeps its %2 and %3 as they are, with all that was changed by hand.</source>
         <translation>%1 garde telles quelles ses %2 et %3, avec tout ce qui a été changé à la main.</translation>
@@ -2672,6 +3072,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="inspector.cpp"/>
         <source>Shows the rows whose name or help has these words.</source>
         <translation>Montre les lignes dont le nom ou l’aide contient ces mots.</translation>
+    </message>
+    <message>
+        <location filename="kept_work.cpp"/>
+        <source>Cannot open what was left behind</source>
+        <translation>Impossible d’ouvrir ce qui est resté</translation>
     </message>
     <message>
         <location filename="keys_dialog.cpp"/>
@@ -2915,37 +3320,32 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Zoomer</translation>
     </message>
     <message>
-        <location filename="language.cpp"/>
+        <location filename="language_rows.cpp"/>
         <source>&amp;System</source>
         <translation>&amp;Système</translation>
     </message>
     <message>
-        <location filename="language.cpp"/>
-        <source>&amp;View</source>
-        <translation>&amp;Affichage</translation>
-    </message>
-    <message>
-        <location filename="language.cpp"/>
+        <location filename="language_rows.cpp"/>
         <source>English, from the next start on.</source>
         <translation>L’anglais, dès le prochain démarrage.</translation>
     </message>
     <message>
-        <location filename="language.cpp"/>
+        <location filename="language_rows.cpp"/>
         <source>French, from the next start on.</source>
         <translation>Le français, dès le prochain démarrage.</translation>
     </message>
     <message>
-        <location filename="language.cpp"/>
+        <location filename="language_rows.cpp"/>
         <source>Lan&amp;guage</source>
         <translation>Lan&amp;gue</translation>
     </message>
     <message>
-        <location filename="language.cpp"/>
+        <location filename="language_rows.cpp"/>
         <source>The language is kept, and heard when Ripstop starts the next time.</source>
         <translation>La langue est retenue, et parlée dès le prochain démarrage de Ripstop.</translation>
     </message>
     <message>
-        <location filename="language.cpp"/>
+        <location filename="language_rows.cpp"/>
         <source>The language of the desktop, from the next start on.</source>
         <translation>La langue du bureau, dès le prochain démarrage.</translation>
     </message>
@@ -2995,49 +3395,19 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>pic %1</translation>
     </message>
     <message>
+        <location filename="line_drag.cpp"/>
+        <source>line drag</source>
+        <translation>la traînée des lignes</translation>
+    </message>
+    <message>
+        <location filename="main.cpp"/>
+        <source>no item of the scene is called "%1", and it is no condition: %2</source>
+        <translation>aucun élément de la scène ne s’appelle « %1 », et ce n’est pas une condition : %2</translation>
+    </message>
+    <message>
         <location filename="main_window.cpp"/>
         <source>%1[*] – Ripstop</source>
         <translation>%1[*] – Ripstop</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Cannot open what was left behind</source>
-        <translation>Impossible d’ouvrir ce qui est resté</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Click a step to go back to it, or forward again.</source>
-        <translation>Cliquer une étape pour y revenir, ou y retourner.</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are at the upper left. Keys G, R and S move, turn and scale what is selected.</source>
-        <translation>Glisser pour tourner, molette pour zoomer, glisser au milieu pour déplacer. Un clic sélectionne ; rectangle et lasso sont en haut à gauche. Les touches G, R et S déplacent, tournent et mettent à l’échelle la sélection.</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Everything else</source>
-        <translation>Tout le reste</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Everything that the scene is made of: parts, materials, groups, controls, colliders. The tab History goes back to any step.</source>
-        <translation>Tout ce dont la scène est faite : pièces, matériaux, groupes, commandes, obstacles. L’onglet Historique revient à n’importe quelle étape.</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Fly it</source>
-        <translation>Faire voler</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>History</source>
-        <translation>Historique</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Inspector</source>
-        <translation>Inspecteur</translation>
     </message>
     <message>
         <location filename="main_window.cpp"/>
@@ -3045,74 +3415,24 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Principale</translation>
     </message>
     <message>
-        <location filename="main_window.cpp"/>
-        <source>Measure it</source>
-        <translation>Mesurer</translation>
+        <location filename="manifest.cpp"/>
+        <source>is no manifest of a bundle</source>
+        <translation>n’est pas le manifeste d’un dossier de simulation</translation>
     </message>
     <message>
-        <location filename="main_window.cpp"/>
-        <source>New from builder begins with a whole kite, glider or parachute; Import makes fabric of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the keys.</source>
-        <translation>Nouveau à partir d’un générateur part d’un cerf-volant, d’un deltaplane ou d’un parachute entier ; Importer fait du tissu d’un maillage ; Exporter sert Blender et ParaView. F3 trouve toute action, F1 montre les touches.</translation>
+        <location filename="manifest.cpp"/>
+        <source>lacks something that a manifest has</source>
+        <translation>n’a pas tout ce qu’a un manifeste</translation>
     </message>
     <message>
-        <location filename="main_window.cpp"/>
-        <source>Outline</source>
-        <translation>Arborescence</translation>
+        <location filename="manifest.cpp"/>
+        <source>was written by a later version of Ripstop; use that</source>
+        <translation>a été écrit par une version plus récente de Ripstop ; l’utiliser</translation>
     </message>
     <message>
-        <location filename="main_window.cpp"/>
-        <source>Problems</source>
-        <translation>Problèmes</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Problems (%1)</source>
-        <translation>Problèmes (%1)</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Selected: %1</source>
-        <translation>Sélection : %1</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Space plays and pauses, the full stop does one step, Ctrl+R goes back to the design. Keys of the controls steer; they stand under Controls.</source>
-        <translation>Espace lance et suspend, le point fait un pas, Ctrl+R revient au modèle. Les touches des commandes pilotent ; elles sont sous Commandes.</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Strain, energy, forces and probes as they happen. Problems of the design stand beside, each with a click to what it is about.</source>
-        <translation>Déformation, énergie, forces et sondes en direct. Les problèmes du modèle sont à côté, chacun à un clic de ce qu’il concerne.</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Table</source>
-        <translation>Tableau</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>The design as it was opened</source>
-        <translation>Le modèle tel qu’il a été ouvert</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>The design, and its flight</source>
-        <translation>Le modèle, et son vol</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>The values of what is selected, one thing or thousands. Type with units (12 cm, 25 g), drag a label sideways, or change a value while the simulation runs.</source>
-        <translation>Les valeurs de la sélection, une chose ou des milliers. Taper avec des unités (12 cm, 25 g), faire glisser un libellé de côté, ou changer une valeur pendant que la simulation tourne.</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Timeline</source>
-        <translation>Chronologie</translation>
-    </message>
-    <message>
-        <location filename="main_window.cpp"/>
-        <source>Tuning</source>
-        <translation>Mise au point</translation>
+        <location filename="measure.cpp"/>
+        <source>Measure %1</source>
+        <translation>Mesurer %1</translation>
     </message>
     <message>
         <location filename="measure_rows.cpp"/>
@@ -3150,6 +3470,156 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>&amp;Toute la scène</translation>
     </message>
     <message>
+        <location filename="menus.cpp"/>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>&amp;Play</source>
+        <translation>&amp;Lancer</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rétablir : %1</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Annuler : %1</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>New from te&amp;mplate</source>
+        <translation>Nouveau à partir d’un &amp;modèle</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>None yet: File, Save as template</source>
+        <translation>Aucun pour l’instant : Fichier, Enregistrer comme modèle</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>Open &amp;recent</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>Panels and &amp;docks</source>
+        <translation>Pa&amp;nneaux de la fenêtre</translation>
+    </message>
+    <message>
+        <location filename="menus.cpp"/>
+        <source>Show the &amp;folder</source>
+        <translation>Afficher le &amp;dossier</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 cannot be opened; check that you may read it.</source>
+        <translation>Le maillage %1 ne peut pas être ouvert ; vérifier que vous pouvez le lire.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 cannot be read (%2).</source>
+        <translation>Le maillage %1 ne peut pas être lu (%2).</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 cannot be read (%2). The file may be cut off or of another format; save it again, or choose another file.</source>
+        <translation>Le maillage %1 ne peut pas être lu (%2). Le fichier est peut-être tronqué ou d’un autre format ; l’enregistrer de nouveau, ou choisir un autre fichier.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 cannot be read to its end; check the disk.</source>
+        <translation>Le maillage %1 ne peut pas être lu jusqu’au bout ; vérifier le disque.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 does not exist; check the name and the folder.</source>
+        <translation>Le maillage %1 n’existe pas ; vérifier le nom et le dossier.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 has a vertex that is not finite (the one at place %2); save it again.</source>
+        <translation>Le maillage %1 a un sommet non fini (celui de rang %2) ; l’enregistrer de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 has no face with an area; choose a file with a surface.</source>
+        <translation>Le maillage %1 n’a aucune face avec une aire ; choisir un fichier avec une surface.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 has no faces; choose a file with a surface.</source>
+        <translation>Le maillage %1 n’a pas de faces ; choisir un fichier avec une surface.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or Collada (.dae) file.</source>
+        <translation>Le maillage %1 n’a pas de format connu ; choisir un fichier OBJ, STL, PLY, OFF, glTF, GLB ou Collada (.dae).</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 is a folder; choose a file in it.</source>
+        <translation>Le maillage %1 est un dossier ; y choisir un fichier.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 is empty; save it again.</source>
+        <translation>Le maillage %1 est vide ; l’enregistrer de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="mesh_file.cpp"/>
+        <source>The mesh %1 is larger than 1 GiB; make it coarser in a mesh program first.</source>
+        <translation>Le maillage %1 dépasse 1 Gio ; le rendre d’abord plus grossier dans un logiciel de maillage.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>All faces of the mesh lie in one point; choose another file.</source>
+        <translation>Toutes les faces du maillage sont en un point ; choisir un autre fichier.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>Import %1</source>
+        <translation>Importer %1</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>The material %1 has no mass per area; give one above 0 kg/m^2, or choose a preset.</source>
+        <translation>Le matériau %1 n’a pas de masse surfacique ; en donner une au-dessus de 0 kg/m^2, ou choisir un préréglage.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>The mesh has too many triangles; make it coarser in a mesh program.</source>
+        <translation>Le maillage a trop de triangles ; le rendre plus grossier dans un logiciel de maillage.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>The mesh would be more than 1000 km wide; choose a smaller unit.</source>
+        <translation>Le maillage ferait plus de 1000 km de large ; choisir une unité plus petite.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>The scale of the mesh must be above 0.</source>
+        <translation>L’échelle du maillage doit être au-dessus de 0.</translation>
+    </message>
+    <message>
+        <location filename="mesh_import.cpp"/>
+        <source>The weld tolerance must be 0 or more, and smaller than the mesh.</source>
+        <translation>La tolérance de soudure doit être 0 ou plus, et plus petite que le maillage.</translation>
+    </message>
+    <message>
         <location filename="mesh_preview.cpp"/>
         <source>Drag or use the arrow keys to turn, the wheel to zoom; a double click shows all. Blue is the front of the fabric, ochre its back.</source>
         <translation>Glisser ou utiliser les flèches pour tourner, la molette pour zoomer ; un double-clic montre tout. Le bleu est l’endroit du tissu, l’ocre son envers.</translation>
@@ -3158,6 +3628,151 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_preview.cpp"/>
         <source>Preview</source>
         <translation>Aperçu</translation>
+    </message>
+    <message>
+        <location filename="mesh_repair.cpp"/>
+        <source>No face of the mesh has an area; lower the weld tolerance, or check the mesh in a mesh program.</source>
+        <translation>Aucune face du maillage n’a d’aire ; baisser la tolérance de soudure, ou vérifier le maillage dans un logiciel de maillage.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 closed pieces were inside out: turned over.</source>
+        <translation>%1 morceaux fermés étaient à l’envers : retournés.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 edges belong to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.</source>
+        <translation>%1 arêtes appartiennent à plus de deux faces : gardées. C’est juste là où une quille ou une nervure rencontre une voile ; le tissu n’y résiste pas à la flexion.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 edges belong to one face only: the rim of the fabric, in %2 rims.</source>
+        <translation>%1 arêtes n’appartiennent qu’à une face : le bord du tissu, en %2 bords.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 edges belong to one face only: the rim of the fabric.</source>
+        <translation>%1 arêtes n’appartiennent qu’à une face : le bord du tissu.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 edges have no outside: the surface turns over itself like a Moebius strip.</source>
+        <translation>%1 arêtes n’ont pas d’extérieur : la surface se retourne comme un ruban de Möbius.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 faces have no area: left out.</source>
+        <translation>%1 faces n’ont pas d’aire : omises.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 faces have the corners of another one: left out.</source>
+        <translation>%1 faces ont les coins d’une autre : omises.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 faces were wound against their neighbours: turned over.</source>
+        <translation>%1 faces étaient orientées contre leurs voisines : retournées.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 lines and single points of the file were left out.</source>
+        <translation>%1 lignes et points isolés du fichier ont été omis.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 polygons of more than three corners became triangles.</source>
+        <translation>%1 polygones de plus de trois coins sont devenus des triangles.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 vertices belong to no face: left out.</source>
+        <translation>%1 sommets n’appartiennent à aucune face : omis.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 vertices lie on a seam of the texture: the first of their texture points was kept.</source>
+        <translation>%1 sommets sont sur une couture de la texture : le premier de leurs points de texture a été gardé.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>%1 vertices lie on another one: joined.</source>
+        <translation>%1 sommets sont sur un autre : joints.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 closed piece was inside out: turned over.</source>
+        <translation>1 morceau fermé était à l’envers : retourné.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 edge belongs to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.</source>
+        <translation>1 arête appartient à plus de deux faces : gardée. C’est juste là où une quille ou une nervure rencontre une voile ; le tissu n’y résiste pas à la flexion.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 edge belongs to one face only: the rim of the fabric.</source>
+        <translation>1 arête n’appartient qu’à une face : le bord du tissu.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 edge has no outside: the surface turns over itself like a Moebius strip.</source>
+        <translation>1 arête n’a pas d’extérieur : la surface se retourne comme un ruban de Möbius.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 face has no area: left out.</source>
+        <translation>1 face n’a pas d’aire : omise.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 face has the corners of another one: left out.</source>
+        <translation>1 face a les coins d’une autre : omise.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 face was wound against its neighbours: turned over.</source>
+        <translation>1 face était orientée contre ses voisines : retournée.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 line or single point of the file was left out.</source>
+        <translation>1 ligne ou point isolé du fichier a été omis.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 polygon of more than three corners became triangles.</source>
+        <translation>1 polygone de plus de trois coins est devenu des triangles.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 vertex belongs to no face: left out.</source>
+        <translation>1 sommet n’appartient à aucune face : omis.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 vertex lies on a seam of the texture: the first of its texture points was kept.</source>
+        <translation>1 sommet est sur une couture de la texture : le premier de ses points de texture a été gardé.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>1 vertex lies on another one: joined.</source>
+        <translation>1 sommet est sur un autre : joint.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>The mesh is %1 pieces that nothing joins. A larger weld tolerance may join them.</source>
+        <translation>Le maillage est en %1 morceaux que rien ne joint. Une plus grande tolérance de soudure peut les joindre.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>The mesh is larger than 200 m or smaller than 2 cm: check its unit.</source>
+        <translation>Le maillage fait plus de 200 m ou moins de 2 cm : vérifier son unité.</translation>
+    </message>
+    <message>
+        <location filename="mesh_report.cpp"/>
+        <source>The mesh is one piece.</source>
+        <translation>Le maillage est d’un seul tenant.</translation>
     </message>
     <message>
         <location filename="number_field.cpp"/>
@@ -3178,6 +3793,96 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="number_field.cpp"/>
         <source>from material (%1)</source>
         <translation>du matériau (%1)</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>"%1" is not a corner of a face</source>
+        <translation>« %1 » n’est pas un coin de face</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>a face names vertex %1 of %2</source>
+        <translation>une face nomme le sommet %1 sur %2</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>a face needs three corners</source>
+        <translation>une face demande trois coins</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>a texture point needs two finite numbers</source>
+        <translation>un point de texture demande deux nombres finis</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>a vertex is not finite</source>
+        <translation>un sommet n’est pas fini</translation>
+    </message>
+    <message>
+        <location filename="obj_file.cpp"/>
+        <source>a vertex needs three numbers</source>
+        <translation>un sommet demande trois nombres</translation>
+    </message>
+    <message>
+        <location filename="off_file.cpp"/>
+        <source>The mesh %1, line %2: %3. The file may be cut off; save it again.</source>
+        <translation>Le maillage %1, ligne %2 : %3. Le fichier est peut-être tronqué ; l’enregistrer de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="off_file.cpp"/>
+        <source>face %1 of %2 needs a count and as many vertices of the file</source>
+        <translation>la face %1 sur %2 demande un nombre et autant de sommets du fichier</translation>
+    </message>
+    <message>
+        <location filename="off_file.cpp"/>
+        <source>the numbers of vertices and faces are missing</source>
+        <translation>les nombres de sommets et de faces manquent</translation>
+    </message>
+    <message>
+        <location filename="off_file.cpp"/>
+        <source>vertex %1 of %2 needs three numbers</source>
+        <translation>le sommet %1 sur %2 demande trois nombres</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>All that is selected lies on the plane and is its own mirror image. Choose another plane or a smaller tolerance.</source>
+        <translation>Toute la sélection est sur le plan et est sa propre image. Choisir un autre plan ou une tolérance plus petite.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>No link is selected. Select the links that are to be split.</source>
+        <translation>Aucune liaison n’est sélectionnée. Sélectionner les liaisons à diviser.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>No particle is selected. Select particles, links or panels first.</source>
+        <translation>Aucune particule n’est sélectionnée. Sélectionner d’abord des particules, des liaisons ou des panneaux.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>No two of the selected particles are that near to each other. Select more, or weld over a longer distance.</source>
+        <translation>Il n’y a pas deux particules sélectionnées aussi proches. En sélectionner plus, ou souder sur une plus grande distance.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>Nothing is selected that could be smoothed. Select fabric or lines, with more than their border and ends.</source>
+        <translation>Rien de sélectionné ne peut être lissé. Sélectionner du tissu ou des lignes, avec plus que leur bord et leurs bouts.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>Nothing is selected that has a place. Select particles, links, panels or a part first.</source>
+        <translation>Rien de sélectionné n’a de place. Sélectionner d’abord des particules, des liaisons, des panneaux ou une pièce.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>The angle is 0, so that all would lie in one place. 360 is a full ring.</source>
+        <translation>L’angle est 0, et tout serait au même endroit. 360 est un tour complet.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
+        <source>The step is 0, so that all would lie in one place. Give it a length.</source>
+        <translation>Le pas est 0, et tout serait au même endroit. Lui donner une longueur.</translation>
     </message>
     <message>
         <location filename="operation_dialog.cpp"/>
@@ -3409,6 +4114,46 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Montré dans la vue ; cliquer pour le cacher.</translation>
     </message>
     <message>
+        <location filename="output_files.cpp"/>
+        <source>%1 is a folder or a device; name a file.</source>
+        <translation>%1 est un dossier ou un périphérique ; nommer un fichier.</translation>
+    </message>
+    <message>
+        <location filename="output_files.cpp"/>
+        <source>%1 was not written: %2; make room or choose another folder.</source>
+        <translation>%1 n’a pas été écrit : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <location filename="output_files.cpp"/>
+        <source>The folder %1 cannot be made: %2; choose another target.</source>
+        <translation>Le dossier %1 ne peut pas être créé : %2 ; choisir une autre cible.</translation>
+    </message>
+    <message>
+        <location filename="output_files.cpp"/>
+        <source>a file has that name</source>
+        <translation>un fichier porte ce nom</translation>
+    </message>
+    <message>
+        <location filename="output_files.cpp"/>
+        <source>it is a folder or a device</source>
+        <translation>c’est un dossier ou un périphérique</translation>
+    </message>
+    <message>
+        <location filename="output_files.cpp"/>
+        <source>the disk does not answer</source>
+        <translation>le disque ne répond pas</translation>
+    </message>
+    <message>
+        <location filename="packed.cpp"/>
+        <source>it is no compressed data</source>
+        <translation>ce ne sont pas des données compressées</translation>
+    </message>
+    <message>
+        <location filename="packed.cpp"/>
+        <source>it is too short</source>
+        <translation>c’est trop court</translation>
+    </message>
+    <message>
         <location filename="palette.cpp"/>
         <source>%1 (on)</source>
         <translation>%1 (activé)</translation>
@@ -3469,6 +4214,96 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>activé</translation>
     </message>
     <message>
+        <location filename="path.cpp"/>
+        <source>"%1" is a %2, not a %3</source>
+        <translation>« %1 » est de la sorte %2, et non %3</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>"%1" is no path; write ITEM.PROPERTY, like settings.timeStep</source>
+        <translation>« %1 » n’est pas un chemin ; écrire ÉLÉMENT.PROPRIÉTÉ, comme settings.timeStep</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>"%1" sets nothing; write PATH=VALUE, like settings.timeStep=0.002</source>
+        <translation>« %1 » ne règle rien ; écrire CHEMIN=VALEUR, comme settings.timeStep=0.002</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>%1; did you mean "%2"?</source>
+        <translation>%1 ; vouliez-vous dire « %2 » ?</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>%1; there is %2</source>
+        <translation>%1 ; il y a %2</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>a %1 has no property "%2"</source>
+        <translation>il n’y a pas, pour la sorte %1, de propriété « %2 »</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>no %1 is called "%2"</source>
+        <translation>rien de la sorte %1 ne s’appelle « %2 »</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>no item is called "%1"</source>
+        <translation>aucun élément ne s’appelle « %1 »</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>nothing in the scene has the id "%1"</source>
+        <translation>rien dans la scène n’a l’id « %1 »</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>part "%1" has particles, links and panels, not "%2"</source>
+        <translation>la pièce « %1 » a des particules, des liaisons et des panneaux, et non « %2 »</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>settings have no property "%1"</source>
+        <translation>les réglages n’ont pas de propriété « %1 »</translation>
+    </message>
+    <message>
+        <location filename="path.cpp"/>
+        <source>the scene has no %1</source>
+        <translation>la scène n’a rien de la sorte %1</translation>
+    </message>
+    <message>
+        <location filename="pin.cpp"/>
+        <source>A line through what is selected needs two particles in different places. Select one more, or choose x, y or z.</source>
+        <translation>Une droite par la sélection demande deux particules à des endroits différents. En sélectionner une de plus, ou choisir x, y ou z.</translation>
+    </message>
+    <message>
+        <location filename="pin.cpp"/>
+        <source>A plane through what is selected needs three particles that are not in one line. Select one more, or choose x, y or z.</source>
+        <translation>Un plan par la sélection demande trois particules non alignées. En sélectionner une de plus, ou choisir x, y ou z.</translation>
+    </message>
+    <message>
+        <location filename="pin.cpp"/>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <location filename="pin.cpp"/>
+        <source>Let go</source>
+        <translation>Lâcher</translation>
+    </message>
+    <message>
+        <location filename="pin.cpp"/>
+        <source>Pin</source>
+        <translation>Fixer</translation>
+    </message>
+    <message>
+        <location filename="pin.cpp"/>
+        <source>Unpin</source>
+        <translation>Libérer</translation>
+    </message>
+    <message>
         <location filename="place_form.cpp"/>
         <source>%1 must be a number of metres, not "%2".</source>
         <translation>%1 doit être un nombre de mètres, et non « %2 ».</translation>
@@ -3527,6 +4362,16 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="place_form.cpp"/>
         <source>Where the builder has it</source>
         <translation>Là où le générateur le met</translation>
+    </message>
+    <message>
+        <location filename="plot_arrangement.cpp"/>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
+        <location filename="plot_arrangement.cpp"/>
+        <source>Keep %1</source>
+        <translation>Garder %1</translation>
     </message>
     <message>
         <location filename="plot_menu.cpp"/>
@@ -3685,8 +4530,18 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
+        <source>Do not plot %1</source>
+        <translation>Ne pas tracer %1</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
         <source>No probes. Add one in the outline to plot it.</source>
         <translation>Aucune sonde. En ajouter une dans l’arborescence pour la tracer.</translation>
+    </message>
+    <message>
+        <location filename="plot_panel.cpp"/>
+        <source>Plot %1</source>
+        <translation>Tracer %1</translation>
     </message>
     <message>
         <location filename="plot_panel.cpp"/>
@@ -3729,6 +4584,31 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>fréquence (Hz)</translation>
     </message>
     <message>
+        <location filename="ply_file.cpp"/>
+        <source>%1 %2 of %3 is not there</source>
+        <translation>%1 %2 sur %3 manque</translation>
+    </message>
+    <message>
+        <location filename="ply_file.cpp"/>
+        <source>The import was cancelled.</source>
+        <translation>L’importation a été annulée.</translation>
+    </message>
+    <message>
+        <location filename="ply_file.cpp"/>
+        <source>The mesh %1 cannot be read: %2. The file may be cut off; save it again.</source>
+        <translation>Le maillage %1 ne peut pas être lu : %2. Le fichier est peut-être tronqué ; l’enregistrer de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="ply_file.cpp"/>
+        <source>face %1 names vertex %2, and there are %3</source>
+        <translation>la face %1 nomme le sommet %2, et il y en a %3</translation>
+    </message>
+    <message>
+        <location filename="ply_file.cpp"/>
+        <source>its header cannot be understood</source>
+        <translation>son en-tête n’est pas compréhensible</translation>
+    </message>
+    <message>
         <location filename="polar_chart.cpp"/>
         <source>Angle of attack (degrees)</source>
         <translation>Angle d’attaque (degrés)</translation>
@@ -3762,6 +4642,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="polar_dialog.cpp"/>
         <source>Polar of an air law</source>
         <translation>Polaire d’une loi d’air</translation>
+    </message>
+    <message>
+        <location filename="pose.cpp"/>
+        <source>Split</source>
+        <translation>Fendre</translation>
     </message>
     <message>
         <location filename="pose_dialog.cpp"/>
@@ -3889,6 +4774,21 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Prendre les nombres d’un tissu, d’une ligne ou d’un longeron du commerce.</translation>
     </message>
     <message>
+        <location filename="presets.cpp"/>
+        <source>Preset %1</source>
+        <translation>Préréglage %1</translation>
+    </message>
+    <message>
+        <location filename="presets.cpp"/>
+        <source>There is no preset "%1"; did you mean "%2"?</source>
+        <translation>Il n’y a pas de préréglage « %1 » ; vouliez-vous dire « %2 » ?</translation>
+    </message>
+    <message>
+        <location filename="presets.cpp"/>
+        <source>There is no preset "%1"; ripstop-cli presets lists them.</source>
+        <translation>Il n’y a pas de préréglage « %1 » ; ripstop-cli presets les énumère.</translation>
+    </message>
+    <message>
         <location filename="problem_list.cpp"/>
         <source>Click a problem to select what causes it.</source>
         <translation>Cliquer un problème pour sélectionner ce qui le cause.</translation>
@@ -3984,11 +4884,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Unité : %1</translation>
     </message>
     <message>
-        <location filename="pull.cpp"/>
-        <source>typed: %1</source>
-        <translation>tapé : %1</translation>
-    </message>
-    <message>
         <location filename="range_editor.cpp"/>
         <source>&amp;Follow the values</source>
         <translation>&amp;Suivre les valeurs</translation>
@@ -4034,6 +4929,106 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>La plus basse %1.</translation>
     </message>
     <message>
+        <location filename="read_bundle.cpp"/>
+        <source>%1 has no %2 in it, which its manifest names; get it again.</source>
+        <translation>%1 ne contient pas %2, que son manifeste nomme ; l’obtenir de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="read_bundle.cpp"/>
+        <source>%1 is no bundle of Ripstop: it has no %2.</source>
+        <translation>%1 n’est pas un dossier de simulation de Ripstop : il n’a pas de %2.</translation>
+    </message>
+    <message>
+        <location filename="rebuild.cpp"/>
+        <source>Change parameters of %1</source>
+        <translation>Changer les paramètres de %1</translation>
+    </message>
+    <message>
+        <location filename="recording.cpp"/>
+        <source>The recording is damaged at this frame; choose another one.</source>
+        <translation>L’enregistrement est abîmé à cette image ; en choisir une autre.</translation>
+    </message>
+    <message>
+        <location filename="recording.cpp"/>
+        <source>The run stopped before that: %1</source>
+        <translation>La simulation s’est arrêtée avant : %1</translation>
+    </message>
+    <message>
+        <location filename="recording_data.cpp"/>
+        <source>A stretch of the recording is damaged; choose another time.</source>
+        <translation>Un tronçon de l’enregistrement est abîmé ; choisir un autre instant.</translation>
+    </message>
+    <message>
+        <location filename="recording_data.cpp"/>
+        <source>The recording does not fit its design: it is damaged.</source>
+        <translation>L’enregistrement ne va pas avec son modèle : il est abîmé.</translation>
+    </message>
+    <message>
+        <location filename="recording_data.cpp"/>
+        <source>The recording ends here, as %1.</source>
+        <translation>L’enregistrement finit ici, car %1.</translation>
+    </message>
+    <message>
+        <location filename="recording_data.cpp"/>
+        <source>There is nothing in the recording.</source>
+        <translation>Il n’y a rien dans l’enregistrement.</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 %2 after %3 s of simulated time; what comes before is shown.</source>
+        <translation>%1 %2 après %3 s de temps simulé ; ce qui précède est montré.</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 %2 before its first frame; there is nothing to show.</source>
+        <translation>%1 %2 avant sa première image ; il n’y a rien à montrer.</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 can no longer be read; open it again.</source>
+        <translation>%1 ne peut plus être lu ; l’ouvrir de nouveau.</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 cannot be opened; check that you may read it.</source>
+        <translation>%1 ne peut pas être ouvert ; vérifier que vous pouvez le lire.</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 holds no frame.</source>
+        <translation>%1 ne contient aucune image.</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 is no file; name a recording (*.ripstop-run).</source>
+        <translation>%1 n’est pas un fichier ; nommer un enregistrement (*.ripstop-run).</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 is not a recording of Ripstop (*.ripstop-run).</source>
+        <translation>%1 n’est pas un enregistrement de Ripstop (*.ripstop-run).</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 was written by a later version of Ripstop; open it with that.</source>
+        <translation>%1 a été écrit par une version plus récente de Ripstop ; l’ouvrir avec elle.</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>has a scene that cannot be read (%1)</source>
+        <translation>a une scène qui ne peut pas être lue (%1)</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>is cut off</source>
+        <translation>est tronqué</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>is damaged</source>
+        <translation>est abîmé</translation>
+    </message>
+    <message>
         <location filename="recordings.cpp"/>
         <source>%1 s of %2</source>
         <translation>%1 s de %2</translation>
@@ -4047,6 +5042,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="recordings.cpp"/>
         <source>Run %1</source>
         <translation>Simulation %1</translation>
+    </message>
+    <message>
+        <location filename="replay.cpp"/>
+        <source>The run cannot be computed to its end here: %1</source>
+        <translation>La simulation ne peut pas être calculée ici jusqu’à sa fin : %1</translation>
     </message>
     <message>
         <location filename="rescue_dialog.cpp"/>
@@ -4220,6 +5220,21 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>✗ échoue</translation>
     </message>
     <message>
+        <location filename="rigidity.cpp"/>
+        <source>%1 particles are too many to look at together. Select at most %2, such as the frame without the sail.</source>
+        <translation>%1 particules sont trop pour être examinées ensemble. En sélectionner au plus %2, comme l’armature sans la voile.</translation>
+    </message>
+    <message>
+        <location filename="rigidity.cpp"/>
+        <source>Add braces</source>
+        <translation>Ajouter des contreventements</translation>
+    </message>
+    <message>
+        <location filename="rigidity.cpp"/>
+        <source>Nothing is selected that links could hold. Select particles, links or a part.</source>
+        <translation>Rien de sélectionné ne pourrait être tenu par des liaisons. Sélectionner des particules, des liaisons ou une pièce.</translation>
+    </message>
+    <message>
         <location filename="rigidity_dialog.cpp"/>
         <source>%1 motions of the whole are free</source>
         <translation>%1 mouvements de l’ensemble sont libres</translation>
@@ -4348,6 +5363,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_files.cpp"/>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <location filename="run_files.cpp"/>
         <source>Cannot open the recording</source>
         <translation>Impossible d’ouvrir l’enregistrement</translation>
     </message>
@@ -4428,6 +5448,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_rows.cpp"/>
+        <source>&amp;Reset</source>
+        <translation>&amp;Réinitialiser</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>&amp;Step</source>
+        <translation>&amp;Avancer d’un pas</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Back to the design; controls return to zero.</source>
+        <translation>Revenir au modèle ; les commandes reviennent à zéro.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
         <source>Blow with the mouse: hold the left button. The wheel makes it blow harder, with Ctrl wider.</source>
         <translation>Souffler avec la souris : tenir le bouton gauche. La molette souffle plus fort, avec Ctrl plus large.</translation>
     </message>
@@ -4448,6 +5483,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_rows.cpp"/>
+        <source>One time step.</source>
+        <translation>Un pas de temps.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
         <source>Pull &amp;out pins</source>
         <translation>Retirer les épin&amp;gles</translation>
     </message>
@@ -4455,6 +5495,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="run_rows.cpp"/>
         <source>Pull at fabric and lines, carry colliders, move controls: drag them. The wheel moves the hand nearer or farther, P pins what it holds. Ctrl and a drag does this with any tool.</source>
         <translation>Tirer sur le tissu et les lignes, porter des obstacles, déplacer des commandes : les faire glisser. La molette approche ou éloigne la main, P fixe ce qu’elle tient. Ctrl et glisser fait de même avec tout outil.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Run the simulation, or hold it.</source>
+        <translation>Lancer la simulation, ou la suspendre.</translation>
     </message>
     <message>
         <location filename="run_rows.cpp"/>
@@ -4475,6 +5520,36 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="run_rows.cpp"/>
         <source>What is shown is no run of the design as it is now: mend its problems, or wait for the next step.</source>
         <translation>Ce qui est montré n’est pas une simulation du modèle tel qu’il est : corriger ses problèmes, ou attendre le pas suivant.</translation>
+    </message>
+    <message>
+        <location filename="scene_file.cpp"/>
+        <source>%1 is too large for the memory of this computer.</source>
+        <translation>%1 est trop grand pour la mémoire de cet ordinateur.</translation>
+    </message>
+    <message>
+        <location filename="scene_file.cpp"/>
+        <source>%1 was not saved: %2 of %3 %4; correct it first.</source>
+        <translation>%1 n’a pas été enregistré : %2 de %3 %4 ; le corriger d’abord.</translation>
+    </message>
+    <message>
+        <location filename="scene_file.cpp"/>
+        <source>%1 was not saved: not enough memory to write the scene.</source>
+        <translation>%1 n’a pas été enregistré : pas assez de mémoire pour écrire la scène.</translation>
+    </message>
+    <message>
+        <location filename="scene_file.cpp"/>
+        <source>%1 was not saved: parameter %2 of %3 is not a finite number; correct it first.</source>
+        <translation>%1 n’a pas été enregistré : le paramètre %2 de %3 n’est pas un nombre fini ; le corriger d’abord.</translation>
+    </message>
+    <message>
+        <location filename="scene_file.cpp"/>
+        <source>%1, line 1: the file is empty; choose another or restore it from a copy.</source>
+        <translation>%1, ligne 1 : le fichier est vide ; en choisir un autre ou le restaurer d’une copie.</translation>
+    </message>
+    <message>
+        <location filename="scene_file.cpp"/>
+        <source>is not a scene: a scene file starts with '{'; choose a file that ends in %1</source>
+        <translation>n’est pas une scène : un fichier de scène commence par « { » ; choisir un fichier qui finit par %1</translation>
     </message>
     <message>
         <location filename="select_rows.cpp"/>
@@ -4832,6 +5907,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Il n’y en a pas ici ; la sélection reste.</translation>
     </message>
     <message>
+        <location filename="series.cpp"/>
+        <source>The scene has no probes, so there is nothing to put into %1; add a probe first.</source>
+        <translation>La scène n’a pas de sondes, il n’y a donc rien à mettre dans %1 ; ajouter d’abord une sonde.</translation>
+    </message>
+    <message>
         <location filename="settle_dialog.cpp"/>
         <source>%1 s of %2 s; the fastest particle has %3 m/s, all motion %4 J.</source>
         <translation>%1 s sur %2 s ; la particule la plus rapide a %3 m/s, tout le mouvement %4 J.</translation>
@@ -4927,6 +6007,91 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Images (*.png *.pgm);;Tous les fichiers (*)</translation>
     </message>
     <message>
+        <location filename="shape_files.cpp"/>
+        <source>The %1 %2 does not exist; put it there, or choose another file.</source>
+        <translation>%2 (%1) n’existe pas ; l’y mettre, ou choisir un autre fichier.</translation>
+    </message>
+    <message>
+        <location filename="shape_files.cpp"/>
+        <source>The %1 %2 is not a file; choose another.</source>
+        <translation>%2 (%1) n’est pas un fichier ; en choisir un autre.</translation>
+    </message>
+    <message>
+        <location filename="shape_files.cpp"/>
+        <source>picture</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>"%1" is no %2, it %3.</source>
+        <translation>« %1 » ne convient pas : %2 %3.</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>%1 cells</source>
+        <translation>%1 cellules</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>%1 columns</source>
+        <translation>%1 colonnes</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>%1 lines</source>
+        <translation>%1 lignes</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>1 cell</source>
+        <translation>1 cellule</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>1 column</source>
+        <translation>1 colonne</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>1 line</source>
+        <translation>1 ligne</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>1 row</source>
+        <translation>1 rang</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>An id stays as it is.</source>
+        <translation>Un id reste tel quel.</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>Line %1 has %2 and there are %3 to take them; begin further left.</source>
+        <translation>La ligne %1 a %2 et il y a %3 pour les recevoir ; commencer plus à gauche.</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>Line %1, %2: %3</source>
+        <translation>Ligne %1, %2 : %3</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>Paste %1</source>
+        <translation>Coller %1</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>There are %1 to paste and %2 to take them; begin further up.</source>
+        <translation>Il y a %1 à coller et %2 pour les recevoir ; commencer plus haut.</translation>
+    </message>
+    <message>
+        <location filename="sheet.cpp"/>
+        <source>What is there was removed.</source>
+        <translation>Ce qui est là a été supprimé.</translation>
+    </message>
+    <message>
         <location filename="sheet_model.cpp"/>
         <source>Set %1</source>
         <translation>Régler %1</translation>
@@ -5007,9 +6172,374 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Ce que sont les rangs. Les lignes sont les liaisons de rôle ligne.</translation>
     </message>
     <message>
+        <location filename="slider.cpp"/>
+        <source>has a range that %1</source>
+        <translation>a un intervalle qui %1</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>is no id</source>
+        <translation>n’est pas un id</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>is no property that can be tuned</source>
+        <translation>n’est pas une propriété qui se règle</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>must be sliders such as material.stiffness #17 1 1000 log; "%1" %2</source>
+        <translation>doit être des curseurs comme material.stiffness #17 1 1000 log ; « %1 » %2</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>must begin above 0 to be logarithmic</source>
+        <translation>doit commencer au-dessus de 0 pour être logarithmique</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>must begin at %1 or above</source>
+        <translation>doit commencer à %1 ou au-dessus</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>must end at %1 or below</source>
+        <translation>doit finir à %1 ou au-dessous</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>must have finite ends</source>
+        <translation>doit avoir des extrémités finies</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>must rise from left to right</source>
+        <translation>doit croître de gauche à droite</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>names nothing</source>
+        <translation>ne nomme rien</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>names too many things</source>
+        <translation>nomme trop de choses</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>needs no range</source>
+        <translation>n’a pas besoin d’intervalle</translation>
+    </message>
+    <message>
+        <location filename="slider.cpp"/>
+        <source>needs two numbers as its range</source>
+        <translation>demande deux nombres comme intervalle</translation>
+    </message>
+    <message>
         <location filename="slider_shelf.cpp"/>
         <source>A slider moves at most %1 things; tune the material that they share.</source>
         <translation>Un curseur déplace au plus %1 choses ; régler le matériau qu’elles partagent.</translation>
+    </message>
+    <message>
+        <location filename="smooth.cpp"/>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <location filename="solid.cpp"/>
+        <source>Collider %1 needs a height above 0: correct the second number of its size.</source>
+        <translation>L’obstacle %1 demande une hauteur au-dessus de 0 : corriger le deuxième nombre de sa taille.</translation>
+    </message>
+    <message>
+        <location filename="solid.cpp"/>
+        <source>Collider %1 needs a normal that is not zero.</source>
+        <translation>L’obstacle %1 demande une normale non nulle.</translation>
+    </message>
+    <message>
+        <location filename="solid.cpp"/>
+        <source>Collider %1 needs edges above 0: correct its size.</source>
+        <translation>L’obstacle %1 demande des arêtes au-dessus de 0 : corriger sa taille.</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved directly, since their load is far heavier than what holds it; %2</source>
+        <translation>%1 tiges sont résolues directement, car leur charge est bien plus lourde que ce qui la tient ; %2</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved directly, since their load would need %2 substeps; %3</source>
+        <translation>%1 tiges sont résolues directement, car leur charge demanderait %2 sous-pas ; %3</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved directly, since they hold fabric that is small enough for it; %2</source>
+        <translation>%1 tiges sont résolues directement, car la voile qu’elles tiennent est assez petite pour cela ; %2</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>%1; %2 needs at least %3</source>
+        <translation>%1 ; %2 en demande au moins %3</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>small steps: %1 substeps of one sweep to begin with, for a strain of %2 %</source>
+        <translation>petits pas : %1 sous-pas d’un balayage pour commencer, pour une déformation de %2 %</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>there are no rods</source>
+        <translation>il n’y a pas de tiges</translation>
+    </message>
+    <message>
+        <location filename="spill_file.cpp"/>
+        <source>a temporary file cannot be read: %1</source>
+        <translation>un fichier temporaire ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <location filename="spill_file.cpp"/>
+        <source>no temporary file can be made in %1: %2</source>
+        <translation>aucun fichier temporaire ne peut être créé dans %1 : %2</translation>
+    </message>
+    <message>
+        <location filename="spill_file.cpp"/>
+        <source>the folder for temporary files cannot take more: %1</source>
+        <translation>le dossier des fichiers temporaires est plein : %1</translation>
+    </message>
+    <message>
+        <location filename="spill_file.cpp"/>
+        <source>there is no folder for temporary files; set TMPDIR to one</source>
+        <translation>il n’y a pas de dossier pour les fichiers temporaires ; en donner un dans TMPDIR</translation>
+    </message>
+    <message>
+        <location filename="split.cpp"/>
+        <source>Split links</source>
+        <translation>Diviser les liaisons</translation>
+    </message>
+    <message>
+        <location filename="spread_mass.cpp"/>
+        <source>No link lies among what is selected, so it has no length. Select both ends of a line.</source>
+        <translation>Aucune liaison n’est dans la sélection, qui n’a donc pas de longueur. Sélectionner les deux bouts d’une ligne.</translation>
+    </message>
+    <message>
+        <location filename="spread_mass.cpp"/>
+        <source>No panel lies among what is selected, so it has no area. Select all corners of some fabric.</source>
+        <translation>Aucun panneau n’est dans la sélection, qui n’a donc pas d’aire. Sélectionner tous les coins d’un tissu.</translation>
+    </message>
+    <message>
+        <location filename="spread_mass.cpp"/>
+        <source>No particle is selected. Select what is to have the mass.</source>
+        <translation>Aucune particule n’est sélectionnée. Sélectionner ce qui doit avoir la masse.</translation>
+    </message>
+    <message>
+        <location filename="spread_mass.cpp"/>
+        <source>Set mass</source>
+        <translation>Donner une masse</translation>
+    </message>
+    <message>
+        <location filename="spread_mass.cpp"/>
+        <source>What is selected has no mass yet, so there is no proportion to keep. Share the mass out evenly.</source>
+        <translation>La sélection n’a pas encore de masse, et il n’y a pas de proportion à garder. Répartir la masse également.</translation>
+    </message>
+    <message>
+        <location filename="spring_force.h"/>
+        <source>springs</source>
+        <translation>les ressorts</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>%1 free particles have no mass.</source>
+        <translation>%1 particules libres n’ont pas de masse.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>%1 links</source>
+        <translation>%1 liaisons</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>%1 links are beyond the tear limit at the start and will tear in the first step.</source>
+        <translation>%1 liaisons dépassent la limite de rupture au départ et rompront au premier pas.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>%1 links are longer at the start than at rest by more than %2 %, up to %3 %.</source>
+        <translation>%1 liaisons sont plus longues au départ qu’au repos de plus de %2 %, jusqu’à %3 %.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>%1 links join particles that are joined already, so that they are as stiff as two.</source>
+        <translation>%1 liaisons joignent des particules déjà jointes, qui sont donc deux fois plus raides.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>%1 particles hang on no link and no panel.</source>
+        <translation>%1 particules ne tiennent à aucune liaison ni aucun panneau.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>%1 particles need a shorter substep than %2 s, down to %3 s.</source>
+        <translation>%1 particules demandent un sous-pas plus court que %2 s, jusqu’à %3 s.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 free particle has no mass.</source>
+        <translation>1 particule libre n’a pas de masse.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 link</source>
+        <translation>1 liaison</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 link is beyond the tear limit at the start and will tear in the first step.</source>
+        <translation>1 liaison dépasse la limite de rupture au départ et rompra au premier pas.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 link is longer at the start than at rest by more than %1 %, up to %2 %.</source>
+        <translation>1 liaison est plus longue au départ qu’au repos de plus de %1 %, jusqu’à %2 %.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 link joins particles that are joined already, so that they are as stiff as two.</source>
+        <translation>1 liaison joint des particules déjà jointes, qui sont donc deux fois plus raides.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 particle hangs on no link and no panel.</source>
+        <translation>1 particule ne tient à aucune liaison ni aucun panneau.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 particle needs a shorter substep than %1 s, down to %2 s.</source>
+        <translation>1 particule demande un sous-pas plus court que %1 s, jusqu’à %2 s.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>A pull has to pass %1 to cross the network, and %2 sweeps in %3 take it past %4 in each time step.</source>
+        <translation>Une traction doit passer %1 pour traverser le réseau, et %2 balayages en %3 la portent au-delà de %4 à chaque pas de temps.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>A pull has to pass %1 to cross the network, and %2 sweeps in %3 take it past %4 in each time step: it will look elastic.</source>
+        <translation>Une traction doit passer %1 pour traverser le réseau, et %2 balayages en %3 la portent au-delà de %4 à chaque pas de temps : il paraîtra élastique.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>A pull has to pass %1 to cross the network; the direct solver takes it there at once.</source>
+        <translation>Une traction doit passer %1 pour traverser le réseau ; le solveur direct l’y porte d’un coup.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>A pull has to pass %1 to cross the network; this solver takes it far in each sweep.</source>
+        <translation>Une traction doit passer %1 pour traverser le réseau ; ce solveur la porte loin à chaque balayage.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Choose the automatic solver</source>
+        <translation>Choisir le solveur automatique</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Double links</source>
+        <translation>Liaisons doubles</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Give %1 g each</source>
+        <translation>Donner %1 g à chacune</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Iterations</source>
+        <translation>Itérations</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Links are at most %1 % longer at the start than at rest.</source>
+        <translation>Les liaisons sont au plus %1 % plus longues au départ qu’au repos.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Loose particles</source>
+        <translation>Particules seules</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Make %1 sweeps</source>
+        <translation>Faire %1 balayages</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Masses</source>
+        <translation>Masses</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>No link is longer at the start than at rest.</source>
+        <translation>Aucune liaison n’est plus longue au départ qu’au repos.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Remove the double links</source>
+        <translation>Supprimer les liaisons doubles</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Remove the loose particles</source>
+        <translation>Supprimer les particules seules</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Rest as they start</source>
+        <translation>Au repos comme elles démarrent</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Take %1 substeps</source>
+        <translation>Prendre %1 sous-pas</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Tearing</source>
+        <translation>Déchirure</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>The ends of a rod differ in mass by a factor of up to %1, and sweeps lift a heavy end by a light one only slowly: even the masses out, or choose the automatic solver.</source>
+        <translation>Les bouts d’une tige diffèrent en masse d’un facteur allant jusqu’à %1, et les balayages ne soulèvent que lentement un bout lourd par un bout léger : égaliser les masses, ou choisir le solveur automatique.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>The ends of a rod differ in mass by a factor of up to %1, which this solver can follow.</source>
+        <translation>Les bouts d’une tige diffèrent en masse d’un facteur allant jusqu’à %1, ce que ce solveur peut suivre.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>The ends of a rod differ in mass by a factor of up to %1.</source>
+        <translation>Les bouts d’une tige diffèrent en masse d’un facteur allant jusqu’à %1.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>The substep is %1 s and may be up to %2 s for the springs and the bending.</source>
+        <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour les ressorts et la flexion.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>The substep is %1 s and may be up to %2 s for the springs and the bending; the automatic solver keeps to it.</source>
+        <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour les ressorts et la flexion ; le solveur automatique s’y tient.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Time step</source>
+        <translation>Pas de temps</translation>
     </message>
     <message>
         <location filename="stability_list.cpp"/>
@@ -5110,6 +6640,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="start_page.cpp"/>
         <source>What the parts of the window are for, in a minute</source>
         <translation>À quoi servent les parties de la fenêtre, en une minute</translation>
+    </message>
+    <message>
+        <location filename="status_line.cpp"/>
+        <source>Selected: %1</source>
+        <translation>Sélection : %1</translation>
     </message>
     <message>
         <location filename="subject.cpp"/>
@@ -5600,16 +7135,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Arms</source>
         <translation>Bras</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Array in a ring</source>
-        <translation>Répétition circulaire</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Array in a row</source>
-        <translation>Répétition linéaire</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6723,11 +8248,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Guide</source>
-        <translation>Guide</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Guide axis</source>
         <translation>Axe du guide</translation>
     </message>
@@ -7073,11 +8593,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Iterations</source>
-        <translation>Itérations</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Jet</source>
         <translation>Jet</translation>
     </message>
@@ -7230,11 +8745,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Length without load.</source>
         <translation>Longueur sans charge.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Lengths</source>
-        <translation>Longueurs</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7690,11 +9200,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Middle of the nozzle of a jet.</source>
         <translation>Milieu de la buse d’un jet.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Mirror</source>
-        <translation>Symétrie</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8383,11 +9888,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Rigidity particles</source>
-        <translation>Particules de rigidité</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Rings</source>
         <translation>Anneaux</translation>
     </message>
@@ -8465,11 +9965,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Rolling ground to soar along and to land on.</source>
         <translation>Un terrain vallonné le long duquel planer et où se poser.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Rope</source>
-        <translation>Corde</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8600,11 +10095,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Series for ParaView, PVD and VTP</source>
         <translation>Série pour ParaView, PVD et VTP</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Set mass</source>
-        <translation>Donner une masse</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8758,11 +10248,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Smooth</source>
-        <translation>Lisser</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Softness of sweeps</source>
         <translation>Mollesse des balayages</translation>
     </message>
@@ -8770,11 +10255,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Span</source>
         <translation>Envergure</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Spar</source>
-        <translation>Longeron</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8815,16 +10295,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Sphere</source>
         <translation>Sphère</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Split</source>
-        <translation>Fendre</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Split links</source>
-        <translation>Diviser les liaisons</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9023,11 +10493,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Tearing</source>
-        <translation>Déchirure</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Tears by</source>
         <translation>Rompt par</translation>
     </message>
@@ -9198,11 +10663,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Time step</source>
-        <translation>Pas de temps</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Time steps for each second of the clock, lately: only while it runs in the window, and nothing in files.</source>
         <translation>Pas de temps par seconde d'horloge, dernièrement : seulement pendant la simulation dans la fenêtre, et rien dans les fichiers.</translation>
     </message>
@@ -9360,11 +10820,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Weight shift</source>
         <translation>Déport de poids</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Weld</source>
-        <translation>Souder</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9688,8 +11143,183 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>a line has none</source>
+        <translation>une ligne n’en a pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>collider</source>
+        <translation>obstacle</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>control</source>
+        <translation>commande</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>each of its links has its own</source>
+        <translation>chacune de ses liaisons a la sienne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>each of its rods has its own</source>
+        <translation>chacune de ses tiges a la sienne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>each of its springs has its own</source>
+        <translation>chacun de ses ressorts a la sienne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>group</source>
+        <translation>groupe</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>gusts have none of their own</source>
+        <translation>les rafales n’en ont pas en propre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>it has no guide</source>
+        <translation>elle n’a pas de guide</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>its axial, membrane or shear stiffness counts instead</source>
+        <translation>sa rigidité axiale, de membrane ou de cisaillement compte à la place</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>its links are all rods, which take the compliance</source>
+        <translation>ses liaisons sont toutes des tiges, qui prennent la souplesse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>its links are all springs, which take the stiffness</source>
+        <translation>ses liaisons sont toutes des ressorts, qui prennent la raideur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>its material never tears</source>
+        <translation>son matériau ne se rompt jamais</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>link</source>
+        <translation>liaison</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>links, or parts and groups with some</source>
         <translation>des liaisons, ou des pièces et groupes qui en ont</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>material</source>
+        <translation>matériau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link is a rod, and springs need no solver</source>
+        <translation>aucune liaison n’est une tige, et les ressorts n’ont pas besoin de solveur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link is made of it</source>
+        <translation>aucune liaison n’en est faite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link of it has the role line</source>
+        <translation>aucune liaison n’y a le rôle ligne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link of it is a bias with a width</source>
+        <translation>aucune liaison n’y est un biais avec une largeur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link of it is a thread with a width</source>
+        <translation>aucune liaison n’y est un fil avec une largeur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no material tears</source>
+        <translation>aucun matériau ne se rompt</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no panel is made of it</source>
+        <translation>aucun panneau n’en est fait</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only generated hills, a height field without a file, have it</source>
+        <translation>seules les collines engendrées, un champ de hauteurs sans fichier, l’ont</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only gusts have it</source>
+        <translation>seules les rafales l’ont</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only height fields and meshes come from files</source>
+        <translation>seuls champs de hauteurs et maillages viennent de fichiers</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only jets have it</source>
+        <translation>seuls les jets l’ont</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only meshes are scaled</source>
+        <translation>seuls les maillages sont mis à l’échelle</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only planes have one</source>
+        <translation>seuls les plans en ont une</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only roll and angle of attack need a third particle</source>
+        <translation>seuls le roulis et l’angle d’attaque demandent une troisième particule</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only round shapes have one</source>
+        <translation>seules les formes rondes en ont un</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only the automatic solver aims at a strain</source>
+        <translation>seul le solveur automatique vise une déformation</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only the logarithmic law has one</source>
+        <translation>seule la loi logarithmique en a une</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only the power law has one</source>
+        <translation>seule la loi de puissance en a un</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>only the response contact bounces and rubs</source>
+        <translation>seule la réponse contact rebondit et frotte</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>panel</source>
+        <translation>panneau</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9698,13 +11328,143 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>part</source>
+        <translation>pièce</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>particle</source>
+        <translation>particule</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>particles, or parts and groups with some</source>
         <translation>des particules, ou des pièces et groupes qui en ont</translation>
     </message>
     <message>
         <location filename="tables"/>
+        <source>planes and spheres do not turn</source>
+        <translation>plans et sphères ne tournent pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>plot</source>
+        <translation>graphique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>probe</source>
+        <translation>sonde</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>settings</source>
+        <translation>réglages</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the air density is 0</source>
+        <translation>la densité de l’air est 0</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the air law does not ask for it</source>
+        <translation>la loi d’air ne le demande pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the curves are not against a probe</source>
+        <translation>les courbes ne sont pas tracées selon une sonde</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the curves are not against time</source>
+        <translation>les courbes ne sont pas tracées selon le temps</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the line diameter is 0</source>
+        <translation>le diamètre de ligne est 0</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the link is a rod, which has a compliance</source>
+        <translation>la liaison est une tige, qui a une souplesse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the link is a spring, which has a stiffness</source>
+        <translation>la liaison est un ressort, qui a une raideur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the material never tears; choose what it tears by</source>
+        <translation>le matériau ne se rompt jamais ; choisir par quoi il rompt</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the paper's solver takes every rod as stiff</source>
+        <translation>le solveur de l’article prend toute tige pour raide</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the part has no canopy pressure</source>
+        <translation>la pièce n’a pas de pression de voilure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the part has no self-contact</source>
+        <translation>la pièce n’a pas de contact avec soi</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the particle is pinned</source>
+        <translation>la particule est fixée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the path says where it is</source>
+        <translation>le trajet dit où il est</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the quantity is measured, not made of others</source>
+        <translation>la grandeur est mesurée, et non faite d’autres</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the quantity is not measured from somewhere</source>
+        <translation>la grandeur ne se mesure pas depuis quelque part</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>the quantity is that of the whole scene</source>
+        <translation>la grandeur est celle de toute la scène</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>the whole scene</source>
         <translation>toute la scène</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>there is nothing for the air to act on</source>
+        <translation>l’air n’a rien sur quoi agir</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>this shape has none</source>
+        <translation>cette forme n’en a pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>this solver makes one sweep in each substep; give it more substeps</source>
+        <translation>ce solveur fait un balayage par sous-pas ; lui donner plus de sous-pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>this wind does not depend on the height</source>
+        <translation>ce vent ne dépend pas de la hauteur</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9715,6 +11475,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>two particles</source>
         <translation>deux particules</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>wind</source>
+        <translation>vent</translation>
     </message>
     <message>
         <location filename="target_rows.cpp"/>
@@ -9755,6 +11520,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="target_rows.cpp"/>
         <source>on target</source>
         <translation>atteint</translation>
+    </message>
+    <message>
+        <location filename="targets.cpp"/>
+        <source>Bring mass to target</source>
+        <translation>Amener la masse à la cible</translation>
+    </message>
+    <message>
+        <location filename="targets.cpp"/>
+        <source>No target mass is set.</source>
+        <translation>Aucune masse cible n’est donnée.</translation>
+    </message>
+    <message>
+        <location filename="temporary_folder.cpp"/>
+        <source>No folder can be made beside %1: %2; make room or choose another folder.</source>
+        <translation>Aucun dossier ne peut être créé à côté de %1 : %2 ; faire de la place ou choisir un autre dossier.</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -9988,11 +11768,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
-        <source>&amp;File</source>
-        <translation>&amp;Fichier</translation>
-    </message>
-    <message>
-        <location filename="timeline_rows.cpp"/>
         <source>&amp;Next event</source>
         <translation>É&amp;vénement suivant</translation>
     </message>
@@ -10063,11 +11838,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
-        <source>Look at a run that was saved, compare with it, or go on from it.</source>
-        <translation>Regarder une simulation enregistrée, la comparer, ou continuer à partir d’elle.</translation>
-    </message>
-    <message>
-        <location filename="timeline_rows.cpp"/>
         <source>Look at the frame before.</source>
         <translation>Regarder l’image précédente.</translation>
     </message>
@@ -10103,11 +11873,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
-        <source>Open reco&amp;rding…</source>
-        <translation>Ouvrir un enre&amp;gistrement…</translation>
-    </message>
-    <message>
-        <location filename="timeline_rows.cpp"/>
         <source>Play the recording back from where you look, or hold it.</source>
         <translation>Rejouer l’enregistrement à partir de ce moment, ou le suspendre.</translation>
     </message>
@@ -10125,16 +11890,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="timeline_rows.cpp"/>
         <source>Rename the r&amp;un…</source>
         <translation>Reno&amp;mmer la simulation…</translation>
-    </message>
-    <message>
-        <location filename="timeline_rows.cpp"/>
-        <source>Sa&amp;ve recording…</source>
-        <translation>E&amp;nregistrer la simulation…</translation>
-    </message>
-    <message>
-        <location filename="timeline_rows.cpp"/>
-        <source>Save the run that the timeline shows, every step of it.</source>
-        <translation>Enregistrer la simulation que montre la chronologie, chacun de ses pas.</translation>
     </message>
     <message>
         <location filename="timeline_rows.cpp"/>
@@ -10165,6 +11920,41 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="timeline_strip.cpp"/>
         <source>Nothing is recorded yet. Play (Space), and every moment is kept here to look back at.</source>
         <translation>Rien n’est encore enregistré. Lancer (Espace), et chaque moment est gardé ici pour être revu.</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>&amp;Polar of an air law</source>
+        <translation>&amp;Polaire d’une loi d’air</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>&amp;Table of numbers</source>
+        <translation>&amp;Tableau des nombres</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>Find a propert&amp;y</source>
+        <translation>Trouver une propri&amp;été</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>Particles, links, lines, panels and materials as a spreadsheet.</source>
+        <translation>Particules, liaisons, lignes, panneaux et matériaux comme dans un tableur.</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>Search the inspector for a property by its name or its help.</source>
+        <translation>Chercher une propriété dans l’inspecteur par son nom ou son aide.</translation>
+    </message>
+    <message>
+        <location filename="tool_rows.cpp"/>
+        <source>What the air law of a material does to a flat plate, beside published curves.</source>
+        <translation>Ce que la loi d’air d’un matériau fait à une plaque plane, à côté de courbes publiées.</translation>
     </message>
     <message>
         <location filename="totals.cpp"/>
@@ -10226,6 +12016,26 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tour.cpp"/>
         <source>&amp;Next</source>
         <translation>&amp;Suivant</translation>
+    </message>
+    <message>
+        <location filename="transform.cpp"/>
+        <source>%1 colliders</source>
+        <translation>%1 obstacles</translation>
+    </message>
+    <message>
+        <location filename="transform.cpp"/>
+        <source>%1 particles</source>
+        <translation>%1 particules</translation>
+    </message>
+    <message>
+        <location filename="transform.cpp"/>
+        <source>1 collider</source>
+        <translation>1 obstacle</translation>
+    </message>
+    <message>
+        <location filename="transform.cpp"/>
+        <source>1 particle</source>
+        <translation>1 particule</translation>
     </message>
     <message>
         <location filename="transform_bar.cpp"/>
@@ -10354,6 +12164,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="transform_tool.cpp"/>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <location filename="transform_tool.cpp"/>
+        <source>Rotate %1</source>
+        <translation>Tourner %1</translation>
+    </message>
+    <message>
+        <location filename="transform_tool.cpp"/>
+        <source>Scale %1</source>
+        <translation>Mettre à l’échelle %1</translation>
+    </message>
+    <message>
+        <location filename="transform_tool.cpp"/>
         <source>The simulation is back at its start, where the design is shaped.</source>
         <translation>La simulation est revenue à son départ, où le modèle est façonné.</translation>
     </message>
@@ -10476,86 +12301,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tuning.cpp"/>
         <source>Drag to tune %1 while it flies.</source>
         <translation>Faire glisser pour régler %1 pendant le vol.</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>&amp;Edit</source>
-        <translation>&amp;Édition</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>&amp;Keep slider values</source>
-        <translation>Retenir les va&amp;leurs des curseurs</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>&amp;Run</source>
-        <translation>Si&amp;mulation</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>&amp;Table of numbers</source>
-        <translation>&amp;Tableau des nombres</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Add the &amp;usual sliders</source>
-        <translation>Ajouter les curseurs &amp;usuels</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>All sliders back to the values they had when they were added or last kept.</source>
-        <translation>Tous les curseurs reviennent aux valeurs qu’ils avaient à leur ajout ou à la dernière retenue.</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Find a propert&amp;y</source>
-        <translation>Trouver une propri&amp;été</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Go to the other set of slider values, to compare the two.</source>
-        <translation>Passer à l’autre jeu de valeurs des curseurs, pour comparer les deux.</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Make the present values those that resetting the sliders goes back to.</source>
-        <translation>Faire des valeurs actuelles celles auxquelles les curseurs reviennent.</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Particles, links, lines, panels and materials as a spreadsheet.</source>
-        <translation>Particules, liaisons, lignes, panneaux et matériaux comme dans un tableur.</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Re&amp;set sliders</source>
-        <translation>Ramener les cur&amp;seurs</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Search the inspector for a property by its name or its help.</source>
-        <translation>Chercher une propriété dans l’inspecteur par son nom ou son aide.</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Show the sliders that tune the design while it flies.</source>
-        <translation>Montrer les curseurs qui règlent le modèle pendant qu’il vole.</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Sl&amp;iders</source>
-        <translation>C&amp;urseurs</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Switch &amp;A and B</source>
-        <translation>&amp;Basculer entre A et B</translation>
-    </message>
-    <message>
-        <location filename="tuning_action_rows.cpp"/>
-        <source>Wind, stiffness, damping, tear limit and the settings of the solver, as far as they have an effect here.</source>
-        <translation>Vent, raideur, amortissement, limite de déchirure et réglages du solveur, dans la mesure où ils ont un effet ici.</translation>
     </message>
     <message numerus="yes">
         <location filename="tuning_panel.cpp"/>
@@ -10681,6 +12426,206 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>log</translation>
     </message>
     <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>&amp;Keep slider values</source>
+        <translation>Retenir les va&amp;leurs des curseurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>&amp;Run</source>
+        <translation>Si&amp;mulation</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Add the &amp;usual sliders</source>
+        <translation>Ajouter les curseurs &amp;usuels</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>All sliders back to the values they had when they were added or last kept.</source>
+        <translation>Tous les curseurs reviennent aux valeurs qu’ils avaient à leur ajout ou à la dernière retenue.</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Go to the other set of slider values, to compare the two.</source>
+        <translation>Passer à l’autre jeu de valeurs des curseurs, pour comparer les deux.</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Make the present values those that resetting the sliders goes back to.</source>
+        <translation>Faire des valeurs actuelles celles auxquelles les curseurs reviennent.</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Re&amp;set sliders</source>
+        <translation>Ramener les cur&amp;seurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Show the sliders that tune the design while it flies.</source>
+        <translation>Montrer les curseurs qui règlent le modèle pendant qu’il vole.</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Sl&amp;iders</source>
+        <translation>C&amp;urseurs</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Switch &amp;A and B</source>
+        <translation>&amp;Basculer entre A et B</translation>
+    </message>
+    <message>
+        <location filename="tuning_rows.cpp"/>
+        <source>Wind, stiffness, damping, tear limit and the settings of the solver, as far as they have an effect here.</source>
+        <translation>Vent, raideur, amortissement, limite de déchirure et réglages du solveur, dans la mesure où ils ont un effet ici.</translation>
+    </message>
+    <message>
+        <location filename="typed_number.cpp"/>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
+    </message>
+    <message>
+        <location filename="typed_number.cpp"/>
+        <source>must be a number in %1</source>
+        <translation>doit être un nombre en %1</translation>
+    </message>
+    <message>
+        <location filename="typed_number.cpp"/>
+        <source>must be a number without a unit</source>
+        <translation>doit être un nombre sans unité</translation>
+    </message>
+    <message>
+        <location filename="typed_number.cpp"/>
+        <source>must be a sum of numbers in one kind of unit</source>
+        <translation>doit être une somme de nombres d’une même sorte d’unité</translation>
+    </message>
+    <message>
+        <location filename="typed_number.cpp"/>
+        <source>must be a sum of numbers in one kind of unit, such as %1</source>
+        <translation>doit être une somme de nombres d’une même sorte d’unité, comme %1</translation>
+    </message>
+    <message>
+        <location filename="typed_number.cpp"/>
+        <source>must be in %1</source>
+        <translation>doit être en %1</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>%1.%2 %3, not "%4"</source>
+        <translation>%1.%2 %3, et non « %4 »</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be a colour as #rrggbb</source>
+        <translation>doit être une couleur comme #rrvvbb</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be a finite number</source>
+        <translation>doit être un nombre fini</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be a list of ids</source>
+        <translation>doit être une liste d’ids</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be a number</source>
+        <translation>doit être un nombre</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be a text</source>
+        <translation>doit être un texte</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be a whole number</source>
+        <translation>doit être un nombre entier</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be above %1</source>
+        <translation>doit être au-dessus de %1</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be an id</source>
+        <translation>doit être un id</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be at least %1</source>
+        <translation>doit être au moins %1</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be at most %1</source>
+        <translation>doit être au plus %1</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be finite numbers (row %1)</source>
+        <translation>doit être des nombres finis (rang %1)</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be nothing</source>
+        <translation>doit être vide</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be one of %1</source>
+        <translation>doit être l’un de %1</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be rows of numbers</source>
+        <translation>doit être des rangs de nombres</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be three finite numbers</source>
+        <translation>doit être trois nombres finis</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be three numbers</source>
+        <translation>doit être trois nombres</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must be true or false</source>
+        <translation>doit être vrai ou faux</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must have %1 numbers in each row (row %2)</source>
+        <translation>doit avoir %1 nombres dans chaque rang (rang %2)</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must have angles that rise from row to row, between 0 and 90 (row %1)</source>
+        <translation>doit avoir des angles qui croissent de rang en rang, entre 0 et 90 (rang %1)</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>must have drag of at least 0 (row %1)</source>
+        <translation>doit avoir une traînée d’au moins 0 (rang %1)</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>needs a row</source>
+        <translation>demande un rang</translation>
+    </message>
+    <message>
+        <location filename="value.cpp"/>
+        <source>needs a value</source>
+        <translation>demande une valeur</translation>
+    </message>
+    <message>
         <location filename="value_bar.cpp"/>
         <source>%1 m of at most %2 m either way; told to go to %3 m</source>
         <translation>%1 m sur %2 m au plus de part et d’autre ; consigne %3 m</translation>
@@ -10764,6 +12709,471 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="verification_dialog.cpp"/>
         <source>What designs of the builders do beside what was measured of real ones. Nothing is tuned: a ratio far from one says what the present laws cannot do.</source>
         <translation>Ce que font les modèles des générateurs à côté de ce qui a été mesuré sur de vrais. Rien n’est ajusté : un rapport loin de un dit ce que les lois actuelles ne savent pas faire.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Arrows</source>
+        <translation>&amp;Flèches</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Back</source>
+        <translation>De de&amp;rrière</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Corner</source>
+        <translation>De trois &amp;quarts</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Fit</source>
+        <translation>Tout voi&amp;r</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Left</source>
+        <translation>De &amp;gauche</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;None</source>
+        <translation>A&amp;ucune</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Tension</source>
+        <translation>&amp;Tension</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Top</source>
+        <translation>De &amp;dessus</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;Velocity</source>
+        <translation>&amp;Vitesse</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Botto&amp;m</source>
+        <translation>De desso&amp;us</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by &amp;material</source>
+        <translation>Colorer par &amp;matériau</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by &amp;strain</source>
+        <translation>Colorer par dé&amp;formation</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by fabric stress</source>
+        <translation>Colorer par contrainte du tissu</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by panel loa&amp;d</source>
+        <translation>Colorer par c&amp;harge des panneaux</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by s&amp;peed</source>
+        <translation>Colorer par vit&amp;esse</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by t&amp;ension</source>
+        <translation>Colorer par t&amp;ension</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Colour by tea&amp;r limit</source>
+        <translation>Colorer par &amp;limite de rupture</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Draw a dot at each particle.</source>
+        <translation>Dessiner un point à chaque particule.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Draw an arrow for the wind.</source>
+        <translation>Dessiner une flèche pour le vent.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Draw arrows for the wind all around the design.</source>
+        <translation>Dessiner des flèches de vent tout autour du modèle.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Draw springs, rods and lines.</source>
+        <translation>Dessiner les ressorts, les tiges et les lignes.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Draw the fabric.</source>
+        <translation>Dessiner le tissu.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Draw the ways that the selected particles have come in the last five seconds; of those that probes look at when none is selected.</source>
+        <translation>Tracer le chemin des particules sélectionnées pendant les cinq dernières secondes ; sans sélection, de celles que regardent les sondes.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>F&amp;ollow</source>
+        <translation>Sui&amp;vre</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Fit sele&amp;ction</source>
+        <translation>Cadrer la &amp;sélection</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Fro&amp;nt</source>
+        <translation>De &amp;face</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How far links are stretched.</source>
+        <translation>De combien les liaisons sont étirées.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How fast each particle moves, and where to.</source>
+        <translation>À quelle vitesse chaque particule se déplace, et vers où.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How fast particles move.</source>
+        <translation>À quelle vitesse les particules se déplacent.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How hard each link pulls at its ends.</source>
+        <translation>Avec quelle force chaque liaison tire à ses bouts.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How hard links pull.</source>
+        <translation>Avec quelle force les liaisons tirent.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How hard the air pushes each panel.</source>
+        <translation>Avec quelle force l’air pousse chaque panneau.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How hard the air pushes panels, per area.</source>
+        <translation>Avec quelle force l’air pousse les panneaux, par unité d’aire.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How much of what it tears at each link bears.</source>
+        <translation>Quelle part de sa limite de rupture porte chaque liaison.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Look from a corner above.</source>
+        <translation>Regarder depuis un coin, d’en haut.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Look from above.</source>
+        <translation>Regarder d’en haut.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Look from behind.</source>
+        <translation>Regarder de derrière.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Look from below.</source>
+        <translation>Regarder d’en bas.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Look from the front.</source>
+        <translation>Regarder de face.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Look from the left.</source>
+        <translation>Regarder depuis la gauche.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Look from the right.</source>
+        <translation>Regarder depuis la droite.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Mark the centre of gravity of what is selected, or of the whole design, with its mass.</source>
+        <translation>Marquer le centre de gravité de la sélection, ou de tout le modèle, avec sa masse.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>No arrows on particles, panels and links.</source>
+        <translation>Aucune flèche sur les particules, panneaux et liaisons.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>O&amp;rthographic</source>
+        <translation>&amp;Orthographique</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Panel &amp;load</source>
+        <translation>&amp;Charge des panneaux</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>R&amp;ight</source>
+        <translation>De droi&amp;te</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Range of colours…</source>
+        <translation>Intervalle des couleurs…</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show &amp;wind</source>
+        <translation>Montrer le ven&amp;t</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show centre of &amp;gravity</source>
+        <translation>Montrer le centre de grav&amp;ité</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show lin&amp;ks</source>
+        <translation>Montrer les &amp;liaisons</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show p&amp;anels</source>
+        <translation>Montrer les p&amp;anneaux</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show partic&amp;les</source>
+        <translation>Montrer les &amp;particules</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show the design as a ghost</source>
+        <translation>Montrer le dessin d'origine en fantôme</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show the whole scene.</source>
+        <translation>Montrer toute la scène.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show trails</source>
+        <translation>Montrer les traînées</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show what &amp;probes read</source>
+        <translation>Montrer ce que lisent les &amp;sondes</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show what is selected, or the whole scene when nothing is.</source>
+        <translation>Montrer la sélection, ou toute la scène si rien n’est sélectionné.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Show wind fiel&amp;d</source>
+        <translation>Montrer le &amp;champ de vent</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Tension of threads over the width of fabric that they stand for.</source>
+        <translation>Tension des fils divisée par la largeur de tissu qu'ils représentent.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>The camera goes with the fabric.</source>
+        <translation>La caméra accompagne le tissu.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>The colours of the materials.</source>
+        <translation>Les couleurs des matériaux.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>The shape as it was designed, beside what has become of it; where nothing is pinned it goes along.</source>
+        <translation>La forme telle qu'elle a été dessinée, à côté de ce qu'elle est devenue ; là où rien n'est épinglé, elle suit le mouvement.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Type the values at the ends of the colours, or let them follow. A click on the colours does the same.</source>
+        <translation>Saisir les valeurs aux deux bouts des couleurs, ou les laisser suivre. Un clic sur les couleurs fait de même.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Without perspective: parallels stay parallel.</source>
+        <translation>Sans perspective : les parallèles restent parallèles.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Write the values of probes beside what they look at.</source>
+        <translation>Écrire les valeurs des sondes à côté de ce qu’elles regardent.</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>a rod joins it to a particle of %1 times another mass; add substeps or bring the masses closer</source>
+        <translation>une tige la joint à une particule de masse %1 fois différente ; ajouter des sous-pas ou rapprocher les masses</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>explicit Euler gains energy from springs at any time step; choose another integrator or add damping</source>
+        <translation>Euler explicite gagne de l’énergie des ressorts à tout pas de temps ; choisir un autre intégrateur ou ajouter de l’amortissement</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>particle %1 left the range of numbers at %2 s: %3</source>
+        <translation>la particule %1 a quitté le domaine des nombres à %2 s : %3</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>particle %1 reached %2 m/s, above the limit of %3 m/s, at %4 s: %5</source>
+        <translation>la particule %1 a atteint %2 m/s, au-dessus de la limite de %3 m/s, à %4 s : %5</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>something pushes it harder than the time step resolves; shorten the time step or look at the forces there</source>
+        <translation>quelque chose la pousse plus fort que le pas de temps ne le résout ; raccourcir le pas de temps ou regarder les forces à cet endroit</translation>
+    </message>
+    <message>
+        <location filename="watchdog.cpp"/>
+        <source>the substep of %1 s is above the %2 s that its springs allow; shorten the time step, add substeps, or lower stiffness and damping</source>
+        <translation>le sous-pas de %1 s dépasse les %2 s que permettent ses ressorts ; raccourcir le pas de temps, ajouter des sous-pas, ou baisser raideur et amortissement</translation>
+    </message>
+    <message>
+        <location filename="weigh.cpp"/>
+        <source>Particle %1 weighs less than the density of its material says: empty the material's areal and linear density first.</source>
+        <translation>La particule %1 pèse moins que ne le dit la densité de son matériau : vider d’abord la masse surfacique et linéique du matériau.</translation>
+    </message>
+    <message>
+        <location filename="weigh.cpp"/>
+        <source>Weigh</source>
+        <translation>Peser</translation>
+    </message>
+    <message>
+        <location filename="weight.cpp"/>
+        <source>weight</source>
+        <translation>le poids</translation>
+    </message>
+    <message>
+        <location filename="weld.cpp"/>
+        <source>Weld</source>
+        <translation>Souder</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 cannot be opened: %2.</source>
+        <translation>%1 ne peut pas être ouvert : %2.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 ne peut pas être lu : %2.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 cannot be written: %2; choose another folder.</source>
+        <translation>%1 ne peut pas être écrit : %2 ; choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 cannot be written: there is no folder %2; make it or choose another.</source>
+        <translation>%1 ne peut pas être écrit : le dossier %2 n’existe pas ; le créer ou en choisir un autre.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 does not exist; check the path.</source>
+        <translation>%1 n’existe pas ; vérifier le chemin.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 is a folder; name a file in it.</source>
+        <translation>%1 est un dossier ; nommer un fichier dedans.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 is larger than 4 GiB, too large for this program.</source>
+        <translation>%1 dépasse 4 Gio, trop pour ce programme.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1 was not saved: %2; make room or choose another folder.</source>
+        <translation>%1 n’a pas été enregistré : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>%1, line 1: the file %2.</source>
+        <translation>%1, ligne 1 : le fichier %2.</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>it is a folder</source>
+        <translation>c’est un dossier</translation>
+    </message>
+    <message>
+        <location filename="whole_file.cpp"/>
+        <source>unknown error</source>
+        <translation>erreur inconnue</translation>
+    </message>
+    <message>
+        <location filename="window_tour.cpp"/>
+        <source>Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are at the upper left. Keys G, R and S move, turn and scale what is selected.</source>
+        <translation>Glisser pour tourner, molette pour zoomer, glisser au milieu pour déplacer. Un clic sélectionne ; rectangle et lasso sont en haut à gauche. Les touches G, R et S déplacent, tournent et mettent à l’échelle la sélection.</translation>
+    </message>
+    <message>
+        <location filename="window_tour.cpp"/>
+        <source>Everything else</source>
+        <translation>Tout le reste</translation>
+    </message>
+    <message>
+        <location filename="window_tour.cpp"/>
+        <source>Fly it</source>
+        <translation>Faire voler</translation>
+    </message>
+    <message>
+        <location filename="window_tour.cpp"/>
+        <source>New from builder begins with a whole kite, glider or parachute; Import makes fabric of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the keys.</source>
+        <translation>Nouveau à partir d’un générateur part d’un cerf-volant, d’un deltaplane ou d’un parachute entier ; Importer fait du tissu d’un maillage ; Exporter sert Blender et ParaView. F3 trouve toute action, F1 montre les touches.</translation>
+    </message>
+    <message>
+        <location filename="window_tour.cpp"/>
+        <source>Space plays and pauses, the full stop does one step, Ctrl+R goes back to the design. Keys of the controls steer; they stand under Controls.</source>
+        <translation>Espace lance et suspend, le point fait un pas, Ctrl+R revient au modèle. Les touches des commandes pilotent ; elles sont sous Commandes.</translation>
+    </message>
+    <message>
+        <location filename="window_tour.cpp"/>
+        <source>The design, and its flight</source>
+        <translation>Le modèle, et son vol</translation>
     </message>
     <message>
         <location filename="words.cpp"/>
@@ -10977,199 +13387,9 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Annuler</translation>
     </message>
     <message>
-        <location filename="path.cpp"/>
-        <source>"%1" is a %2, not a %3</source>
-        <translation>« %1 » est de la sorte %2, et non %3</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>"%1" is no %2, it %3.</source>
-        <translation>« %1 » ne convient pas : %2 %3.</translation>
-    </message>
-    <message>
-        <location filename="formula.cpp"/>
-        <source>"%1" is no other probe; names are written with _ for blanks</source>
-        <translation>« %1 » n’est pas une autre sonde ; les noms s’écrivent avec _ pour les blancs</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>"%1" is no path; write ITEM.PROPERTY, like settings.timeStep</source>
-        <translation>« %1 » n’est pas un chemin ; écrire ÉLÉMENT.PROPRIÉTÉ, comme settings.timeStep</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>"%1" is not a corner of a face</source>
-        <translation>« %1 » n’est pas un coin de face</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>"%1" sets nothing; write PATH=VALUE, like settings.timeStep=0.002</source>
-        <translation>« %1 » ne règle rien ; écrire CHEMIN=VALEUR, comme settings.timeStep=0.002</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>"not" goes with a switch, as in not pinned; elsewhere compare with !=</source>
-        <translation>« not » va avec un interrupteur, comme not pinned ; ailleurs, comparer avec !=</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 %2 after %3 s of simulated time; what comes before is shown.</source>
-        <translation>%1 %2 après %3 s de temps simulé ; ce qui précède est montré.</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 %2 before its first frame; there is nothing to show.</source>
-        <translation>%1 %2 avant sa première image ; il n’y a rien à montrer.</translation>
-    </message>
-    <message>
-        <location filename="ply_file.cpp"/>
-        <source>%1 %2 of %3 is not there</source>
-        <translation>%1 %2 sur %3 manque</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>%1 Nothing was written.</source>
-        <translation>%1 Rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>%1 What was written ends there.</source>
-        <translation>%1 Ce qui est écrit finit là.</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 can no longer be read; open it again.</source>
-        <translation>%1 ne peut plus être lu ; l’ouvrir de nouveau.</translation>
-    </message>
-    <message>
         <location filename="write_bundle.cpp"/>
         <source>%1 cannot be copied into the bundle: %2.</source>
         <translation>%1 ne peut pas être copié dans le dossier de la simulation : %2.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 cannot be opened: %2.</source>
-        <translation>%1 ne peut pas être ouvert : %2.</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 cannot be opened; check that you may read it.</source>
-        <translation>%1 ne peut pas être ouvert ; vérifier que vous pouvez le lire.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 cannot be read: %2.</source>
-        <translation>%1 ne peut pas être lu : %2.</translation>
-    </message>
-    <message>
-        <location filename="zip_file.cpp"/>
-        <source>%1 cannot be unpacked: %2; it is damaged or cut off, get it again.</source>
-        <translation>%1 ne peut pas être décompressé : %2 ; il est abîmé ou tronqué, l’obtenir de nouveau.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 cannot be written: %2; choose another folder.</source>
-        <translation>%1 ne peut pas être écrit : %2 ; choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="autosave.cpp"/>
-        <source>%1 cannot be written: free some space.</source>
-        <translation>%1 ne peut pas être écrit : libérer de la place.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 cannot be written: there is no folder %2; make it or choose another.</source>
-        <translation>%1 ne peut pas être écrit : le dossier %2 n’existe pas ; le créer ou en choisir un autre.</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>%1 cells</source>
-        <translation>%1 cellules</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 closed pieces were inside out: turned over.</source>
-        <translation>%1 morceaux fermés étaient à l’envers : retournés.</translation>
-    </message>
-    <message>
-        <location filename="transform.cpp"/>
-        <source>%1 colliders</source>
-        <translation>%1 obstacles</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>%1 columns</source>
-        <translation>%1 colonnes</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 does not exist; check the path.</source>
-        <translation>%1 n’existe pas ; vérifier le chemin.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 edges belong to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.</source>
-        <translation>%1 arêtes appartiennent à plus de deux faces : gardées. C’est juste là où une quille ou une nervure rencontre une voile ; le tissu n’y résiste pas à la flexion.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 edges belong to one face only: the rim of the fabric, in %2 rims.</source>
-        <translation>%1 arêtes n’appartiennent qu’à une face : le bord du tissu, en %2 bords.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 edges belong to one face only: the rim of the fabric.</source>
-        <translation>%1 arêtes n’appartiennent qu’à une face : le bord du tissu.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 edges have no outside: the surface turns over itself like a Moebius strip.</source>
-        <translation>%1 arêtes n’ont pas d’extérieur : la surface se retourne comme un ruban de Möbius.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 faces have no area: left out.</source>
-        <translation>%1 faces n’ont pas d’aire : omises.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 faces have the corners of another one: left out.</source>
-        <translation>%1 faces ont les coins d’une autre : omises.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 faces were wound against their neighbours: turned over.</source>
-        <translation>%1 faces étaient orientées contre leurs voisines : retournées.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>%1 free particles have no mass.</source>
-        <translation>%1 particules libres n’ont pas de masse.</translation>
-    </message>
-    <message>
-        <location filename="read_bundle.cpp"/>
-        <source>%1 has no %2 in it, which its manifest names; get it again.</source>
-        <translation>%1 ne contient pas %2, que son manifeste nomme ; l’obtenir de nouveau.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>%1 has no known ending: %2.</source>
-        <translation>%1 n’a pas de fin connue : %2.</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>%1 has no x, y or z; say %2</source>
-        <translation>%1 n’a ni x, ni y, ni z ; dire %2</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>%1 has three numbers; say %2.x, %3.y or %4.z</source>
-        <translation>%1 a trois nombres ; dire %2.x, %3.y ou %4.z</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 holds no frame.</source>
-        <translation>%1 ne contient aucune image.</translation>
     </message>
     <message>
         <location filename="write_bundle.cpp"/>
@@ -11177,19 +13397,9 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>%1 est un fichier ; nommer un nouveau dossier, ou un fichier qui finit par .zip.</translation>
     </message>
     <message>
-        <location filename="output_files.cpp"/>
-        <source>%1 is a folder or a device; name a file.</source>
-        <translation>%1 est un dossier ou un périphérique ; nommer un fichier.</translation>
-    </message>
-    <message>
         <location filename="write_bundle.cpp"/>
         <source>%1 is a folder with other things in it; name a new one.</source>
         <translation>%1 est un dossier qui contient autre chose ; en nommer un nouveau.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 is a folder; name a file in it.</source>
-        <translation>%1 est un dossier ; nommer un fichier dedans.</translation>
     </message>
     <message>
         <location filename="write_bundle.cpp"/>
@@ -11197,679 +13407,9 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>%1 est un dossier ; nommer un fichier.</translation>
     </message>
     <message>
-        <location filename="condition.cpp"/>
-        <source>%1 is a list and cannot be compared; choose another property</source>
-        <translation>%1 est une liste et ne se compare pas ; choisir une autre propriété</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>%1 is a number; go on with &lt;, &gt; or = and a value</source>
-        <translation>%1 est un nombre ; continuer avec &lt;, &gt; ou = et une valeur</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>%1 is a series; for one moment %2.</source>
-        <translation>%1 est une série ; pour un seul instant %2.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 is larger than 4 GiB, too large for this program.</source>
-        <translation>%1 dépasse 4 Gio, trop pour ce programme.</translation>
-    </message>
-    <message>
-        <location filename="read_bundle.cpp"/>
-        <source>%1 is no bundle of Ripstop: it has no %2.</source>
-        <translation>%1 n’est pas un dossier de simulation de Ripstop : il n’a pas de %2.</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 is no file; name a recording (*.ripstop-run).</source>
-        <translation>%1 n’est pas un fichier ; nommer un enregistrement (*.ripstop-run).</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>%1 is not a number; compare it with = or !=</source>
-        <translation>%1 n’est pas un nombre ; le comparer avec = ou !=</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>%1 is not a number; write one, as in %2 &gt; 1</source>
-        <translation>%1 n’est pas un nombre ; en écrire un, comme dans %2 &gt; 1</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 is not a recording of Ripstop (*.ripstop-run).</source>
-        <translation>%1 n’est pas un enregistrement de Ripstop (*.ripstop-run).</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>%1 is not a unit of %2; %3</source>
-        <translation>%1 n’est pas une unité de %2 ; %3</translation>
-    </message>
-    <message>
-        <location filename="csv.cpp"/>
-        <source>%1 is not complete: %2; make room or choose another folder.</source>
-        <translation>%1 n’est pas complet : %2 ; faire de la place ou choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="scene_file.cpp"/>
-        <source>%1 is too large for the memory of this computer.</source>
-        <translation>%1 est trop grand pour la mémoire de cet ordinateur.</translation>
-    </message>
-    <message>
-        <location filename="zip_file.cpp"/>
-        <source>%1 leads out of it</source>
-        <translation>%1 en sort</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>%1 lines</source>
-        <translation>%1 lignes</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 lines and single points of the file were left out.</source>
-        <translation>%1 lignes et points isolés du fichier ont été omis.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>%1 links</source>
-        <translation>%1 liaisons</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>%1 links are beyond the tear limit at the start and will tear in the first step.</source>
-        <translation>%1 liaisons dépassent la limite de rupture au départ et rompront au premier pas.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>%1 links are longer at the start than at rest by more than %2 %, up to %3 %.</source>
-        <translation>%1 liaisons sont plus longues au départ qu’au repos de plus de %2 %, jusqu’à %3 %.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>%1 links join particles that are joined already, so that they are as stiff as two.</source>
-        <translation>%1 liaisons joignent des particules déjà jointes, qui sont donc deux fois plus raides.</translation>
-    </message>
-    <message>
-        <location filename="builder.cpp"/>
-        <source>%1 must be a number from %2 to %3, and is %4.</source>
-        <translation>%1 doit être un nombre de %2 à %3, et est %4.</translation>
-    </message>
-    <message>
-        <location filename="builder.cpp"/>
-        <source>%1 must be a whole number from %2 to %3, and is %4.</source>
-        <translation>%1 doit être un nombre entier de %2 à %3, et est %4.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 needs three different particles as its corners; remove it.</source>
-        <translation>%1 : il faut trois particules différentes à ses coins ; le supprimer.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 needs two different particles as its ends; remove it.</source>
-        <translation>%1 : il faut deux particules différentes à ses bouts ; la supprimer.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 of %2 has no links and will fly by itself.</source>
-        <translation>%1 de %2 n’a pas de liaisons et volera seule.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 of %2 is free and has no mass: give it a mass or pin it.</source>
-        <translation>%1 de %2 est libre et sans masse : lui donner une masse ou la fixer.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 of %2 joins two particles that are joined already.</source>
-        <translation>%1 de %2 joint deux particules déjà jointes.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 of %2 needs a guide axis that is not zero.</source>
-        <translation>%1 de %2 demande un axe de guidage non nul.</translation>
-    </message>
-    <message>
-        <location filename="typed_number.cpp"/>
-        <source>%1 or %2</source>
-        <translation>%1 ou %2</translation>
-    </message>
-    <message>
-        <location filename="transform.cpp"/>
-        <source>%1 particles</source>
-        <translation>%1 particules</translation>
-    </message>
-    <message>
-        <location filename="rigidity.cpp"/>
-        <source>%1 particles are too many to look at together. Select at most %2, such as the frame without the sail.</source>
-        <translation>%1 particules sont trop pour être examinées ensemble. En sélectionner au plus %2, comme l’armature sans la voile.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>%1 particles hang on no link and no panel.</source>
-        <translation>%1 particules ne tiennent à aucune liaison ni aucun panneau.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>%1 particles need a shorter substep than %2 s, down to %3 s.</source>
-        <translation>%1 particules demandent un sous-pas plus court que %2 s, jusqu’à %3 s.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 polygons of more than three corners became triangles.</source>
-        <translation>%1 polygones de plus de trois coins sont devenus des triangles.</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>%1 rods are solved directly, since their load is far heavier than what holds it; %2</source>
-        <translation>%1 tiges sont résolues directement, car leur charge est bien plus lourde que ce qui la tient ; %2</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>%1 rods are solved directly, since their load would need %2 substeps; %3</source>
-        <translation>%1 tiges sont résolues directement, car leur charge demanderait %2 sous-pas ; %3</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>%1 rods are solved directly, since they hold fabric that is small enough for it; %2</source>
-        <translation>%1 tiges sont résolues directement, car la voile qu’elles tiennent est assez petite pour cela ; %2</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>%1 substeps; bending needs at least %2</source>
-        <translation>%1 sous-pas ; la flexion en demande au moins %2</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 vertices belong to no face: left out.</source>
-        <translation>%1 sommets n’appartiennent à aucune face : omis.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 vertices lie on a seam of the texture: the first of their texture points was kept.</source>
-        <translation>%1 sommets sont sur une couture de la texture : le premier de leurs points de texture a été gardé.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>%1 vertices lie on another one: joined.</source>
-        <translation>%1 sommets sont sur un autre : joints.</translation>
-    </message>
-    <message>
-        <location filename="scene_file.cpp"/>
-        <source>%1 was not saved: %2 of %3 %4; correct it first.</source>
-        <translation>%1 n’a pas été enregistré : %2 de %3 %4 ; le corriger d’abord.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 was not saved: %2; make room or choose another folder.</source>
-        <translation>%1 n’a pas été enregistré : %2 ; faire de la place ou choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="scene_file.cpp"/>
-        <source>%1 was not saved: not enough memory to write the scene.</source>
-        <translation>%1 n’a pas été enregistré : pas assez de mémoire pour écrire la scène.</translation>
-    </message>
-    <message>
-        <location filename="scene_file.cpp"/>
-        <source>%1 was not saved: parameter %2 of %3 is not a finite number; correct it first.</source>
-        <translation>%1 n’a pas été enregistré : le paramètre %2 de %3 n’est pas un nombre fini ; le corriger d’abord.</translation>
-    </message>
-    <message>
         <location filename="write_bundle.cpp"/>
         <source>%1 was not written: %2; choose another folder.</source>
         <translation>%1 n’a pas été écrit : %2 ; choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="output_files.cpp"/>
-        <source>%1 was not written: %2; make room or choose another folder.</source>
-        <translation>%1 n’a pas été écrit : %2 ; faire de la place ou choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>%1 was written by a later version of Ripstop; open it with that.</source>
-        <translation>%1 a été écrit par une version plus récente de Ripstop ; l’ouvrir avec elle.</translation>
-    </message>
-    <message>
-        <location filename="control_track.cpp"/>
-        <source>%1, line %2: %3</source>
-        <translation>%1, ligne %2 : %3</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1, line 1: the file %2.</source>
-        <translation>%1, ligne 1 : le fichier %2.</translation>
-    </message>
-    <message>
-        <location filename="scene_file.cpp"/>
-        <source>%1, line 1: the file is empty; choose another or restore it from a copy.</source>
-        <translation>%1, ligne 1 : le fichier est vide ; en choisir un autre ou le restaurer d’une copie.</translation>
-    </message>
-    <message>
-        <location filename="builder.cpp"/>
-        <source>%1, row %2, column %3: "%4" is not a number.</source>
-        <translation>%1, rang %2, colonne %3 : « %4 » n’est pas un nombre.</translation>
-    </message>
-    <message>
-        <location filename="builder.cpp"/>
-        <source>%1, row %2, column %3: each row needs as many numbers as the first, %4, and this one has %5.</source>
-        <translation>%1, rang %2, colonne %3 : chaque rang demande autant de nombres que le premier, %4, et celui-ci en a %5.</translation>
-    </message>
-    <message>
-        <location filename="builder.cpp"/>
-        <source>%1, row %2, column %3: must be from %4 to %5 %6, and is %7.</source>
-        <translation>%1, rang %2, colonne %3 : doit être de %4 à %5 %6, et est %7.</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>%1.%2 %3, not "%4"</source>
-        <translation>%1.%2 %3, et non « %4 »</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1: %2 points at %3, which does not exist; choose another or remove it.</source>
-        <translation>%1 : %2 désigne %3, qui n’existe pas ; en choisir un autre ou le retirer.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1: %2 points at %3, which is a %4.</source>
-        <translation>%1 : %2 désigne %3, qui est de la sorte : %4.</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>%1; did you mean "%2"?</source>
-        <translation>%1 ; vouliez-vous dire « %2 » ?</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>%1; there is %2</source>
-        <translation>%1 ; il y a %2</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>1 cell</source>
-        <translation>1 cellule</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 closed piece was inside out: turned over.</source>
-        <translation>1 morceau fermé était à l’envers : retourné.</translation>
-    </message>
-    <message>
-        <location filename="transform.cpp"/>
-        <source>1 collider</source>
-        <translation>1 obstacle</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>1 column</source>
-        <translation>1 colonne</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 edge belongs to more than two faces: kept. That is right where a keel or a rib meets a sail; fabric does not resist bending there.</source>
-        <translation>1 arête appartient à plus de deux faces : gardée. C’est juste là où une quille ou une nervure rencontre une voile ; le tissu n’y résiste pas à la flexion.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 edge belongs to one face only: the rim of the fabric.</source>
-        <translation>1 arête n’appartient qu’à une face : le bord du tissu.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 edge has no outside: the surface turns over itself like a Moebius strip.</source>
-        <translation>1 arête n’a pas d’extérieur : la surface se retourne comme un ruban de Möbius.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 face has no area: left out.</source>
-        <translation>1 face n’a pas d’aire : omise.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 face has the corners of another one: left out.</source>
-        <translation>1 face a les coins d’une autre : omise.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 face was wound against its neighbours: turned over.</source>
-        <translation>1 face était orientée contre ses voisines : retournée.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 free particle has no mass.</source>
-        <translation>1 particule libre n’a pas de masse.</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>1 line</source>
-        <translation>1 ligne</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 line or single point of the file was left out.</source>
-        <translation>1 ligne ou point isolé du fichier a été omis.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 link</source>
-        <translation>1 liaison</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 link is beyond the tear limit at the start and will tear in the first step.</source>
-        <translation>1 liaison dépasse la limite de rupture au départ et rompra au premier pas.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 link is longer at the start than at rest by more than %1 %, up to %2 %.</source>
-        <translation>1 liaison est plus longue au départ qu’au repos de plus de %1 %, jusqu’à %2 %.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 link joins particles that are joined already, so that they are as stiff as two.</source>
-        <translation>1 liaison joint des particules déjà jointes, qui sont donc deux fois plus raides.</translation>
-    </message>
-    <message>
-        <location filename="transform.cpp"/>
-        <source>1 particle</source>
-        <translation>1 particule</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 particle hangs on no link and no panel.</source>
-        <translation>1 particule ne tient à aucune liaison ni aucun panneau.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>1 particle needs a shorter substep than %1 s, down to %2 s.</source>
-        <translation>1 particule demande un sous-pas plus court que %1 s, jusqu’à %2 s.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 polygon of more than three corners became triangles.</source>
-        <translation>1 polygone de plus de trois coins est devenu des triangles.</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>1 row</source>
-        <translation>1 rang</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 vertex belongs to no face: left out.</source>
-        <translation>1 sommet n’appartient à aucune face : omis.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 vertex lies on a seam of the texture: the first of its texture points was kept.</source>
-        <translation>1 sommet est sur une couture de la texture : le premier de ses points de texture a été gardé.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>1 vertex lies on another one: joined.</source>
-        <translation>1 sommet est sur un autre : joint.</translation>
-    </message>
-    <message>
-        <location filename="pin.cpp"/>
-        <source>A line through what is selected needs two particles in different places. Select one more, or choose x, y or z.</source>
-        <translation>Une droite par la sélection demande deux particules à des endroits différents. En sélectionner une de plus, ou choisir x, y ou z.</translation>
-    </message>
-    <message>
-        <location filename="film.cpp"/>
-        <source>A picture of this size cannot be drawn here; choose a smaller one.</source>
-        <translation>Une image de cette taille ne peut pas être dessinée ici ; en choisir une plus petite.</translation>
-    </message>
-    <message>
-        <location filename="pin.cpp"/>
-        <source>A plane through what is selected needs three particles that are not in one line. Select one more, or choose x, y or z.</source>
-        <translation>Un plan par la sélection demande trois particules non alignées. En sélectionner une de plus, ou choisir x, y ou z.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>A pull has to pass %1 to cross the network, and %2 sweeps in %3 take it past %4 in each time step.</source>
-        <translation>Une traction doit passer %1 pour traverser le réseau, et %2 balayages en %3 la portent au-delà de %4 à chaque pas de temps.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>A pull has to pass %1 to cross the network, and %2 sweeps in %3 take it past %4 in each time step: it will look elastic.</source>
-        <translation>Une traction doit passer %1 pour traverser le réseau, et %2 balayages en %3 la portent au-delà de %4 à chaque pas de temps : il paraîtra élastique.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>A pull has to pass %1 to cross the network; the direct solver takes it there at once.</source>
-        <translation>Une traction doit passer %1 pour traverser le réseau ; le solveur direct l’y porte d’un coup.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>A pull has to pass %1 to cross the network; this solver takes it far in each sweep.</source>
-        <translation>Une traction doit passer %1 pour traverser le réseau ; ce solveur la porte loin à chaque balayage.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>A rope runs between two particles: select these two.</source>
-        <translation>Une corde court entre deux particules : sélectionner ces deux-là.</translation>
-    </message>
-    <message>
-        <location filename="recording_data.cpp"/>
-        <source>A stretch of the recording is damaged; choose another time.</source>
-        <translation>Un tronçon de l’enregistrement est abîmé ; choisir un autre instant.</translation>
-    </message>
-    <message>
-        <location filename="rigidity.cpp"/>
-        <source>Add braces</source>
-        <translation>Ajouter des contreventements</translation>
-    </message>
-    <message>
-        <location filename="group.cpp"/>
-        <source>Add to %1</source>
-        <translation>Ajouter à %1</translation>
-    </message>
-    <message>
-        <location filename="align.cpp"/>
-        <source>Align</source>
-        <translation>Aligner</translation>
-    </message>
-    <message>
-        <location filename="mesh_import.cpp"/>
-        <source>All faces of the mesh lie in one point; choose another file.</source>
-        <translation>Toutes les faces du maillage sont en un point ; choisir un autre fichier.</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>All that is selected lies on the plane and is its own mirror image. Choose another plane or a smaller tolerance.</source>
-        <translation>Toute la sélection est sur le plan et est sa propre image. Choisir un autre plan ou une tolérance plus petite.</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>An id stays as it is.</source>
-        <translation>Un id reste tel quel.</translation>
-    </message>
-    <message>
-        <location filename="condition_text.cpp"/>
-        <source>At character %1: %2</source>
-        <translation>Au caractère %1 : %2</translation>
-    </message>
-    <message>
-        <location filename="targets.cpp"/>
-        <source>Bring mass to target</source>
-        <translation>Amener la masse à la cible</translation>
-    </message>
-    <message>
-        <location filename="run_files.cpp"/>
-        <source>Cancelled.</source>
-        <translation>Annulé.</translation>
-    </message>
-    <message>
-        <location filename="plot_arrangement.cpp"/>
-        <source>Change %1</source>
-        <translation>Modifier %1</translation>
-    </message>
-    <message>
-        <location filename="rebuild.cpp"/>
-        <source>Change parameters of %1</source>
-        <translation>Changer les paramètres de %1</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Choose the automatic solver</source>
-        <translation>Choisir le solveur automatique</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>Collider %1 is %2 m wide and the panels have edges of %3 m: it fits between particles, which are what touches; make the mesh finer or the collider larger.</source>
-        <translation>L’obstacle %1 fait %2 m de large et les panneaux ont des arêtes de %3 m : il passe entre les particules, seules à toucher ; affiner le maillage ou agrandir l’obstacle.</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>Collider %1 needs a normal that is not zero.</source>
-        <translation>L’obstacle %1 demande une normale non nulle.</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>Collider %1 needs edges above 0: correct its size.</source>
-        <translation>L’obstacle %1 demande des arêtes au-dessus de 0 : corriger sa taille.</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>Collider %1: %2</source>
-        <translation>Obstacle %1 : %2</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>Collider %1: its path %2.</source>
-        <translation>Obstacle %1 : son trajet %2.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Control %1 has no targets and does nothing.</source>
-        <translation>La commande %1 n’a pas de cible et ne fait rien.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Control %1 needs an axis that is not zero.</source>
-        <translation>La commande %1 demande un axe non nul.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Control %1 shifts weights, and a collider has none: make it move, or remove the collider from its targets.</source>
-        <translation>La commande %1 déporte des poids, et un obstacle n’en a pas : la faire déplacer, ou retirer l’obstacle de ses cibles.</translation>
-    </message>
-    <message>
-        <location filename="align.cpp"/>
-        <source>Distribute</source>
-        <translation>Répartir</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Do not plot %1</source>
-        <translation>Ne pas tracer %1</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Double links</source>
-        <translation>Liaisons doubles</translation>
-    </message>
-    <message>
-        <location filename="design_rows.cpp"/>
-        <source>Duplicate</source>
-        <translation>Dupliquer</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>Each with each of more than %1 particles are too many links. Select fewer, or choose another way.</source>
-        <translation>Chacune à chacune de plus de %1 particules fait trop de liaisons. En sélectionner moins, ou choisir une autre façon.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>Fill</source>
-        <translation>Remplir</translation>
-    </message>
-    <message>
-        <location filename="align.cpp"/>
-        <source>Flatten</source>
-        <translation>Aplatir</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Give %1 g each</source>
-        <translation>Donner %1 g à chacune</translation>
-    </message>
-    <message>
-        <location filename="group.cpp"/>
-        <source>Group %1</source>
-        <translation>Groupe %1</translation>
-    </message>
-    <message>
-        <location filename="mesh_import.cpp"/>
-        <source>Import %1</source>
-        <translation>Importer %1</translation>
-    </message>
-    <message>
-        <location filename="insert.cpp"/>
-        <source>Insert %1</source>
-        <translation>Insérer %1</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>It needs a mesh: set its file to an OBJ, STL or PLY.</source>
-        <translation>il lui faut un maillage : donner comme fichier un OBJ, STL ou PLY.</translation>
-    </message>
-    <message>
-        <location filename="collider_shape.cpp"/>
-        <source>It needs a width and a depth above 0 and a height of at least 0: correct its size.</source>
-        <translation>il faut une largeur et une profondeur au-dessus de 0 et une hauteur d’au moins 0 : corriger sa taille.</translation>
-    </message>
-    <message>
-        <location filename="plot_arrangement.cpp"/>
-        <source>Keep %1</source>
-        <translation>Garder %1</translation>
-    </message>
-    <message>
-        <location filename="pin.cpp"/>
-        <source>Let go</source>
-        <translation>Lâcher</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>Line %1 has %2 and there are %3 to take them; begin further left.</source>
-        <translation>La ligne %1 a %2 et il y a %3 pour les recevoir ; commencer plus à gauche.</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>Line %1, %2: %3</source>
-        <translation>Ligne %1, %2 : %3</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Links are at most %1 % longer at the start than at rest.</source>
-        <translation>Les liaisons sont au plus %1 % plus longues au départ qu’au repos.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Loose particles</source>
-        <translation>Particules seules</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Make %1 sweeps</source>
-        <translation>Faire %1 balayages</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Masses</source>
-        <translation>Masses</translation>
-    </message>
-    <message>
-        <location filename="measure.cpp"/>
-        <source>Measure %1</source>
-        <translation>Mesurer %1</translation>
-    </message>
-    <message>
-        <location filename="transform_tool.cpp"/>
-        <source>Move %1</source>
-        <translation>Déplacer %1</translation>
     </message>
     <message>
         <location filename="write_bundle.cpp"/>
@@ -11877,444 +13417,9 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>Nommer le dossier de la simulation : un nouveau dossier, ou un fichier qui finit par .zip.</translation>
     </message>
     <message>
-        <location filename="mesh_repair.cpp"/>
-        <source>No face of the mesh has an area; lower the weld tolerance, or check the mesh in a mesh program.</source>
-        <translation>Aucune face du maillage n’a d’aire ; baisser la tolérance de soudure, ou vérifier le maillage dans un logiciel de maillage.</translation>
-    </message>
-    <message>
-        <location filename="temporary_folder.cpp"/>
-        <source>No folder can be made beside %1: %2; make room or choose another folder.</source>
-        <translation>Aucun dossier ne peut être créé à côté de %1 : %2 ; faire de la place ou choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>No link is longer at the start than at rest.</source>
-        <translation>Aucune liaison n’est plus longue au départ qu’au repos.</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>No link is selected. Select the links that are to be split.</source>
-        <translation>Aucune liaison n’est sélectionnée. Sélectionner les liaisons à diviser.</translation>
-    </message>
-    <message>
-        <location filename="spread_mass.cpp"/>
-        <source>No link lies among what is selected, so it has no length. Select both ends of a line.</source>
-        <translation>Aucune liaison n’est dans la sélection, qui n’a donc pas de longueur. Sélectionner les deux bouts d’une ligne.</translation>
-    </message>
-    <message>
-        <location filename="spread_mass.cpp"/>
-        <source>No panel lies among what is selected, so it has no area. Select all corners of some fabric.</source>
-        <translation>Aucun panneau n’est dans la sélection, qui n’a donc pas d’aire. Sélectionner tous les coins d’un tissu.</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>No particle is selected. Select particles, links or panels first.</source>
-        <translation>Aucune particule n’est sélectionnée. Sélectionner d’abord des particules, des liaisons ou des panneaux.</translation>
-    </message>
-    <message>
-        <location filename="spread_mass.cpp"/>
-        <source>No particle is selected. Select what is to have the mass.</source>
-        <translation>Aucune particule n’est sélectionnée. Sélectionner ce qui doit avoir la masse.</translation>
-    </message>
-    <message>
-        <location filename="targets.cpp"/>
-        <source>No target mass is set.</source>
-        <translation>Aucune masse cible n’est donnée.</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>No two of the selected particles are that near to each other. Select more, or weld over a longer distance.</source>
-        <translation>Il n’y a pas deux particules sélectionnées aussi proches. En sélectionner plus, ou souder sur une plus grande distance.</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>Nothing is selected that could be smoothed. Select fabric or lines, with more than their border and ends.</source>
-        <translation>Rien de sélectionné ne peut être lissé. Sélectionner du tissu ou des lignes, avec plus que leur bord et leurs bouts.</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>Nothing is selected that has a place. Select particles, links, panels or a part first.</source>
-        <translation>Rien de sélectionné n’a de place. Sélectionner d’abord des particules, des liaisons, des panneaux ou une pièce.</translation>
-    </message>
-    <message>
-        <location filename="rigidity.cpp"/>
-        <source>Nothing is selected that links could hold. Select particles, links or a part.</source>
-        <translation>Rien de sélectionné ne pourrait être tenu par des liaisons. Sélectionner des particules, des liaisons ou une pièce.</translation>
-    </message>
-    <message>
         <location filename="write_bundle.cpp"/>
         <source>Nothing was flown: a bundle needs one time step at least.</source>
         <translation>Rien n’a été simulé : un dossier de la simulation demande un pas de temps au moins.</translation>
-    </message>
-    <message>
-        <location filename="compare_runs.cpp"/>
-        <source>One of the recordings holds no frame.</source>
-        <translation>L’un des enregistrements ne contient aucune image.</translation>
-    </message>
-    <message>
-        <location filename="canopy_shape.cpp"/>
-        <source>Part %1 %2, or set its canopyPressure to 0.</source>
-        <translation>La pièce %1 %2, ou mettre sa pression de voilure à 0.</translation>
-    </message>
-    <message>
-        <location filename="weigh.cpp"/>
-        <source>Particle %1 weighs less than the density of its material says: empty the material's areal and linear density first.</source>
-        <translation>La particule %1 pèse moins que ne le dit la densité de son matériau : vider d’abord la masse surfacique et linéique du matériau.</translation>
-    </message>
-    <message>
-        <location filename="copy.cpp"/>
-        <source>Paste</source>
-        <translation>Coller</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>Paste %1</source>
-        <translation>Coller %1</translation>
-    </message>
-    <message>
-        <location filename="pin.cpp"/>
-        <source>Pin</source>
-        <translation>Fixer</translation>
-    </message>
-    <message>
-        <location filename="plot_panel.cpp"/>
-        <source>Plot %1</source>
-        <translation>Tracer %1</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Plot %1 needs the probe that its curves are against.</source>
-        <translation>Le graphique %1 demande la sonde en abscisse de ses courbes.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Plot %1 shows no values: its lowest has to be below its highest.</source>
-        <translation>Le graphique %1 ne montre aucune valeur : sa plus basse doit être sous sa plus haute.</translation>
-    </message>
-    <message>
-        <location filename="presets.cpp"/>
-        <source>Preset %1</source>
-        <translation>Préréglage %1</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Probe %1 needs a target and a particle to measure from.</source>
-        <translation>La sonde %1 demande une cible et une particule de référence.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Probe %1 needs a third particle, on the right.</source>
-        <translation>La sonde %1 demande une troisième particule, à droite.</translation>
-    </message>
-    <message>
-        <location filename="edit.cpp"/>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <location filename="group.cpp"/>
-        <source>Remove from %1</source>
-        <translation>Retirer de %1</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Remove the double links</source>
-        <translation>Supprimer les liaisons doubles</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Remove the loose particles</source>
-        <translation>Supprimer les particules seules</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Rest as they start</source>
-        <translation>Au repos comme elles démarrent</translation>
-    </message>
-    <message>
-        <location filename="transform_tool.cpp"/>
-        <source>Rotate %1</source>
-        <translation>Tourner %1</translation>
-    </message>
-    <message>
-        <location filename="transform_tool.cpp"/>
-        <source>Scale %1</source>
-        <translation>Mettre à l’échelle %1</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>Select the particles along the spar first.</source>
-        <translation>Sélectionner d’abord les particules le long du longeron.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>Select the particles that are to become stiff first.</source>
-        <translation>Sélectionner d’abord les particules qui doivent devenir raides.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>Select three or more particles around the hole first.</source>
-        <translation>Sélectionner d’abord au moins trois particules autour du trou.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>Select two or more particles first.</source>
-        <translation>Sélectionner d’abord au moins deux particules.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>Take %1 substeps</source>
-        <translation>Prendre %1 sous-pas</translation>
-    </message>
-    <message>
-        <location filename="shape_files.cpp"/>
-        <source>The %1 %2 does not exist; put it there, or choose another file.</source>
-        <translation>%2 (%1) n’existe pas ; l’y mettre, ou choisir un autre fichier.</translation>
-    </message>
-    <message>
-        <location filename="shape_files.cpp"/>
-        <source>The %1 %2 is not a file; choose another.</source>
-        <translation>%2 (%1) n’est pas un fichier ; en choisir un autre.</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>The angle is 0, so that all would lie in one place. 360 is a full ring.</source>
-        <translation>L’angle est 0, et tout serait au même endroit. 360 est un tour complet.</translation>
-    </message>
-    <message>
-        <location filename="gltf.cpp"/>
-        <source>The animation would have %1 MB, and a glTF file holds 4096 at most; choose fewer frames, or a point cache (.pc2).</source>
-        <translation>L’animation ferait %1 Mo, et un fichier glTF en contient 4096 au plus ; choisir moins d’images, ou un cache de points (.pc2).</translation>
-    </message>
-    <message>
-        <location filename="builder.cpp"/>
-        <source>The builder %1 has no parameter "%2"; did you mean "%3"?</source>
-        <translation>Le générateur %1 n’a pas de paramètre « %2 » ; vouliez-vous dire « %3 » ?</translation>
-    </message>
-    <message>
-        <location filename="builder.cpp"/>
-        <source>The builder %1 has no parameter "%2"; it has %3.</source>
-        <translation>Le générateur %1 n’a pas de paramètre « %2 » ; il a %3.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The end of the range must not lie before its start.</source>
-        <translation>La fin de l’intervalle ne doit pas précéder son début.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>The ends of a rod differ in mass by a factor of up to %1, and sweeps lift a heavy end by a light one only slowly: even the masses out, or choose the automatic solver.</source>
-        <translation>Les bouts d’une tige diffèrent en masse d’un facteur allant jusqu’à %1, et les balayages ne soulèvent que lentement un bout lourd par un bout léger : égaliser les masses, ou choisir le solveur automatique.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>The ends of a rod differ in mass by a factor of up to %1, which this solver can follow.</source>
-        <translation>Les bouts d’une tige diffèrent en masse d’un facteur allant jusqu’à %1, ce que ce solveur peut suivre.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>The ends of a rod differ in mass by a factor of up to %1.</source>
-        <translation>Les bouts d’une tige diffèrent en masse d’un facteur allant jusqu’à %1.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The export was cancelled and what was written has been removed.</source>
-        <translation>L’export a été annulé et ce qui était écrit a été supprimé.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The export was cancelled; nothing was written.</source>
-        <translation>L’export a été annulé ; rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <location filename="output_files.cpp"/>
-        <source>The folder %1 cannot be made: %2; choose another target.</source>
-        <translation>Le dossier %1 ne peut pas être créé : %2 ; choisir une autre cible.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>The formula of probe %1 cannot be worked out: %2.</source>
-        <translation>La formule de la sonde %1 ne peut pas être calculée : %2.</translation>
-    </message>
-    <message>
-        <location filename="gltf.cpp"/>
-        <source>The glTF text cannot be written.</source>
-        <translation>Le texte glTF ne peut pas être écrit.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>The id %1 is used twice; give one of the two another id.</source>
-        <translation>L’id %1 sert deux fois ; donner un autre id à l’un des deux.</translation>
-    </message>
-    <message>
-        <location filename="ply_file.cpp"/>
-        <source>The import was cancelled.</source>
-        <translation>L’importation a été annulée.</translation>
-    </message>
-    <message>
-        <location filename="constant_mesh.cpp"/>
-        <source>The lines of the design change after %1 s, and this format knows one mesh only; choose a sequence of files.</source>
-        <translation>Les lignes du modèle changent après %1 s, et ce format ne connaît qu’un maillage ; choisir une suite de fichiers.</translation>
-    </message>
-    <message>
-        <location filename="mesh_import.cpp"/>
-        <source>The material %1 has no mass per area; give one above 0 kg/m^2, or choose a preset.</source>
-        <translation>Le matériau %1 n’a pas de masse surfacique ; en donner une au-dessus de 0 kg/m^2, ou choisir un préréglage.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 cannot be opened; check that you may read it.</source>
-        <translation>Le maillage %1 ne peut pas être ouvert ; vérifier que vous pouvez le lire.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 cannot be read (%2).</source>
-        <translation>Le maillage %1 ne peut pas être lu (%2).</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 cannot be read (%2). The file may be cut off or of another format; save it again, or choose another file.</source>
-        <translation>Le maillage %1 ne peut pas être lu (%2). Le fichier est peut-être tronqué ou d’un autre format ; l’enregistrer de nouveau, ou choisir un autre fichier.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 cannot be read to its end; check the disk.</source>
-        <translation>Le maillage %1 ne peut pas être lu jusqu’au bout ; vérifier le disque.</translation>
-    </message>
-    <message>
-        <location filename="ply_file.cpp"/>
-        <source>The mesh %1 cannot be read: %2. The file may be cut off; save it again.</source>
-        <translation>Le maillage %1 ne peut pas être lu : %2. Le fichier est peut-être tronqué ; l’enregistrer de nouveau.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 does not exist; check the name and the folder.</source>
-        <translation>Le maillage %1 n’existe pas ; vérifier le nom et le dossier.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 has a vertex that is not finite (the one at place %2); save it again.</source>
-        <translation>Le maillage %1 a un sommet non fini (celui de rang %2) ; l’enregistrer de nouveau.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 has no face with an area; choose a file with a surface.</source>
-        <translation>Le maillage %1 n’a aucune face avec une aire ; choisir un fichier avec une surface.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 has no faces; choose a file with a surface.</source>
-        <translation>Le maillage %1 n’a pas de faces ; choisir un fichier avec une surface.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or Collada (.dae) file.</source>
-        <translation>Le maillage %1 n’a pas de format connu ; choisir un fichier OBJ, STL, PLY, OFF, glTF, GLB ou Collada (.dae).</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 is a folder; choose a file in it.</source>
-        <translation>Le maillage %1 est un dossier ; y choisir un fichier.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 is empty; save it again.</source>
-        <translation>Le maillage %1 est vide ; l’enregistrer de nouveau.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 is larger than 1 GiB; make it coarser in a mesh program first.</source>
-        <translation>Le maillage %1 dépasse 1 Gio ; le rendre d’abord plus grossier dans un logiciel de maillage.</translation>
-    </message>
-    <message>
-        <location filename="off_file.cpp"/>
-        <source>The mesh %1, line %2: %3. The file may be cut off; save it again.</source>
-        <translation>Le maillage %1, ligne %2 : %3. Le fichier est peut-être tronqué ; l’enregistrer de nouveau.</translation>
-    </message>
-    <message>
-        <location filename="assimp_mesh.cpp"/>
-        <source>The mesh cannot be written: %1</source>
-        <translation>Le maillage ne peut pas être écrit : %1</translation>
-    </message>
-    <message>
-        <location filename="mesh_import.cpp"/>
-        <source>The mesh has too many triangles; make it coarser in a mesh program.</source>
-        <translation>Le maillage a trop de triangles ; le rendre plus grossier dans un logiciel de maillage.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>The mesh is %1 pieces that nothing joins. A larger weld tolerance may join them.</source>
-        <translation>Le maillage est en %1 morceaux que rien ne joint. Une plus grande tolérance de soudure peut les joindre.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>The mesh is larger than 200 m or smaller than 2 cm: check its unit.</source>
-        <translation>Le maillage fait plus de 200 m ou moins de 2 cm : vérifier son unité.</translation>
-    </message>
-    <message>
-        <location filename="mesh_report.cpp"/>
-        <source>The mesh is one piece.</source>
-        <translation>Le maillage est d’un seul tenant.</translation>
-    </message>
-    <message>
-        <location filename="mesh_import.cpp"/>
-        <source>The mesh would be more than 1000 km wide; choose a smaller unit.</source>
-        <translation>Le maillage ferait plus de 1000 km de large ; choisir une unité plus petite.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The number of frames per second must be above 0.</source>
-        <translation>Le nombre d’images par seconde doit être supérieur à 0.</translation>
-    </message>
-    <message>
-        <location filename="constant_mesh.cpp"/>
-        <source>The panels of the design change after %1 s, and this format knows one mesh only; choose a sequence of files.</source>
-        <translation>Les panneaux du modèle changent après %1 s, et ce format ne connaît qu’un maillage ; choisir une suite de fichiers.</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>The picture %1 cannot be read (%2); save it as a grey PNG of 8 or 16 bits, or choose another file.</source>
-        <translation>L’image %1 ne peut pas être lue (%2) ; l’enregistrer en PNG gris de 8 ou 16 bits, ou choisir un autre fichier.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The range starts at %1, but the run begins only at %2.</source>
-        <translation>L’intervalle commence à %1, mais la simulation ne commence qu’à %2.</translation>
-    </message>
-    <message>
-        <location filename="export_run.cpp"/>
-        <source>The range starts at %1, but the run ends at %2.</source>
-        <translation>L’intervalle commence à %1, mais la simulation finit à %2.</translation>
-    </message>
-    <message>
-        <location filename="recording_data.cpp"/>
-        <source>The recording does not fit its design: it is damaged.</source>
-        <translation>L’enregistrement ne va pas avec son modèle : il est abîmé.</translation>
-    </message>
-    <message>
-        <location filename="frame_source.cpp"/>
-        <source>The recording ends at %1.</source>
-        <translation>L’enregistrement finit à %1.</translation>
-    </message>
-    <message>
-        <location filename="recording_data.cpp"/>
-        <source>The recording ends here, as %1.</source>
-        <translation>L’enregistrement finit ici, car %1.</translation>
-    </message>
-    <message>
-        <location filename="recording.cpp"/>
-        <source>The recording is damaged at this frame; choose another one.</source>
-        <translation>L’enregistrement est abîmé à cette image ; en choisir une autre.</translation>
-    </message>
-    <message>
-        <location filename="compare_runs.cpp"/>
-        <source>The recordings have no time in common.</source>
-        <translation>Les enregistrements n’ont aucun instant en commun.</translation>
-    </message>
-    <message>
-        <location filename="replay.cpp"/>
-        <source>The run cannot be computed to its end here: %1</source>
-        <translation>La simulation ne peut pas être calculée ici jusqu’à sa fin : %1</translation>
     </message>
     <message>
         <location filename="write_bundle.cpp"/>
@@ -12322,1099 +13427,19 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>La simulation ne peut pas être gardée entière : %1</translation>
     </message>
     <message>
-        <location filename="recording.cpp"/>
-        <source>The run stopped before that: %1</source>
-        <translation>La simulation s’est arrêtée avant : %1</translation>
+        <location filename="zip_file.cpp"/>
+        <source>%1 cannot be unpacked: %2; it is damaged or cut off, get it again.</source>
+        <translation>%1 ne peut pas être décompressé : %2 ; il est abîmé ou tronqué, l’obtenir de nouveau.</translation>
     </message>
     <message>
-        <location filename="mesh_import.cpp"/>
-        <source>The scale of the mesh must be above 0.</source>
-        <translation>L’échelle du maillage doit être au-dessus de 0.</translation>
-    </message>
-    <message>
-        <location filename="constant_mesh.cpp"/>
-        <source>The scene has neither fabric nor lines, so there is nothing to show.</source>
-        <translation>La scène n’a ni tissu ni lignes, il n’y a donc rien à montrer.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>The scene has no particles: insert a part or import a mesh.</source>
-        <translation>La scène n’a pas de particules : insérer une pièce ou importer un maillage.</translation>
-    </message>
-    <message>
-        <location filename="curve_figure.cpp"/>
-        <source>The scene has no probes, so there is nothing to draw in %1; add a probe first.</source>
-        <translation>La scène n’a pas de sondes, il n’y a donc rien à tracer dans %1 ; ajouter d’abord une sonde.</translation>
-    </message>
-    <message>
-        <location filename="series.cpp"/>
-        <source>The scene has no probes, so there is nothing to put into %1; add a probe first.</source>
-        <translation>La scène n’a pas de sondes, il n’y a donc rien à mettre dans %1 ; ajouter d’abord une sonde.</translation>
-    </message>
-    <message>
-        <location filename="frame_source.cpp"/>
-        <source>The simulation stopped: %1</source>
-        <translation>La simulation s’est arrêtée : %1</translation>
-    </message>
-    <message>
-        <location filename="operation.cpp"/>
-        <source>The step is 0, so that all would lie in one place. Give it a length.</source>
-        <translation>Le pas est 0, et tout serait au même endroit. Lui donner une longueur.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>The substep is %1 s and may be up to %2 s for the springs and the bending.</source>
-        <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour les ressorts et la flexion.</translation>
-    </message>
-    <message>
-        <location filename="stability.cpp"/>
-        <source>The substep is %1 s and may be up to %2 s for the springs and the bending; the automatic solver keeps to it.</source>
-        <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour les ressorts et la flexion ; le solveur automatique s’y tient.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>The substep of %1 s is above the %2 s that springs and bending at particle %3 may need: shorten the time step, add substeps, or lower stiffness and damping.</source>
-        <translation>Le sous-pas de %1 s dépasse les %2 s que peuvent demander ressorts et flexion à la particule %3 : raccourcir le pas de temps, ajouter des sous-pas, ou baisser raideur et amortissement.</translation>
-    </message>
-    <message>
-        <location filename="mesh_import.cpp"/>
-        <source>The weld tolerance must be 0 or more, and smaller than the mesh.</source>
-        <translation>La tolérance de soudure doit être 0 ou plus, et plus petite que le maillage.</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>There are %1 to paste and %2 to take them; begin further up.</source>
-        <translation>Il y a %1 à coller et %2 pour les recevoir ; commencer plus haut.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>There are panels on all of these particles already.</source>
-        <translation>Il y a déjà des panneaux sur toutes ces particules.</translation>
-    </message>
-    <message>
-        <location filename="gltf.cpp"/>
-        <source>There is neither fabric nor a line at this moment to make a mesh of.</source>
-        <translation>Il n’y a à cet instant ni tissu ni ligne dont faire un maillage.</translation>
-    </message>
-    <message>
-        <location filename="presets.cpp"/>
-        <source>There is no preset "%1"; did you mean "%2"?</source>
-        <translation>Il n’y a pas de préréglage « %1 » ; vouliez-vous dire « %2 » ?</translation>
-    </message>
-    <message>
-        <location filename="presets.cpp"/>
-        <source>There is no preset "%1"; ripstop-cli presets lists them.</source>
-        <translation>Il n’y a pas de préréglage « %1 » ; ripstop-cli presets les énumère.</translation>
-    </message>
-    <message>
-        <location filename="recording_data.cpp"/>
-        <source>There is nothing in the recording.</source>
-        <translation>Il n’y a rien dans l’enregistrement.</translation>
-    </message>
-    <message>
-        <location filename="clipboard.cpp"/>
-        <source>There is nothing to paste: the clipboard holds no design. Copy something that is selected first.</source>
-        <translation>Il n’y a rien à coller : le presse-papiers ne contient pas de modèle. Copier d’abord une sélection.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>These particles are linked already, or lie in one place. Nothing is added.</source>
-        <translation>Ces particules sont déjà liées, ou sont au même endroit. Rien n’est ajouté.</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
-        <source>These particles are linked already, or lie in one place. Take more links.</source>
-        <translation>Ces particules sont déjà liées, ou sont au même endroit. Prendre plus de liaisons.</translation>
-    </message>
-    <message>
-        <location filename="pin.cpp"/>
-        <source>Unpin</source>
-        <translation>Libérer</translation>
-    </message>
-    <message>
-        <location filename="weigh.cpp"/>
-        <source>Weigh</source>
-        <translation>Peser</translation>
-    </message>
-    <message>
-        <location filename="spread_mass.cpp"/>
-        <source>What is selected has no mass yet, so there is no proportion to keep. Share the mass out evenly.</source>
-        <translation>La sélection n’a pas encore de masse, et il n’y a pas de proportion à garder. Répartir la masse également.</translation>
-    </message>
-    <message>
-        <location filename="sheet.cpp"/>
-        <source>What is there was removed.</source>
-        <translation>Ce qui est là a été supprimé.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Wind %1 needs a roughness that is below its reference height.</source>
-        <translation>Le vent %1 demande une rugosité inférieure à sa hauteur de référence.</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>a %1 has no property "%2"</source>
-        <translation>il n’y a pas, pour la sorte %1, de propriété « %2 »</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>a face names vertex %1 of %2</source>
-        <translation>une face nomme le sommet %1 sur %2</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>a face needs three corners</source>
-        <translation>une face demande trois coins</translation>
-    </message>
-    <message>
-        <location filename="output_files.cpp"/>
-        <source>a file has that name</source>
-        <translation>un fichier porte ce nom</translation>
-    </message>
-    <message>
-        <location filename="hand_rows.cpp"/>
-        <source>a hand does not "%1".</source>
-        <translation>une main ne fait pas « %1 ».</translation>
-    </message>
-    <message>
-        <location filename="hand_rows.cpp"/>
-        <source>a hand does not "%1"; did you mean "%2"?</source>
-        <translation>une main ne fait pas « %1 » ; vouliez-vous dire « %2 » ?</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>a line has none</source>
-        <translation>une ligne n’en a pas</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>a number is missing; write one, as in %1 &gt; 1</source>
-        <translation>il manque un nombre ; en écrire un, comme dans %1 &gt; 1</translation>
-    </message>
-    <message>
-        <location filename="condition_text.cpp"/>
-        <source>a property is missing; begin with one, as in mass &lt; 1 g</source>
-        <translation>il manque une propriété ; commencer par une, comme dans mass &lt; 1 g</translation>
-    </message>
-    <message>
-        <location filename="watchdog.cpp"/>
-        <source>a rod joins it to a particle of %1 times another mass; add substeps or bring the masses closer</source>
-        <translation>une tige la joint à une particule de masse %1 fois différente ; ajouter des sous-pas ou rapprocher les masses</translation>
-    </message>
-    <message>
-        <location filename="spill_file.cpp"/>
-        <source>a temporary file cannot be read: %1</source>
-        <translation>un fichier temporaire ne peut pas être lu : %1</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>a texture point needs two finite numbers</source>
-        <translation>un point de texture demande deux nombres finis</translation>
-    </message>
-    <message>
-        <location filename="condition_text.cpp"/>
-        <source>a value is missing after %1</source>
-        <translation>il manque une valeur après %1</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>a vertex is not finite</source>
-        <translation>un sommet n’est pas fini</translation>
-    </message>
-    <message>
-        <location filename="obj_file.cpp"/>
-        <source>a vertex needs three numbers</source>
-        <translation>un sommet demande trois nombres</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>collider</source>
-        <translation>obstacle</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>control</source>
-        <translation>commande</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>each of its links has its own</source>
-        <translation>chacune de ses liaisons a la sienne</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>each of its rods has its own</source>
-        <translation>chacune de ses tiges a la sienne</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>each of its springs has its own</source>
-        <translation>chacun de ses ressorts a la sienne</translation>
-    </message>
-    <message>
-        <location filename="condition_text.cpp"/>
-        <source>expected &lt;, &gt;, =, != or "and", not "%1"</source>
-        <translation>attendu &lt;, &gt;, =, != ou « and », et non « %1 »</translation>
-    </message>
-    <message>
-        <location filename="watchdog.cpp"/>
-        <source>explicit Euler gains energy from springs at any time step; choose another integrator or add damping</source>
-        <translation>Euler explicite gagne de l’énergie des ressorts à tout pas de temps ; choisir un autre intégrateur ou ajouter de l’amortissement</translation>
-    </message>
-    <message>
-        <location filename="ply_file.cpp"/>
-        <source>face %1 names vertex %2, and there are %3</source>
-        <translation>la face %1 nomme le sommet %2, et il y en a %3</translation>
-    </message>
-    <message>
-        <location filename="off_file.cpp"/>
-        <source>face %1 of %2 needs a count and as many vertices of the file</source>
-        <translation>la face %1 sur %2 demande un nombre et autant de sommets du fichier</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>go on with = and a value, as in %1 = %2</source>
-        <translation>continuer avec = et une valeur, comme dans %1 = %2</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>go on with = and the name of a %1</source>
-        <translation>continuer avec = et le nom de : %1</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>group</source>
-        <translation>groupe</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>gusts have none of their own</source>
-        <translation>les rafales n’en ont pas en propre</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>has a range that %1</source>
-        <translation>a un intervalle qui %1</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>has a scene that cannot be read (%1)</source>
-        <translation>a une scène qui ne peut pas être lue (%1)</translation>
-    </message>
-    <message>
-        <location filename="canopy_shape.cpp"/>
-        <source>has canopy pressure and closed fabric that no air can enter: leave a mouth open</source>
-        <translation>a une pression de voilure et un tissu fermé où l’air ne peut entrer : laisser une bouche ouverte</translation>
-    </message>
-    <message>
-        <location filename="canopy_shape.cpp"/>
-        <source>has canopy pressure and fabric with one side only, like a twisted ribbon: remove a panel of the twist</source>
-        <translation>a une pression de voilure et un tissu à une seule face, comme un ruban tordu : supprimer un panneau de la torsion</translation>
-    </message>
-    <message>
-        <location filename="canopy_shape.cpp"/>
-        <source>has canopy pressure and lies flat where the run starts, so that neither side is the inside: give it a hollow</source>
-        <translation>a une pression de voilure et démarre à plat, sans intérieur d’aucun côté : lui donner un creux</translation>
-    </message>
-    <message>
-        <location filename="canopy_shape.cpp"/>
-        <source>has canopy pressure and no panels to hold the air: add panels</source>
-        <translation>a une pression de voilure et pas de panneaux pour tenir l’air : ajouter des panneaux</translation>
-    </message>
-    <message>
-        <location filename="canopy_shape.cpp"/>
-        <source>has canopy pressure, and more than two panels meet between particles %1 and %2: remove all but two of them</source>
-        <translation>a une pression de voilure, et plus de deux panneaux se rejoignent entre les particules %1 et %2 : n’en garder que deux</translation>
-    </message>
-    <message>
-        <location filename="canopy_shape.cpp"/>
-        <source>has canopy pressure, and panel %1 has a corner that is not a particle of this part: join the two parts</source>
-        <translation>a une pression de voilure, et le panneau %1 a un coin qui n’est pas une particule de cette pièce : joindre les deux pièces</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>is cut off</source>
-        <translation>est tronqué</translation>
-    </message>
-    <message>
-        <location filename="recording_file.cpp"/>
-        <source>is damaged</source>
-        <translation>est abîmé</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>is no id</source>
-        <translation>n’est pas un id</translation>
-    </message>
-    <message>
-        <location filename="manifest.cpp"/>
-        <source>is no manifest of a bundle</source>
-        <translation>n’est pas le manifeste d’un dossier de simulation</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>is no property that can be tuned</source>
-        <translation>n’est pas une propriété qui se règle</translation>
-    </message>
-    <message>
-        <location filename="scene_file.cpp"/>
-        <source>is not a scene: a scene file starts with '{'; choose a file that ends in %1</source>
-        <translation>n’est pas une scène : un fichier de scène commence par « { » ; choisir un fichier qui finit par %1</translation>
-    </message>
-    <message>
-        <location filename="formula.cpp"/>
-        <source>it adds, or takes a function of, things of different units</source>
-        <translation>elle additionne des choses d’unités différentes, ou en prend une fonction</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>it ends too early</source>
-        <translation>elle finit trop tôt</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>it ends too early or has a value that is too large</source>
-        <translation>elle finit trop tôt ou a une valeur trop grande</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>it has no guide</source>
-        <translation>elle n’a pas de guide</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>it is %1 x %2 points, and 2 x 2 to 8192 x 8192 are possible</source>
-        <translation>elle a %1 x %2 points, et de 2 x 2 à 8192 x 8192 sont possibles</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>it is a folder</source>
-        <translation>c’est un dossier</translation>
-    </message>
-    <message>
-        <location filename="output_files.cpp"/>
-        <source>it is a folder or a device</source>
-        <translation>c’est un dossier ou un périphérique</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>it is damaged</source>
-        <translation>elle est abîmée</translation>
-    </message>
-    <message>
-        <location filename="formula.cpp"/>
-        <source>it is empty; write one like line_tension / weight</source>
-        <translation>elle est vide ; en écrire une comme line_tension / weight</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>it is neither a PNG nor a PGM</source>
-        <translation>ce n’est ni un PNG ni un PGM</translation>
-    </message>
-    <message>
-        <location filename="packed.cpp"/>
-        <source>it is no compressed data</source>
-        <translation>ce ne sont pas des données compressées</translation>
-    </message>
-    <message>
-        <location filename="packed.cpp"/>
-        <source>it is too short</source>
-        <translation>c’est trop court</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>its axial, membrane or shear stiffness counts instead</source>
-        <translation>sa rigidité axiale, de membrane ou de cisaillement compte à la place</translation>
-    </message>
-    <message>
-        <location filename="ply_file.cpp"/>
-        <source>its header cannot be understood</source>
-        <translation>son en-tête n’est pas compréhensible</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>its kind of colour is not known</source>
-        <translation>sa sorte de couleur n’est pas connue</translation>
-    </message>
-    <message>
-        <location filename="height_picture.cpp"/>
-        <source>its largest value is not 1 to 65535</source>
-        <translation>sa plus grande valeur n’est pas de 1 à 65535</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>its links are all rods, which take the compliance</source>
-        <translation>ses liaisons sont toutes des tiges, qui prennent la souplesse</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>its links are all springs, which take the stiffness</source>
-        <translation>ses liaisons sont toutes des ressorts, qui prennent la raideur</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>its material never tears</source>
-        <translation>son matériau ne se rompt jamais</translation>
-    </message>
-    <message>
-        <location filename="manifest.cpp"/>
-        <source>lacks something that a manifest has</source>
-        <translation>n’a pas tout ce qu’a un manifeste</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>leave it out</source>
-        <translation>l’omettre</translation>
-    </message>
-    <message>
-        <location filename="bridle.cpp"/>
-        <source>lengths, row %1, column %2: %3 m do not reach; it takes %4 m.</source>
-        <translation>longueurs, rang %1, colonne %2 : %3 m ne suffisent pas ; il faut %4 m.</translation>
-    </message>
-    <message>
-        <location filename="bridle.cpp"/>
-        <source>lengths, row 1, column 11: more than 10 levels would be more than a thousand lines in each row.</source>
-        <translation>longueurs, rang 1, colonne 11 : plus de 10 niveaux feraient plus de mille lignes dans chaque rang.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>link</source>
-        <translation>liaison</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>material</source>
-        <translation>matériau</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be a colour as #rrggbb</source>
-        <translation>doit être une couleur comme #rrvvbb</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be a finite number</source>
-        <translation>doit être un nombre fini</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be a list of ids</source>
-        <translation>doit être une liste d’ids</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be a number</source>
-        <translation>doit être un nombre</translation>
-    </message>
-    <message>
-        <location filename="typed_number.cpp"/>
-        <source>must be a number in %1</source>
-        <translation>doit être un nombre en %1</translation>
-    </message>
-    <message>
-        <location filename="typed_number.cpp"/>
-        <source>must be a number without a unit</source>
-        <translation>doit être un nombre sans unité</translation>
-    </message>
-    <message>
-        <location filename="typed_number.cpp"/>
-        <source>must be a sum of numbers in one kind of unit</source>
-        <translation>doit être une somme de nombres d’une même sorte d’unité</translation>
-    </message>
-    <message>
-        <location filename="typed_number.cpp"/>
-        <source>must be a sum of numbers in one kind of unit, such as %1</source>
-        <translation>doit être une somme de nombres d’une même sorte d’unité, comme %1</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be a text</source>
-        <translation>doit être un texte</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be a whole number</source>
-        <translation>doit être un nombre entier</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be above %1</source>
-        <translation>doit être au-dessus de %1</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be an id</source>
-        <translation>doit être un id</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be at least %1</source>
-        <translation>doit être au moins %1</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be at most %1</source>
-        <translation>doit être au plus %1</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be finite numbers (row %1)</source>
-        <translation>doit être des nombres finis (rang %1)</translation>
-    </message>
-    <message>
-        <location filename="typed_number.cpp"/>
-        <source>must be in %1</source>
-        <translation>doit être en %1</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be nothing</source>
-        <translation>doit être vide</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be one of %1</source>
-        <translation>doit être l’un de %1</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be rows of numbers</source>
-        <translation>doit être des rangs de nombres</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>must be sliders such as material.stiffness #17 1 1000 log; "%1" %2</source>
-        <translation>doit être des curseurs comme material.stiffness #17 1 1000 log ; « %1 » %2</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be three finite numbers</source>
-        <translation>doit être trois nombres finis</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be three numbers</source>
-        <translation>doit être trois nombres</translation>
-    </message>
-    <message>
-        <location filename="collider_path.cpp"/>
-        <source>must be times and places as 0: 0 1 0; 2.5: 3 1 0 (%1 is not)</source>
-        <translation>doit être des temps et des lieux comme 0: 0 1 0; 2.5: 3 1 0 (%1 n’en est pas)</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must be true or false</source>
-        <translation>doit être vrai ou faux</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>must begin above 0 to be logarithmic</source>
-        <translation>doit commencer au-dessus de 0 pour être logarithmique</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>must begin at %1 or above</source>
-        <translation>doit commencer à %1 ou au-dessus</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>must end at %1 or below</source>
-        <translation>doit finir à %1 ou au-dessous</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must have %1 numbers in each row (row %2)</source>
-        <translation>doit avoir %1 nombres dans chaque rang (rang %2)</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must have angles that rise from row to row, between 0 and 90 (row %1)</source>
-        <translation>doit avoir des angles qui croissent de rang en rang, entre 0 et 90 (rang %1)</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>must have drag of at least 0 (row %1)</source>
-        <translation>doit avoir une traînée d’au moins 0 (rang %1)</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>must have finite ends</source>
-        <translation>doit avoir des extrémités finies</translation>
-    </message>
-    <message>
-        <location filename="collider_path.cpp"/>
-        <source>must have times that ascend (%1 is not later than the row before)</source>
-        <translation>doit avoir des temps croissants (%1 n’est pas après le rang d’avant)</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>must rise from left to right</source>
-        <translation>doit croître de gauche à droite</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>name</source>
-        <translation>nom</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>names nothing</source>
-        <translation>ne nomme rien</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>names too many things</source>
-        <translation>nomme trop de choses</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>needs a row</source>
-        <translation>demande un rang</translation>
-    </message>
-    <message>
-        <location filename="value.cpp"/>
-        <source>needs a value</source>
-        <translation>demande une valeur</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>needs no range</source>
-        <translation>n’a pas besoin d’intervalle</translation>
-    </message>
-    <message>
-        <location filename="slider.cpp"/>
-        <source>needs two numbers as its range</source>
-        <translation>demande deux nombres comme intervalle</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>no %1 is called "%2"</source>
-        <translation>rien de la sorte %1 ne s’appelle « %2 »</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>no item is called "%1"</source>
-        <translation>aucun élément ne s’appelle « %1 »</translation>
-    </message>
-    <message>
-        <location filename="main.cpp"/>
-        <source>no item of the scene is called "%1", and it is no condition: %2</source>
-        <translation>aucun élément de la scène ne s’appelle « %1 », et ce n’est pas une condition : %2</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>no link is a rod, and springs need no solver</source>
-        <translation>aucune liaison n’est une tige, et les ressorts n’ont pas besoin de solveur</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>no link is made of it</source>
-        <translation>aucune liaison n’en est faite</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>no link of it has the role line</source>
-        <translation>aucune liaison n’y a le rôle ligne</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>no link of it is a bias with a width</source>
-        <translation>aucune liaison n’y est un biais avec une largeur</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>no link of it is a thread with a width</source>
-        <translation>aucune liaison n’y est un fil avec une largeur</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>no material tears</source>
-        <translation>aucun matériau ne se rompt</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>no panel is made of it</source>
-        <translation>aucun panneau n’en est fait</translation>
-    </message>
-    <message>
-        <location filename="spill_file.cpp"/>
-        <source>no temporary file can be made in %1: %2</source>
-        <translation>aucun fichier temporaire ne peut être créé dans %1 : %2</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>nothing has a %1; did you mean %2?</source>
-        <translation>rien n’a de %1 ; vouliez-vous dire %2 ?</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>nothing has a %1; say for example mass, restLength, material or strain</source>
-        <translation>rien n’a de %1 ; dire par exemple mass, restLength, material ou strain</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>nothing in the scene has the id "%1"</source>
-        <translation>rien dans la scène n’a l’id « %1 »</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only boxes and height fields have one</source>
-        <translation>seuls les boîtes et les champs de hauteurs en ont une</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only generated hills, a height field without a file, have it</source>
-        <translation>seules les collines engendrées, un champ de hauteurs sans fichier, l’ont</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only gusts have it</source>
-        <translation>seules les rafales l’ont</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only height fields and meshes come from files</source>
-        <translation>seuls champs de hauteurs et maillages viennent de fichiers</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only jets have it</source>
-        <translation>seuls les jets l’ont</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only meshes are scaled</source>
-        <translation>seuls les maillages sont mis à l’échelle</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only planes have one</source>
-        <translation>seuls les plans en ont une</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only roll and angle of attack need a third particle</source>
-        <translation>seuls le roulis et l’angle d’attaque demandent une troisième particule</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only spheres have one</source>
-        <translation>seules les sphères en ont un</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only the automatic solver aims at a strain</source>
-        <translation>seul le solveur automatique vise une déformation</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only the logarithmic law has one</source>
-        <translation>seule la loi logarithmique en a une</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only the power law has one</source>
-        <translation>seule la loi de puissance en a un</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>only the response contact bounces and rubs</source>
-        <translation>seule la réponse contact rebondit et frotte</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>panel</source>
-        <translation>panneau</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>part</source>
-        <translation>pièce</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>part "%1" has particles, links and panels, not "%2"</source>
-        <translation>la pièce « %1 » a des particules, des liaisons et des panneaux, et non « %2 »</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>particle</source>
-        <translation>particule</translation>
-    </message>
-    <message>
-        <location filename="watchdog.cpp"/>
-        <source>particle %1 left the range of numbers at %2 s: %3</source>
-        <translation>la particule %1 a quitté le domaine des nombres à %2 s : %3</translation>
-    </message>
-    <message>
-        <location filename="watchdog.cpp"/>
-        <source>particle %1 reached %2 m/s, above the limit of %3 m/s, at %4 s: %5</source>
-        <translation>la particule %1 a atteint %2 m/s, au-dessus de la limite de %3 m/s, à %4 s : %5</translation>
-    </message>
-    <message>
-        <location filename="shape_files.cpp"/>
-        <source>picture</source>
-        <translation>image</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>planes and spheres do not turn</source>
-        <translation>plans et sphères ne tournent pas</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>plot</source>
-        <translation>graphique</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>probe</source>
-        <translation>sonde</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>settings</source>
-        <translation>réglages</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>settings have no property "%1"</source>
-        <translation>les réglages n’ont pas de propriété « %1 »</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>small steps: %1 substeps of one sweep to begin with, for a strain of %2 %</source>
-        <translation>petits pas : %1 sous-pas d’un balayage pour commencer, pour une déformation de %2 %</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>small steps: %1 substeps of one sweep to begin with, for a strain of %2 %; bending needs at least %3</source>
-        <translation>petits pas : %1 sous-pas d’un balayage pour commencer, pour une déformation de %2 % ; la flexion en demande au moins %3</translation>
-    </message>
-    <message>
-        <location filename="watchdog.cpp"/>
-        <source>something pushes it harder than the time step resolves; shorten the time step or look at the forces there</source>
-        <translation>quelque chose la pousse plus fort que le pas de temps ne le résout ; raccourcir le pas de temps ou regarder les forces à cet endroit</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the air density is 0</source>
-        <translation>la densité de l’air est 0</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the air law does not ask for it</source>
-        <translation>la loi d’air ne le demande pas</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the curves are not against a probe</source>
-        <translation>les courbes ne sont pas tracées selon une sonde</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the curves are not against time</source>
-        <translation>les courbes ne sont pas tracées selon le temps</translation>
-    </message>
-    <message>
-        <location filename="output_files.cpp"/>
-        <source>the disk does not answer</source>
-        <translation>le disque ne répond pas</translation>
-    </message>
-    <message>
-        <location filename="spill_file.cpp"/>
-        <source>the folder for temporary files cannot take more: %1</source>
-        <translation>le dossier des fichiers temporaires est plein : %1</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the line diameter is 0</source>
-        <translation>le diamètre de ligne est 0</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the link is a rod, which has a compliance</source>
-        <translation>la liaison est une tige, qui a une souplesse</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the link is a spring, which has a stiffness</source>
-        <translation>la liaison est un ressort, qui a une raideur</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the material never tears; choose what it tears by</source>
-        <translation>le matériau ne se rompt jamais ; choisir par quoi il rompt</translation>
-    </message>
-    <message>
-        <location filename="off_file.cpp"/>
-        <source>the numbers of vertices and faces are missing</source>
-        <translation>les nombres de sommets et de faces manquent</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the paper's solver takes every rod as stiff</source>
-        <translation>le solveur de l’article prend toute tige pour raide</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the part has no canopy pressure</source>
-        <translation>la pièce n’a pas de pression de voilure</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the part has no self-contact</source>
-        <translation>la pièce n’a pas de contact avec soi</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the particle is pinned</source>
-        <translation>la particule est fixée</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the path says where it is</source>
-        <translation>le trajet dit où il est</translation>
-    </message>
-    <message>
-        <location filename="export_dialog.cpp"/>
-        <source>the picture could not be saved</source>
-        <translation>l’image n’a pas pu être enregistrée</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the quantity is measured, not made of others</source>
-        <translation>la grandeur est mesurée, et non faite d’autres</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the quantity is not measured from somewhere</source>
-        <translation>la grandeur ne se mesure pas depuis quelque part</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>the quantity is that of the whole scene</source>
-        <translation>la grandeur est celle de toute la scène</translation>
-    </message>
-    <message>
-        <location filename="path.cpp"/>
-        <source>the scene has no %1</source>
-        <translation>la scène n’a rien de la sorte %1</translation>
-    </message>
-    <message>
-        <location filename="frame_spool.cpp"/>
-        <source>the shapes of the series cannot be read again</source>
-        <translation>les formes de la série ne peuvent pas être relues</translation>
-    </message>
-    <message>
-        <location filename="watchdog.cpp"/>
-        <source>the substep of %1 s is above the %2 s that its springs allow; shorten the time step, add substeps, or lower stiffness and damping</source>
-        <translation>le sous-pas de %1 s dépasse les %2 s que permettent ses ressorts ; raccourcir le pas de temps, ajouter des sous-pas, ou baisser raideur et amortissement</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>there are no rods</source>
-        <translation>il n’y a pas de tiges</translation>
-    </message>
-    <message>
-        <location filename="solver_plan.cpp"/>
-        <source>there are no rods; bending needs at least %1</source>
-        <translation>il n’y a pas de tiges ; la flexion demande au moins %1</translation>
-    </message>
-    <message>
-        <location filename="control_track.cpp"/>
-        <source>there is no control "%1".</source>
-        <translation>il n’y a pas de commande « %1 ».</translation>
-    </message>
-    <message>
-        <location filename="control_track.cpp"/>
-        <source>there is no control "%1"; did you mean "%2"?</source>
-        <translation>il n’y a pas de commande « %1 » ; vouliez-vous dire « %2 » ?</translation>
-    </message>
-    <message>
-        <location filename="control_track.cpp"/>
-        <source>there is no control "%1"; the scene has none.</source>
-        <translation>il n’y a pas de commande « %1 » ; la scène n’en a aucune.</translation>
-    </message>
-    <message>
-        <location filename="spill_file.cpp"/>
-        <source>there is no folder for temporary files; set TMPDIR to one</source>
-        <translation>il n’y a pas de dossier pour les fichiers temporaires ; en donner un dans TMPDIR</translation>
-    </message>
-    <message>
-        <location filename="frame_spool.cpp"/>
-        <source>there is no room for the shapes of the series</source>
-        <translation>il n’y a pas de place pour les formes de la série</translation>
+        <location filename="zip_file.cpp"/>
+        <source>%1 leads out of it</source>
+        <translation>%1 en sort</translation>
     </message>
     <message>
         <location filename="zip_file.cpp"/>
         <source>there is no room for what is unpacked</source>
         <translation>il n’y a pas de place pour ce qui est décompressé</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>there is nothing for the air to act on</source>
-        <translation>l’air n’a rien sur quoi agir</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>this solver makes one sweep in each substep; give it more substeps</source>
-        <translation>ce solveur fait un balayage par sous-pas ; lui donner plus de sous-pas</translation>
-    </message>
-    <message>
-        <location filename="usage.cpp"/>
-        <source>this wind does not depend on the height</source>
-        <translation>ce vent ne dépend pas de la hauteur</translation>
-    </message>
-    <message>
-        <location filename="control_track.cpp"/>
-        <source>time (s) and value (m) must be finite numbers.</source>
-        <translation>le temps (s) et la valeur (m) doivent être des nombres finis.</translation>
-    </message>
-    <message>
-        <location filename="control_track.cpp"/>
-        <source>time (s) must be a finite number.</source>
-        <translation>le temps (s) doit être un nombre fini.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>unknown error</source>
-        <translation>erreur inconnue</translation>
-    </message>
-    <message>
-        <location filename="condition.cpp"/>
-        <source>use one of %1</source>
-        <translation>en prendre une parmi %1</translation>
-    </message>
-    <message>
-        <location filename="off_file.cpp"/>
-        <source>vertex %1 of %2 needs three numbers</source>
-        <translation>le sommet %1 sur %2 demande trois nombres</translation>
-    </message>
-    <message>
-        <location filename="manifest.cpp"/>
-        <source>was written by a later version of Ripstop; use that</source>
-        <translation>a été écrit par une version plus récente de Ripstop ; l’utiliser</translation>
-    </message>
-    <message>
-        <location filename="hand_rows.cpp"/>
-        <source>what follows %1 must be %2.</source>
-        <translation>ce qui suit %1 doit être : %2.</translation>
-    </message>
-    <message>
-        <location filename="hand_rows.cpp"/>
-        <source>what follows %1 must be finite numbers.</source>
-        <translation>ce qui suit %1 doit être des nombres finis.</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>wind</source>
-        <translation>vent</translation>
-    </message>
-    <message>
-        <location filename="control_track.cpp"/>
-        <source>write TIME,CONTROL,VALUE.</source>
-        <translation>écrire TEMPS,COMMANDE,VALEUR.</translation>
     </message>
 </context>
 </TS>
