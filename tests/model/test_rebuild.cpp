@@ -274,7 +274,7 @@ private slots:
         frame.particles[4].position.x() += 0.1;
         frame.particles[5].mass = 3.0;
         frame.links[2].restLength *= 2.0;
-        const HandWork work = handWork(scene, partId(scene));
+        const HandmadeParts work = handWork(scene, partId(scene));
         QCOMPARE(work.moved, std::size_t(1));
         QCOMPARE(work.changed, std::size_t(2));
         QCOMPARE(work.added + work.removed, std::size_t(0));

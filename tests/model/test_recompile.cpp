@@ -6,6 +6,7 @@
 #include "builders/network.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
+#include "compile/patch.h"
 #include "measure/diagnostics.h"
 #include "run/runner.h"
 #include "run/simulation.h"

@@ -40,7 +40,7 @@ Scene oneOfEach()
     return scene;
 }
 
-Id exampleOf(Kind kind)
+Id idOfExample(Kind kind)
 {
     constexpr std::array<std::uint32_t, kindCount> ids{0xffffffff, 11, 14, 15, 1, 2,
                                                        3,          4,  5,  6,  7, 8};
@@ -55,7 +55,7 @@ std::vector<Value> valuesFor(const Property& property)
         std::vector<Id> fitting;
         for (int i = 1; i < kindCount; ++i)
             if (property.pointsAt.contains(Kind(i)))
-                fitting.push_back(exampleOf(Kind(i)));
+                fitting.push_back(idOfExample(Kind(i)));
         if (std::holds_alternative<Id>(property.initial))
             // a particle that is no end and no corner yet
             return {Value(property.pointsAt.contains(Kind::Particle) ? Id{16} : fitting.front())};
@@ -110,14 +110,14 @@ private slots:
         QVERIFY(!valuesFor(property).empty());
         for (const Value& value : valuesFor(property)) {
             Scene scene = oneOfEach();
-            property.set(*find(scene, exampleOf(property.kind)), value);
+            property.set(*find(scene, idOfExample(property.kind)), value);
 
             const std::string text = sceneText(scene);
             const Result<Scene> read = parseScene(text, "test");
             QVERIFY2(read, read ? "" : read.message().english().c_str());
             QVERIFY2(*read == scene, text.c_str());
             QCOMPARE(sceneText(*read), text); // zero and minus zero differ here
-            const Value back = property.get(*find(*read, exampleOf(property.kind)));
+            const Value back = property.get(*find(*read, idOfExample(property.kind)));
             QCOMPARE(textFromValue(back), textFromValue(value));
         }
     }

@@ -367,7 +367,7 @@ private slots:
         const auto mesh = meshFromFile(file);
         QVERIFY(isPicture ? !picture : !mesh);
         const QString message =
-            QString::fromStdString(isPicture ? picture.message() : mesh.message().english());
+            QString::fromStdString((isPicture ? picture.message() : mesh.message()).english());
         QVERIFY2(message.contains(path) && message.contains(says) && message.endsWith('.'),
                  qPrintable(message));
         QVERIFY2(message.contains("choose"), qPrintable(message));

@@ -71,7 +71,7 @@ private slots:
                 const SliderRange range = rangeAround(property, value);
                 const auto reason = refusal(property, range);
                 QVERIFY2(!reason, (std::string(property.key) + " at " + std::to_string(value) + " "
-                                   + reason.value_or(""))
+                                   + reason.value_or(Message()).english())
                                       .c_str());
                 QVERIFY2(range.low <= value || range.logarithmic, property.key.data());
                 QVERIFY2(range.high >= value, property.key.data());
