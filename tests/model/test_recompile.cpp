@@ -1,13 +1,12 @@
 // Edits of a running scene: what an edit in place leaves behind is what a full compile gives.
 #include "assembly/finish.h"
-#include "model/systems.h"
-
 #include "builders/builder.h"
 #include "builders/network.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "compile/patch.h"
 #include "measure/diagnostics.h"
+#include "model/systems.h"
 #include "run/runner.h"
 #include "run/simulation.h"
 #include "run/torn_system.h"
@@ -19,7 +18,6 @@
 #include <thread>
 
 using namespace ripstop;
-
 namespace {
 
 // What tears have made of a system is kept by each simulation for itself, so that its address says
@@ -457,7 +455,8 @@ private slots:
         const std::vector<Id> particles = idsOf(scene, Kind::Particle);
         const Id part = idsOf(scene, Kind::Part).back();
         change(2, setOne(row(Kind::Particle, "mass"), {particles[5]}, 0.3));
-        change(3, {Message("link"), {AddRows{part, {}, {{scene.nextId, particles[7], particles[9]}}, {}}}});
+        change(3, {Message("link"),
+                   {AddRows{part, {}, {{scene.nextId, particles[7], particles[9]}}, {}}}});
         change(4, setOne(row(Kind::Settings, "substeps"), {settingsId}, 7));
         change(5, setOne(row(Kind::Particle, "pinned"), {particles[8]}, true));
         simulation.load(*compile(scene, 5, 1));
