@@ -4,11 +4,11 @@
 // or of a scene; and flyBundle() computes the run of a bundle once more, for the command run.
 #include "bundle/bundle.h"
 
+#include "base/hash_text.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
 #include "terminal/terminal.h"
-#include "base/hash_text.h"
 
 #include <iostream>
 

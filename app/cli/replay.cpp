@@ -4,9 +4,9 @@
 // first so that both outputs say the same.
 #include "cli/replay.h"
 
+#include "base/hash_text.h"
 #include "io/event_table.h"
 #include "terminal/terminal.h"
-#include "base/hash_text.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -37,7 +37,7 @@ struct BuildOutcome
     Edit edit;              // of the open scene, otherwise
     std::vector<Id> bodies; // to be selected: parts and obstacles that come, or the part
     int substeps = 0;       // to which the scene is raised, or 0 where it has enough
-    HandmadeParts lost;          // of a part that is built again
+    HandmadeParts lost;     // of a part that is built again
     std::size_t letGo = 0;  // references of other items to what goes
 };
 

@@ -6,11 +6,11 @@
 // when a layout has come to rest.
 #include "editor/screenshot.h"
 
+#include "base/hash_text.h"
 #include "document/player.h"
 #include "editor/main_window.h"
 #include "import/import_dialog.h"
 #include "viewport/viewport.h"
-#include "base/hash_text.h"
 
 #include <QApplication>
 #include <QFileInfo>

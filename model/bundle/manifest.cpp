@@ -8,9 +8,9 @@
 // has its own, and the manifest, which cannot hold its own sum.
 #include "bundle/manifest.h"
 
+#include "base/hash_text.h"
 #include "io/whole_file.h"
 #include "run/packed.h"
-#include "base/hash_text.h"
 
 #include <nlohmann/json.hpp>
 

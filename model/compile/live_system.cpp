@@ -175,7 +175,8 @@ void LiveSystem::Private::note(const SetValues& change)
     }
 }
 
-std::variant<Update, Finding> LiveSystem::Private::update(std::uint64_t generation, std::uint64_t run)
+std::variant<Update, Finding> LiveSystem::Private::update(std::uint64_t generation,
+                                                          std::uint64_t run)
 {
     for (std::vector<Id>* ids :
          {&m_noted.materials, &m_noted.particles, &m_noted.links, &m_noted.panels})

@@ -59,8 +59,8 @@ private:
     Recorder* m_recorder;
 };
 
-// The flight of a scene as it is, by a simulation of its own. Fails with the first problem that keeps
-// the scene from running.
+// The flight of a scene as it is, by a simulation of its own. Fails with the first problem that
+// keeps the scene from running.
 Result<std::unique_ptr<FrameSource>> flightOf(const Scene& scene, ControlTrack controls);
 
 // Takes steps that a recording has a frame of from there, places to some tenths of a micrometre
@@ -89,7 +89,7 @@ private:
     const std::shared_ptr<const Recording> m_recording;
     const Places m_places;
     const int m_threads;
-    const double m_timeStep; // s
+    const double m_timeStep;      // s
     std::unique_ptr<Walk> m_walk; // null before the first step that has to be computed
 };
 

@@ -5,8 +5,8 @@
 // has failed stays failed, so close() still tells of a write that went wrong in between.
 #include "io/csv.h"
 
-#include "io/json_text.h"
 #include "base/hash_text.h"
+#include "io/json_text.h"
 
 #include <cerrno>
 #include <charconv>

@@ -168,10 +168,10 @@ SolverPlan planFor(const System& system)
     if (all)
         plan.reason = bounded(Message("%1 substeps", plan.substeps));
     else
-        plan.reason = bounded(Message("small steps: %1 substeps of one sweep to begin with, for a "
-                                      "strain of %2 %",
-                                      plan.substeps,
-                                      Message::number("%.3g", 100.0 * system.strainGoal)));
+        plan.reason =
+            bounded(Message("small steps: %1 substeps of one sweep to begin with, for a "
+                            "strain of %2 %",
+                            plan.substeps, Message::number("%.3g", 100.0 * system.strainGoal)));
     if (ofLoad > 0)
         plan.reason =
             ofSweeps > many

@@ -1,5 +1,5 @@
-// The watchdog: tells after a step whether the motion is still one that a simulation can go on from.
-// It reads the states that it is given and nothing else: any thread may call it.
+// The watchdog: tells after a step whether the motion is still one that a simulation can go on
+// from. It reads the states that it is given and nothing else: any thread may call it.
 #pragma once
 
 #include "base/message.h"

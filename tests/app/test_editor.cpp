@@ -16,13 +16,13 @@
 #include "viewport/viewport.h"
 #include "views/run_with_view.h"
 
+#include "base/hash_text.h"
 #include "compile/compile.h"
 #include "io/scene_file.h"
 #include "run/simulation.h"
 #include "scene/path.h"
 #include "verify/case.h"
 #include "verify/reference.h"
-#include "base/hash_text.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -118,7 +118,8 @@ private slots:
     void aPartIsCopiedWithAllThatIsInIt()
     {
         const Scene scene = strip();
-        const Copies copies = duplicated(scene, {Id{1}}, {shifted(Vec3(0, 0, 3))}, Message("Duplicate"));
+        const Copies copies =
+            duplicated(scene, {Id{1}}, {shifted(Vec3(0, 0, 3))}, Message("Duplicate"));
         const Scene now = after(scene, copies.edit);
         QCOMPARE(copies.ids.size(), std::size_t(1));
         const Part& copy = *findItem<Part>(now, copies.ids.front());

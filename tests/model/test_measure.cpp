@@ -5,10 +5,10 @@
 #include "assembly/finish.h"
 #include "model/systems.h"
 
+#include "base/hash_text.h"
 #include "base/quantity.h"
 #include "measure/diagnostics.h"
 #include "measure/probe.h"
-#include "base/hash_text.h"
 
 #include <QtTest>
 

@@ -39,10 +39,14 @@ Edit addRowsEdit(const Scene& scene)
     panel.a = Id{2};
     panel.b = Id{3};
     panel.c = first;
-    return {Message("Add"), {AddRows{Id{1}, {particle}, {rod(second, Id{2}, first, Id{9})}, {panel}}}};
+    return {Message("Add"),
+            {AddRows{Id{1}, {particle}, {rod(second, Id{2}, first, Id{9})}, {panel}}}};
 }
 
-Edit addItemEdit(const Scene& scene) { return {Message("Add"), {AddItem{2, {scene.nextId, Wind{"gust"}}}}}; }
+Edit addItemEdit(const Scene& scene)
+{
+    return {Message("Add"), {AddItem{2, {scene.nextId, Wind{"gust"}}}}};
+}
 
 const Case cases[] = {
     {"one value", [](const Scene& s) { return setValue(s, Id{3}, "mass", 0.7); }},

@@ -105,9 +105,8 @@ void StabilityList::fitRows()
     const int width = columnWidth(Told) - 2 * padding;
     for (int row = 0; row < topLevelItemCount(); ++row) {
         QTreeWidgetItem* item = topLevelItem(row);
-        const QRect words =
-            fontMetrics().boundingRect(QRect(0, 0, std::max(width, 1), QWIDGETSIZE_MAX),
-                                       Qt::TextWordWrap, item->text(Told));
+        const QRect words = fontMetrics().boundingRect(
+            QRect(0, 0, std::max(width, 1), QWIDGETSIZE_MAX), Qt::TextWordWrap, item->text(Told));
         item->setSizeHint(Told, QSize(0, words.height() + padding));
     }
 }
