@@ -10,11 +10,21 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTabBar>
 #include <QtTest>
 
 using namespace ripstop;
 
 namespace {
+
+const QTabBar& tabsOf(const QMainWindow& window, const QDockWidget& dock)
+{
+    for (const QTabBar* tabs : window.findChildren<QTabBar*>())
+        for (int i = 0; i < tabs->count(); ++i)
+            if (tabs->tabText(i) == dock.windowTitle())
+                return *tabs;
+    qFatal("%s has no tabs", qPrintable(dock.objectName()));
+}
 
 struct OpenWindow : WindowShop
 {
@@ -94,8 +104,11 @@ private slots:
             QVERIFY2(isInFront(dock) == isFirst, row.id);
             if (!isFirst)
                 QVERIFY(shop.window.tabifiedDockWidgets(first->second).contains(&dock));
-            // what lies below takes from the view, which keeps its least height in a low window
-            if (row.size > 0 && row.area != Qt::BottomDockWidgetArea)
+            if (row.size == 0)
+                continue;
+            if (row.area == Qt::BottomDockWidgetArea) // its tabs share the height
+                QCOMPARE(dock.height() + tabsOf(shop.window, dock).height(), row.size);
+            else
                 QCOMPARE(dock.width(), row.size);
         }
     }
