@@ -81,21 +81,6 @@ std::string fileOf(const BenchNetwork& network, const std::string& folder)
     return (std::filesystem::path(folder) / (network.name + ".csv")).string();
 }
 
-Path pathFromFile(const std::string& file)
-{
-    std::ifstream in(file);
-    Path path;
-    std::string line;
-    for (std::getline(in, line); std::getline(in, line);) {
-        Vec3 place;
-        double time = 0.0;
-        if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &place.x(), &place.y(), &place.z())
-            == 4)
-            path.push_back(place);
-    }
-    return path;
-}
-
 bool writePath(const Path& path, const std::string& file)
 {
     std::ofstream out(file);
@@ -125,6 +110,21 @@ double median(std::vector<double> values)
 }
 
 } // namespace
+
+Path pathFromFile(const std::string& file)
+{
+    std::ifstream in(file);
+    Path path;
+    std::string line;
+    for (std::getline(in, line); std::getline(in, line);) {
+        Vec3 place;
+        double time = 0.0;
+        if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &place.x(), &place.y(), &place.z())
+            == 4)
+            path.push_back(place);
+    }
+    return path;
+}
 
 Path referencePath(const BenchNetwork& network, const std::string& folder)
 {

@@ -18,6 +18,8 @@ using Path = std::vector<Vec3>;
 // A reference that is not in the folder is computed, which takes a minute for cloth_100.
 Path referencePath(const BenchNetwork& network, const std::string& folder);
 
+Path pathFromFile(const std::string& file); // that references are kept in; empty without
+
 // Computes the references that are kept in files, whatever there is. False when one could not be
 // written.
 bool makeReferences(const std::string& folder);

@@ -115,17 +115,17 @@ void ColouredSweeps::project(const RodTask& task, ThreadPool& pool)
     const bool shared =
         pool.threads() > 1 && system.chunkClass.size() > 1 && projections >= worthThreads;
     if (shared) {
-        if (m_relaySerial != m_serial)
-            prepareRelay(system);
+        if (m_schedulerSerial != m_serial)
+            prepareScheduler(system);
         m_scheduler.run(pool, task.sweeps, m_classRank,
                         [&](int sweep, int chunk) { sweepChunk(system, chunk, sweep, position); });
     } else {
         const auto chunks = int(system.chunkClass.size());
-        m_wave.arrange(system.chunkClass, system.chunkReach, m_classRank, 0, chunks);
+        m_wavefront.arrange(system.chunkClass, system.chunkReach, m_classRank, 0, chunks);
         for (int sweep = 0; sweep < task.sweeps; ++sweep)
             for (int i = 0; i < chunks; ++i) {
                 const int at = sweep % 2 == 0 ? i : chunks - 1 - i;
-                sweepChunk(system, m_wave.chunks()[std::size_t(at)], sweep, position);
+                sweepChunk(system, m_wavefront.chunks()[std::size_t(at)], sweep, position);
             }
     }
     if (task.note)
@@ -249,7 +249,7 @@ void ColouredSweeps::batchColor(const RodTask& task, int color)
             --left;
         }
     for (const Kind kind : {Kind::Even, Kind::Plain, Kind::Soft})
-        cookKind(task, kind, color);
+        batchKind(task, kind, color);
     batchGuided(task, color);
 }
 
@@ -266,16 +266,16 @@ void ColouredSweeps::batchGuided(const RodTask& task, int color)
 }
 
 // The rods of one kind in a colour, four by four; the last batch repeats its last rod.
-void ColouredSweeps::cookKind(const RodTask& task, Kind kind, int color)
+void ColouredSweeps::batchKind(const RodTask& task, Kind kind, int color)
 {
-    const auto cookFour = [&](std::span<const int> four) {
+    const auto batchFour = [&](std::span<const int> four) {
         switch (kind) {
         case Kind::Even:
-            return cookBatch(task, m_batches.even, four);
+            return addBatch(task, m_batches.even, four);
         case Kind::Plain:
-            return cookBatch(task, m_batches.plain, four);
+            return addBatch(task, m_batches.plain, four);
         case Kind::Soft:
-            return cookBatch(task, m_batches.soft, four);
+            return addBatch(task, m_batches.soft, four);
         case Kind::Guided:
             break;
         }
@@ -289,17 +289,17 @@ void ColouredSweeps::cookKind(const RodTask& task, Kind kind, int color)
             continue;
         four[count++] = r;
         if (count == four.size()) {
-            cookFour(four);
+            batchFour(four);
             count = 0;
         }
     }
     if (count > 0)
-        cookFour(std::span(four).first(count));
+        batchFour(std::span(four).first(count));
 }
 
 template <typename Batch>
-void ColouredSweeps::cookBatch(const RodTask& task, std::vector<Batch>& batches,
-                               std::span<const int> four)
+void ColouredSweeps::addBatch(const RodTask& task, std::vector<Batch>& batches,
+                              std::span<const int> four)
 {
     Batch& batch = batches.emplace_back();
     for (std::size_t lane = 0; lane < 4; ++lane) {
@@ -433,10 +433,10 @@ void ColouredSweeps::update(const RodTask& task)
             fill(task, std::size_t(shifted.rod));
 }
 
-void ColouredSweeps::prepareRelay(const System& system)
+void ColouredSweeps::prepareScheduler(const System& system)
 {
     m_scheduler.prepare(touchingChunks(system), system.chunkClass, system.chunkReach);
-    m_relaySerial = system.serial;
+    m_schedulerSerial = system.serial;
 }
 
 // --- order --------------------------------------------------------------------------------------

@@ -50,15 +50,15 @@ private:
     void batch(const RodTask& task);
     void batchColor(const RodTask& task, int color);
     void batchGuided(const RodTask& task, int color);
-    void cookKind(const RodTask& task, Kind kind, int color);
+    void batchKind(const RodTask& task, Kind kind, int color);
     template <typename Batch>
-    void cookBatch(const RodTask& task, std::vector<Batch>& batches, std::span<const int> four);
+    void addBatch(const RodTask& task, std::vector<Batch>& batches, std::span<const int> four);
     void fill(const RodTask& task, std::size_t rod);
     void fillGuided(const RodTask& task, std::size_t rod);
     void soften(const RodTask& task);
     void renew(const RodTask& task);
     void weigh(const System& system, std::size_t rod);
-    void prepareRelay(const System& system);
+    void prepareScheduler(const System& system);
     void update(const RodTask& task);
     void putInOrder(const System& system);
     void shuffle(const System& system, std::uint64_t seed);
@@ -81,9 +81,9 @@ private:
     std::vector<std::uint8_t> m_torn;    // [rods] as batched
     std::vector<int> m_colorOrder;       // [colours] within each chunk
     std::vector<int> m_classRank;        // [classes] the turn of each class
-    Wavefront m_wave;
+    Wavefront m_wavefront;
     ChunkScheduler m_scheduler;
-    std::uint64_t m_relaySerial = 0; // of the system that the scheduler is prepared for
+    std::uint64_t m_schedulerSerial = 0; // of the system that the scheduler is prepared for
 };
 
 } // namespace ripstop

@@ -21,15 +21,7 @@ namespace {
 double roomAt(const System& system, const State& state, std::size_t particle, double h)
 {
     constexpr double whole = 3.5, least = 0.5;
-    double stiffness = 0.0; // N/m
-    double damping = 0.0;   // N s/m
-    for (int k = system.springsAt.start[particle]; k < system.springsAt.start[particle + 1]; ++k) {
-        const auto spring = std::size_t(system.springsAt.items[std::size_t(k)]);
-        if (state.springTorn[spring])
-            continue;
-        stiffness += system.springs[spring].stiffness;
-        damping += system.springs[spring].damping;
-    }
+    const auto [stiffness, damping] = springsAt(system, state, particle);
     const double w = system.inverseMass[particle];
     return std::max(whole - w * h * (2.0 * stiffness * h + 4.0 * damping), least);
 }

@@ -46,6 +46,19 @@ double springTension(const Spring& spring, const Vec3& separation, const Vec3& v
                                                                  velocityDifference);
 }
 
+SpringSum springsAt(const System& system, const State& state, std::size_t particle)
+{
+    SpringSum sum;
+    for (int k = system.springsAt.start[particle]; k < system.springsAt.start[particle + 1]; ++k) {
+        const auto spring = std::size_t(system.springsAt.items[std::size_t(k)]);
+        if (state.springTorn[spring])
+            continue;
+        sum.stiffness += system.springs[spring].stiffness;
+        sum.damping += system.springs[spring].damping;
+    }
+    return sum;
+}
+
 bool isSlack(Resists resists, double stretch)
 {
     return (resists == Resists::Tension && stretch < 0.0)

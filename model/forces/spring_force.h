@@ -13,6 +13,14 @@ namespace ripstop {
 // Force along the spring, N, positive when it pulls its ends together; 0 when slack or coincident.
 double springTension(const Spring& spring, const Vec3& separation, const Vec3& velocityDifference);
 
+// What the springs that are whole and end at a particle come to together.
+struct SpringSum
+{
+    double stiffness = 0.0; // N/m
+    double damping = 0.0;   // N s/m
+};
+SpringSum springsAt(const System& system, const State& state, std::size_t particle);
+
 // Whether a link that resists so gives no force at this stretch, m.
 bool isSlack(Resists resists, double stretch);
 

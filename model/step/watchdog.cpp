@@ -2,6 +2,7 @@
 
 #include "assembly/split_system.h"
 #include "base/step_limit.h"
+#include "forces/spring_force.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,7 @@ namespace {
 // s; without end when there are no springs.
 double springLimitAt(const System& system, const State& state, std::size_t particle)
 {
-    double stiffness = 0.0; // N/m
-    double damping = 0.0;   // N s/m
-    for (int k = system.springsAt.start[particle]; k < system.springsAt.start[particle + 1]; ++k) {
-        const auto spring = std::size_t(system.springsAt.items[std::size_t(k)]);
-        if (state.springTorn[spring])
-            continue;
-        stiffness += system.springs[spring].stiffness;
-        damping += system.springs[spring].damping;
-    }
+    const auto [stiffness, damping] = springsAt(system, state, particle);
     return springStepLimit(1.0 / system.inverseMass[particle], stiffness, damping);
 }
 

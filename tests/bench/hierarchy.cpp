@@ -9,6 +9,7 @@
 // level is one coloured sweep over all rods, as in plain small steps. Both have the same plain
 // loops, so that times compare; the orders of colours are shuffled by the number of the substep.
 #include "bench/networks.h"
+#include "bench/quality.h"
 #include "bench/report.h"
 
 #include <algorithm>
@@ -229,23 +230,6 @@ private:
     std::vector<Vec3> m_before;   // m
 };
 
-// Mass centre of cloth_100, converged: the same cloth but for its grain. The references of 32 and
-// 100 particles a side differ by some millimetres.
-std::vector<Vec3> referencePath()
-{
-    std::ifstream in(REFERENCE_FOLDER "/cloth_100.csv");
-    std::vector<Vec3> path;
-    std::string line;
-    for (std::getline(in, line); std::getline(in, line);) {
-        Vec3 place;
-        double time = 0.0;
-        if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &place.x(), &place.y(), &place.z())
-            == 4)
-            path.push_back(place);
-    }
-    return path;
-}
-
 struct Outcome
 {
     double seconds; // s for a frame, median
@@ -261,7 +245,9 @@ double median(std::vector<double> values)
 
 Outcome fly(int side, int levels, int coarseSweeps, int substeps, int frames)
 {
-    static const std::vector<Vec3> reference = referencePath();
+    // The mass centre of cloth_100, converged: the same cloth but for its grain. The references of
+    // 32 and 100 particles a side differ by some millimetres.
+    static const Path reference = pathFromFile(REFERENCE_FOLDER "/cloth_100.csv");
     Cloth cloth(side, levels, coarseSweeps);
     std::vector<double> seconds;
     std::vector<double> strain;

@@ -5,6 +5,7 @@
 // in one step from any side; then motion on it (sliding, leaving, friction, over the rim) against
 // closed forms.
 #include "assembly/finish.h"
+#include "model/obstacles.h"
 #include "model/systems.h"
 #include "shapes/cylinder.h"
 #include "shapes/touch.h"
@@ -23,27 +24,6 @@ constexpr Cylinder drum{0.5, 1.0}; // m, 1 m wide and 2 m high
 
 // A direction across the axis of a cylinder.
 Vec3 across(double angle) { return {std::cos(angle), 0.0, std::sin(angle)}; }
-
-// Its axis along y before it is turned.
-Obstacle cylinder(double radius, double height, const Vec3& position = Vec3::Zero(),
-                  double friction = 0.0)
-{
-    Obstacle result{ColliderShape::Cylinder, position, Vec3::UnitY(), radius,
-                    Response::Contact,       0.0,      friction};
-    result.size = Vec3(1.0, height, 1.0);
-    return result;
-}
-
-// Lies along x, and climbs towards +x by this angle, rad.
-Obstacle lyingCylinder(double radius, double length, double angle, double friction = 0.0)
-{
-    Obstacle result = cylinder(radius, length, Vec3::Zero(), friction);
-    const double c = std::cos(angle), s = std::sin(angle);
-    result.turn.col(0) = Vec3(-s, c, 0.0);
-    result.turn.col(1) = Vec3(c, s, 0.0);
-    result.turn.col(2) = -Vec3::UnitZ();
-    return result;
-}
 
 System falling(double timeStep)
 {

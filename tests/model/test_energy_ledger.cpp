@@ -28,18 +28,6 @@ struct Outcome
     State state;
 };
 
-void askForLedger(System& system)
-{
-    system.probes.push_back({.key = Key(99),
-                             .name = "residual",
-                             .quantity = Quantity::EnergyResidual,
-                             .particles = {},
-                             .links = {},
-                             .panels = {},
-                             .unit = "J",
-                             .formula = {}});
-}
-
 Outcome fly(System& system, double seconds, const HandCommands& hands = {})
 {
     askForLedger(system);

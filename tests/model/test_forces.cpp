@@ -330,14 +330,7 @@ private slots:
     {
         QFETCH(QString, name);
         Acting c(name);
-        c.system.probes.push_back({.key = Key(99),
-                                   .name = "residual",
-                                   .quantity = Quantity::EnergyResidual,
-                                   .particles = {},
-                                   .links = {},
-                                   .panels = {},
-                                   .unit = "J",
-                                   .formula = {}});
+        askForLedger(c.system);
         Simulation simulation(std::make_shared<const System>(c.system));
         simulation.handle(c.hands);
         const double before = kineticEnergy(c.system, c.system.start);

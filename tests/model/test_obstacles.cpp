@@ -5,6 +5,7 @@
 // corners; then obstacles that move: paths, belts, walls, lifts, and controls.
 #include "assembly/finish.h"
 #include "contact/obstacle_motion.h"
+#include "model/obstacles.h"
 #include "model/systems.h"
 
 #include <QtTest>
@@ -16,12 +17,6 @@
 using namespace ripstop;
 
 namespace {
-
-Obstacle obstacle(ColliderShape shape, const Vec3& position = Vec3::Zero(), double friction = 0.0)
-{
-    Obstacle result{shape, position, {0.0, 1.0, 0.0}, 0.5, Response::Contact, 0.0, friction};
-    return result;
-}
 
 Obstacle box(const Vec3& size, const Vec3& position = Vec3::Zero(), double friction = 0.0)
 {
@@ -60,27 +55,6 @@ Obstacle meshFloor(double friction = 0.0)
         }
     result.mesh = std::make_shared<const TriangleTree>(points, triangles);
     result.thickness = 0.01;
-    return result;
-}
-
-// Its axis along y before it is turned.
-Obstacle cylinder(double radius, double height, const Vec3& position = Vec3::Zero(),
-                  double friction = 0.0)
-{
-    Obstacle result = obstacle(ColliderShape::Cylinder, position, friction);
-    result.radius = radius;
-    result.size = Vec3(1.0, height, 1.0);
-    return result;
-}
-
-// Lies along x, and climbs towards +x by this angle, rad.
-Obstacle lyingCylinder(double radius, double length, double angle, double friction = 0.0)
-{
-    Obstacle result = cylinder(radius, length, Vec3::Zero(), friction);
-    const double c = std::cos(angle), s = std::sin(angle);
-    result.turn.col(0) = Vec3(-s, c, 0.0);
-    result.turn.col(1) = Vec3(c, s, 0.0);
-    result.turn.col(2) = -Vec3::UnitZ();
     return result;
 }
 

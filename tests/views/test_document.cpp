@@ -259,7 +259,7 @@ private slots:
 
     // A right triangle of 3, 4 and 5 m whose hypotenuse was 4 m long, one corner on the move, and
     // 12 N of air on its 6 m^2.
-    void gaugesReadTheInstant()
+    void measurementsReadTheInstant()
     {
         auto layout = std::make_shared<Layout>();
         layout->particleId = {2, 3, 4};

@@ -186,15 +186,15 @@ private slots:
         Dice dice(std::uint32_t(7 * chunks + degree));
         for (const int threads : {1, 2, 3, 4, 5, 6, 7, 8}) {
             ThreadPool pool(threads);
-            ChunkScheduler relay; // used again, as a solver does
+            ChunkScheduler scheduler; // used again, as a solver does
             for (int repeat = 0; repeat < repeats; ++repeat) {
                 const Graph graph = randomGraph(std::size_t(chunks), degree, reach, dice);
-                relay.prepare(graph.touching, graph.classOf, graph.reach);
+                scheduler.prepare(graph.touching, graph.classOf, graph.reach);
                 for (int again = 0; again < 2; ++again) {
                     const std::vector<int> rank = shuffledRanks(graph, dice);
                     Trace trace(graph);
                     const auto caller = std::this_thread::get_id();
-                    relay.run(pool, rounds, rank, [&](int round, int chunk) {
+                    scheduler.run(pool, rounds, rank, [&](int round, int chunk) {
                         delay(pace, round, chunk, caller);
                         trace.turn(graph, round, chunk);
                     });
@@ -219,4 +219,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TestChunkScheduler)
-#include "test_relay.moc"
+#include "test_chunk_scheduler.moc"
