@@ -9,6 +9,7 @@
 #include "forces/hand_pull.h"
 
 #include "forces/force.h"
+#include "forces/spring_force.h"
 
 #include <algorithm>
 #include <cmath>
