@@ -174,8 +174,8 @@ private slots:
     void everyFieldFindsItsRow()
     {
         for (const Property& property : allProperties()) {
-            QCOMPARE(property.use.place.kind, property.kind);
-            QCOMPARE(&propertyAt(property.use.place), &property);
+            QCOMPARE(property.place.kind, property.kind);
+            QCOMPARE(&propertyAt(property.place), &property);
         }
         QCOMPARE(propertyOf<&Particle::textureU>().key, std::string_view("u"));
         QVERIFY((isOneOf<&Link::from, &Probe::from>(*findProperty(Kind::Probe, "from"))));
@@ -188,7 +188,7 @@ private slots:
         QMap<Kind, int> names;
         for (const Property& property : allProperties()) {
             const char* const name = property.key.data();
-            switch (property.use.meaning) {
+            switch (property.meaning) {
             case Meaning::Plain:
                 break;
             case Meaning::Name:
@@ -219,7 +219,7 @@ private slots:
     void usualRangesAreAllowed()
     {
         for (const Property& property : allProperties()) {
-            const auto usual = property.use.usual;
+            const auto usual = property.usual;
             if (!usual)
                 continue;
             const char* const name = property.key.data();

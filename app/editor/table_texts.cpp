@@ -65,7 +65,7 @@ void addDesigns(Collector& texts)
         texts.add(property.label);
         texts.add(property.help);
         texts.addChoices(property.choices);
-        for (const Need& need : property.use.needs)
+        for (const Need& need : property.needs)
             texts.add(need.otherwise);
     }
     for (std::size_t i = 0; i < choiceNames<Quantity>.size(); ++i) {

@@ -135,7 +135,7 @@ void LiveSystem::Private::note(const SetValues& change)
         return;
     const bool shapes = property.kind == Kind::Particle || property.kind == Kind::Link
                         || property.kind == Kind::Part;
-    if (property.use.traits.contains(Trait::Structure) || (shapes && hasCanopies(m_scene)))
+    if (property.traits.contains(Trait::Structure) || (shapes && hasCanopies(m_scene)))
         m_noted.structure = true;
     if (m_noted.structure)
         return;

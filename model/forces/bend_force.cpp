@@ -220,8 +220,7 @@ double bendingEnergy(const System& system, const State& state)
     return energy;
 }
 
-template <>
-std::unique_ptr<Force> makeForce<BendLists>()
+std::unique_ptr<Force> BendLists::makeForce()
 {
     return std::make_unique<BendForce>();
 }

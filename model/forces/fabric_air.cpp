@@ -57,8 +57,7 @@ void fillFabricLoads(const System& system, const State& state, ThreadPool& pool,
     addCanopyLoads(system, state, pool, load);
 }
 
-template <>
-std::unique_ptr<Force> makeForce<FabricLists>()
+std::unique_ptr<Force> FabricLists::makeForce()
 {
     return std::make_unique<FabricAirForce>();
 }

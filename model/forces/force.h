@@ -121,8 +121,4 @@ public:
     // No solver asks for the stiffness between particles; an implicit one would ask for it here.
 };
 
-// The force that a type of ForceLists stands for; each stands in the source of its force.
-template <typename Lists>
-std::unique_ptr<Force> makeForce();
-
 } // namespace ripstop

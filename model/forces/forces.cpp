@@ -16,7 +16,7 @@ template <typename... Lists>
 std::vector<std::unique_ptr<Force>> makeAll(std::type_identity<std::tuple<Lists...>>)
 {
     std::vector<std::unique_ptr<Force>> all;
-    (all.push_back(makeForce<Lists>()), ...);
+    (all.push_back(Lists::makeForce()), ...);
     return all;
 }
 

@@ -151,8 +151,7 @@ private:
 
 } // namespace
 
-template <>
-std::unique_ptr<Force> makeForce<HandLists>()
+std::unique_ptr<Force> HandLists::makeForce()
 {
     return std::make_unique<HandPullForce>();
 }

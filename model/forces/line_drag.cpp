@@ -105,8 +105,7 @@ void fillLineDrags(const System& system, const State& state, ThreadPool& pool,
     });
 }
 
-template <>
-std::unique_ptr<Force> makeForce<LineLists>()
+std::unique_ptr<Force> LineLists::makeForce()
 {
     return std::make_unique<LineDragForce>();
 }

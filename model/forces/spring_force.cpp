@@ -172,8 +172,7 @@ void SpringForce::addStiffness(const System& system, std::span<double> stiffness
         }
 }
 
-template <>
-std::unique_ptr<Force> makeForce<SpringLists>()
+std::unique_ptr<Force> SpringLists::makeForce()
 {
     return std::make_unique<SpringForce>();
 }

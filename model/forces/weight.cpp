@@ -24,8 +24,7 @@ public:
 
 } // namespace
 
-template <>
-std::unique_ptr<Force> makeForce<WeightLists>()
+std::unique_ptr<Force> WeightLists::makeForce()
 {
     return std::make_unique<WeightForce>();
 }

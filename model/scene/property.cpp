@@ -1,14 +1,14 @@
-// The rows of the table of properties: what each property is. What a change of it does stands in
-// property_uses.h; text and limits of values stand in value.cpp.
+// The rows of the table of properties. Text and limits of values stand in value.cpp, the conditions
+// under which a value counts in property_needs.h.
 // 1. Codec turns a field into a Value and back: fields as they are, enumerations as their names,
 //    optional fields with nothing as an absent value.
-// 2. property() joins a row from a pointer to member and finds its half in property_uses.h while
-//    compiling, so that a missing half does not compile.
+// 2. property() joins a row from a pointer to member. The conditions come before what is unusual
+//    and may not be left out, so that whoever adds a property thinks of them; {} always counts.
 // 3. The table stands in the order of Kind, because propertiesOf() returns a span of it.
 // 4. The lookups follow: by kind and key, by meaning, and by field.
 #include "scene/property.h"
 
-#include "scene/property_uses.h"
+#include "scene/property_needs.h"
 
 #include <algorithm>
 #include <cassert>
@@ -54,47 +54,55 @@ struct Codec<std::optional<T>>
     }
 };
 
-// The half of a row that stands in property_uses.h; a field without one does not compile.
-consteval PropertyUse useOf(const MemberPlace& place)
+// Conditions, each of which may be asked about things of this kind. Others do not compile.
+template <typename Owner>
+struct NeedsOf
 {
-    for (const PropertyUse& use : propertyUses)
-        if (use.place == place)
-            return use;
-    throw "no row in property_uses.h";
-}
+    consteval NeedsOf(std::initializer_list<Need> list)
+        : needs(list)
+    {
+        for (const Need& need : list)
+            if (need.kind.value_or(kindOfType<Owner>) != kindOfType<Owner>)
+                throw "a condition on a thing of another kind";
+    }
+    NeedList needs;
+};
+
+template <auto member>
+using OwnerOf = typename MemberOf<decltype(member)>::Owner;
 
 // Builds a row from a pointer to member, so that a row cannot name one field and read another.
 template <auto member>
 Property property(std::string_view key, std::string_view label, std::string_view unit,
-                  Effect effect, std::string_view help, Range range = {}, Kinds pointsAt = {},
-                  int columns = 0)
+                  Effect effect, std::string_view help, NeedsOf<OwnerOf<member>> needs,
+                  const PropertyDetails& details = {})
 {
-    using Owner = typename MemberOf<decltype(member)>::Owner;
-    using Field = typename MemberOf<decltype(member)>::Field;
-    using Coded = Codec<Field>;
+    using Owner = OwnerOf<member>;
+    using Coded = Codec<typename MemberOf<decltype(member)>::Field>;
     const auto get = [](const ConstRef& ref) -> Value {
         return Coded::value(std::get<const Owner*>(ref)->*member);
     };
     const auto set = [](const Ref& ref, const Value& value) {
         std::get<Owner*>(ref)->*member = Coded::field(value);
     };
-    static constexpr PropertyUse use = useOf(memberPlace<member>);
-    return {kindOfType<Owner>,
+    return {details,
+            kindOfType<Owner>,
+            memberPlace<member>,
             key,
             label,
             unit,
             effect,
             help,
-            range,
-            pointsAt,
+            needs.needs,
             Coded::choices(),
             Coded::value(Owner().*member),
             Coded::optional,
-            columns,
-            use,
             get,
             set};
 }
+
+constexpr SliderRange even(double low, double high) { return {low, high, false}; }
+constexpr SliderRange decades(double low, double high) { return {low, high, true}; }
 
 constexpr Range notNegative{0.0};
 constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
@@ -110,155 +118,157 @@ constexpr Kinds measurable{Kind::Particle, Kind::Link, Kind::Part, Kind::Group};
 
 std::span<const Property> allProperties()
 {
+    using namespace needs;
     using enum Effect;
+    using enum Meaning;
+    using enum Trait;
     // clang-format off
     static const std::array table{
-        property<&Settings::title>       ("title",       "Title",        "",        DisplayOnly, "What this scene is, in one line."),
-        property<&Settings::notes>       ("notes",       "Notes",        "",        DisplayOnly, "What a reader of this scene should know."),
-        property<&Settings::timeStep>    ("timeStep",    "Time step",    "s",       Recompile,   "Simulated time of one step; shorter is more exact and slower.", {1e-6, 0.1}),
-        property<&Settings::substeps>    ("substeps",    "Substeps",     "",        Recompile,   "Parts that each time step is cut into, the cheapest way to stiffer rods; the automatic solver takes this many or more.", {1, 10000}),
-        property<&Settings::sweeps>      ("sweeps",      "Sweeps",       "",        Recompile,   "Passes over all rods in each substep; more is stiffer and slower; the direct solver stops as soon as it has converged, and small steps and the automatic solver make one.", {1, 100000}),
-        property<&Settings::integrator>  ("integrator",  "Integrator",   "",        Recompile,   "Rule that turns forces into motion."),
-        property<&Settings::solver>      ("solver",      "Rod solver",   "",        Recompile,   "Rule that restores the lengths of rods; the automatic one takes as many small steps as the wanted strain needs, and direct blocks for heavy loads on light lines; averaged Jacobi conserves momentum, the paper's does not."),
-        property<&Settings::strainGoal>  ("strainGoal",  "Wanted strain", "%",      Recompile,   "Largest strain of rods that the automatic solver allows; smaller is stiffer and slower.", {1e-4, 100.0}),
-        property<&Settings::tearsPerStep>("tearsPerStep","Tears per step", "",      Recompile,   "Most links that break in one time step, the most overloaded first, so that a tear runs on from its tip; 0 sets no limit.", {0, 1000000}),
-        property<&Settings::tearMesh>    ("tearMesh",    "Fabric at tears", "",    Recompile,   "What panels do beside a link that tears: they vanish with it, or the mesh splits, so that each panel stays whole on its side."),
-        property<&Settings::gravity>     ("gravity",     "Gravity",      "m/s\u00b2", Recompile, "Acceleration of everything that falls; y is up."),
-        property<&Settings::airDensity>  ("airDensity",  "Air density",  "kg/m\u00b3", Recompile, "Mass of the air per volume; 1.225 at sea level, 0 is a vacuum.", notNegative),
-        property<&Settings::viscosity>   ("viscosity",   "Viscosity",    "1/s",     Recompile,   "Rate at which every velocity decays, over and above the drag of the panels.", notNegative),
-        property<&Settings::speedLimit>  ("speedLimit",  "Speed limit",  "m/s",     Recompile,   "A particle faster than this counts as diverged, and the run stops.", positive),
+        property<&Settings::title>       ("title",       "Title",        "",        DisplayOnly, "What this scene is, in one line.", {}, {.traits = {Own}}),
+        property<&Settings::notes>       ("notes",       "Notes",        "",        DisplayOnly, "What a reader of this scene should know.", {}, {.meaning = Notes, .traits = {Own}}),
+        property<&Settings::timeStep>    ("timeStep",    "Time step",    "s",       Recompile,   "Simulated time of one step; shorter is more exact and slower.", {}, {.range = {1e-6, 0.1}}),
+        property<&Settings::substeps>    ("substeps",    "Substeps",     "",        Recompile,   "Parts that each time step is cut into, the cheapest way to stiffer rods; the automatic solver takes this many or more.", {}, {.range = {1, 10000}, .usual = decades(1.0, 64.0)}),
+        property<&Settings::sweeps>      ("sweeps",      "Sweeps",       "",        Recompile,   "Passes over all rods in each substep; more is stiffer and slower; the direct solver stops as soon as it has converged, and small steps and the automatic solver make one.", {sweeps, someRod}, {.range = {1, 100000}, .usual = decades(1.0, 256.0)}),
+        property<&Settings::integrator>  ("integrator",  "Integrator",   "",        Recompile,   "Rule that turns forces into motion.", {}),
+        property<&Settings::solver>      ("solver",      "Rod solver",   "",        Recompile,   "Rule that restores the lengths of rods; the automatic one takes as many small steps as the wanted strain needs, and direct blocks for heavy loads on light lines; averaged Jacobi conserves momentum, the paper's does not.", {someRod}),
+        property<&Settings::strainGoal>  ("strainGoal",  "Wanted strain", "%",      Recompile,   "Largest strain of rods that the automatic solver allows; smaller is stiffer and slower.", {aimsAtStrain, someRod}, {.range = {1e-4, 100.0}}),
+        property<&Settings::tearsPerStep>("tearsPerStep","Tears per step", "",      Recompile,   "Most links that break in one time step, the most overloaded first, so that a tear runs on from its tip; 0 sets no limit.", {someTear}, {.range = {0, 1000000}}),
+        property<&Settings::tearMesh>    ("tearMesh",    "Fabric at tears", "",    Recompile,   "What panels do beside a link that tears: they vanish with it, or the mesh splits, so that each panel stays whole on its side.", {someTear}),
+        property<&Settings::gravity>     ("gravity",     "Gravity",      "m/s\u00b2", Recompile, "Acceleration of everything that falls; y is up.", {}),
+        property<&Settings::airDensity>  ("airDensity",  "Air density",  "kg/m\u00b3", Recompile, "Mass of the air per volume; 1.225 at sea level, 0 is a vacuum.", {someCloth}, {.range = notNegative, .usual = even(0.0, 2.0)}),
+        property<&Settings::viscosity>   ("viscosity",   "Viscosity",    "1/s",     Recompile,   "Rate at which every velocity decays, over and above the drag of the panels.", {}, {.range = notNegative, .usual = even(0.0, 5.0)}),
+        property<&Settings::speedLimit>  ("speedLimit",  "Speed limit",  "m/s",     Recompile,   "A particle faster than this counts as diverged, and the run stops.", {}, {.range = positive}),
 
-        property<&Particle::position>    ("position",    "Position",     "m",       OnReset,     "Where the particle starts."),
-        property<&Particle::velocity>    ("velocity",    "Velocity",     "m/s",     OnReset,     "How fast the particle starts."),
-        property<&Particle::mass>        ("mass",        "Mass",         "kg",      Recompile,   "Inertia and weight.", notNegative),
-        property<&Particle::pinned>      ("pinned",      "Pinned",       "",        Recompile,   "Held in place, whatever pulls on it."),
-        property<&Particle::guide>       ("guide",       "Guide",        "",        Recompile,   "What the particle cannot leave: a line or a plane through where it is, which takes up every force across it and gives no friction."),
-        property<&Particle::guideAxis>   ("guideAxis",   "Guide axis",   "",        Recompile,   "Direction of the line that the particle is free along, or the direction across the plane that it is free in."),
-        property<&Particle::textureU>    ("u",           "Texture u",    "",        DisplayOnly, "Where the particle lies across the picture printed on the fabric, 0 to 1."),
-        property<&Particle::textureV>    ("v",           "Texture v",    "",        DisplayOnly, "Where the particle lies up the picture printed on the fabric, 0 to 1."),
+        property<&Particle::position>    ("position",    "Position",     "m",       OnReset,     "Where the particle starts.", {}, {.traits = {Own}}),
+        property<&Particle::velocity>    ("velocity",    "Velocity",     "m/s",     OnReset,     "How fast the particle starts.", {isFree}),
+        property<&Particle::mass>        ("mass",        "Mass",         "kg",      Recompile,   "Inertia and weight.", {isFree}, {.range = notNegative}),
+        property<&Particle::pinned>      ("pinned",      "Pinned",       "",        Recompile,   "Held in place, whatever pulls on it.", {}),
+        property<&Particle::guide>       ("guide",       "Guide",        "",        Recompile,   "What the particle cannot leave: a line or a plane through where it is, which takes up every force across it and gives no friction.", {isFree}),
+        property<&Particle::guideAxis>   ("guideAxis",   "Guide axis",   "",        Recompile,   "Direction of the line that the particle is free along, or the direction across the plane that it is free in.", {isFree, isGuided}),
+        property<&Particle::textureU>    ("u",           "Texture u",    "",        DisplayOnly, "Where the particle lies across the picture printed on the fabric, 0 to 1.", {}),
+        property<&Particle::textureV>    ("v",           "Texture v",    "",        DisplayOnly, "Where the particle lies up the picture printed on the fabric, 0 to 1.", {}),
 
-        property<&Link::from>            ("from",        "From",         "",        Recompile,   "Particle at one end.", {}, particles),
-        property<&Link::to>              ("to",          "To",           "",        Recompile,   "Particle at the other end.", {}, particles),
-        property<&Link::material>        ("material",    "Material",     "",        Recompile,   "Gives every number that the link does not set itself.", {}, materials),
-        property<&Link::kind>            ("kind",        "Kind",         "",        Recompile,   "A spring pulls with a force, a rod keeps its length as a constraint."),
-        property<&Link::resists>         ("resists",     "Resists",      "",        Recompile,   "A line resists tension only, a strut compression only, a batten both."),
-        property<&Link::restLength>      ("restLength",  "Rest length",  "m",       Recompile,   "Length without load.", notNegative),
-        property<&Link::role>            ("role",        "Role",         "",        Recompile,   "What the link stands for where its material has a physical stiffness: a line or spar by itself, threads of a fabric, or its resistance to shear."),
-        property<&Link::width>           ("width",       "Width",        "m",       Recompile,   "Width of the strip of fabric that a thread or bias stands for; with 0 it takes the material's stiffness or compliance as it is.", notNegative),
-        property<&Link::stiffness>       ("stiffness",   "Stiffness",    "N/m",     Recompile,   "Force of a spring per metre of stretch; empty takes the material's.", notNegative),
-        property<&Link::damping>         ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching; empty takes the material's.", notNegative),
-        property<&Link::compliance>      ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton, 0 never stretches; empty takes the material's.", notNegative),
-        property<&Link::tearLimit>       ("tearLimit",   "Tear limit",   "",        Recompile,   "The link breaks above this, in metres, as a strain or in newtons as its material's tear rule says; empty takes the material's.", notNegative),
+        property<&Link::from>            ("from",        "From",         "",        Recompile,   "Particle at one end.", {}, {.pointsAt = particles, .traits = {Structure}}),
+        property<&Link::to>              ("to",          "To",           "",        Recompile,   "Particle at the other end.", {}, {.pointsAt = particles, .traits = {Structure}}),
+        property<&Link::material>        ("material",    "Material",     "",        Recompile,   "Gives every number that the link does not set itself.", {}, {.pointsAt = materials, .traits = {Looks, Counts}}),
+        property<&Link::kind>            ("kind",        "Kind",         "",        Recompile,   "A spring pulls with a force, a rod keeps its length as a constraint.", {}, {.traits = {Structure, Counts}}),
+        property<&Link::resists>         ("resists",     "Resists",      "",        Recompile,   "A line resists tension only, a strut compression only, a batten both.", {}),
+        property<&Link::restLength>      ("restLength",  "Rest length",  "m",       Recompile,   "Length without load.", {}, {.range = notNegative, .traits = {Own}}),
+        property<&Link::role>            ("role",        "Role",         "",        Recompile,   "What the link stands for where its material has a physical stiffness: a line or spar by itself, threads of a fabric, or its resistance to shear.", {}, {.traits = {Looks, Counts}}),
+        property<&Link::width>           ("width",       "Width",        "m",       Recompile,   "Width of the strip of fabric that a thread or bias stands for; with 0 it takes the material's stiffness or compliance as it is.", {isNoLine}, {.range = notNegative, .traits = {Looks, Counts}}),
+        property<&Link::stiffness>       ("stiffness",   "Stiffness",    "N/m",     Recompile,   "Force of a spring per metre of stretch; empty takes the material's.", {isSpring}, {.range = notNegative, .traits = {Counts}}),
+        property<&Link::damping>         ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching; empty takes the material's.", {isSpring}, {.range = notNegative, .traits = {Counts}}),
+        property<&Link::compliance>      ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton, 0 never stretches; empty takes the material's.", {isRod, softRods}, {.range = notNegative, .traits = {Counts}}),
+        property<&Link::tearLimit>       ("tearLimit",   "Tear limit",   "",        Recompile,   "The link breaks above this, in metres, as a strain or in newtons as its material's tear rule says; empty takes the material's.", {canTear}, {.range = notNegative, .traits = {Looks, Counts}}),
 
-        property<&Panel::a>              ("a",           "Corner a",     "",        Recompile,   "First corner.", {}, particles),
-        property<&Panel::b>              ("b",           "Corner b",     "",        Recompile,   "Second corner.", {}, particles),
-        property<&Panel::c>              ("c",           "Corner c",     "",        Recompile,   "Third corner.", {}, particles),
-        property<&Panel::material>       ("material",    "Material",     "",        Recompile,   "Gives the colour and the law of its air load.", {}, materials),
+        property<&Panel::a>              ("a",           "Corner a",     "",        Recompile,   "First corner.", {}, {.pointsAt = particles, .traits = {Structure}}),
+        property<&Panel::b>              ("b",           "Corner b",     "",        Recompile,   "Second corner.", {}, {.pointsAt = particles, .traits = {Structure}}),
+        property<&Panel::c>              ("c",           "Corner c",     "",        Recompile,   "Third corner.", {}, {.pointsAt = particles, .traits = {Structure}}),
+        property<&Panel::material>       ("material",    "Material",     "",        Recompile,   "Gives the colour and the law of its air load.", {}, {.pointsAt = materials, .traits = {Looks, Counts}}),
 
-        property<&Part::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Part::shown>           ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
-        property<&Part::selfContact>     ("selfContact", "Self-contact", "m",       Recompile,   "Distance that particles of this part keep from its own panels and from those of other parts with self-contact; 0 lets fabric pass through fabric.", notNegative),
-        property<&Part::selfFriction>    ("selfFriction", "Self-friction", "",      Recompile,   "Coulomb coefficient of fabric on fabric.", notNegative),
-        property<&Part::canopyPressure>  ("canopyPressure", "Canopy pressure", "",  Recompile,   "Fills the fabric with air through its mouth, up to this pressure over the dynamic pressure of the wind that meets the mouth; 1.68 for round parachutes, 0 leaves each panel to meet the wind by itself.", {0.0, 4.0}),
-        property<&Part::fillEfficiency>  ("fillEfficiency", "Fill efficiency", "",  Recompile,   "Speed at which air fills a canopy, over that of the wind times the square root of mouth over cloth area; 0.07 for round parachutes, only with canopy pressure.", {0.0, 1.0, true}),
-        property<&Part::addedMass>       ("addedMass",   "Added mass",   "",        Recompile,   "Mass of the air that moves with a canopy over that in a hemisphere on its mouth; only with canopy pressure.", notNegative),
-        property<&Part::massTarget>      ("massTarget",  "Target mass",  "kg",      DisplayOnly, "What it is meant to weigh; the totals show the difference, and empty sets no target.", positive),
-        property<&Part::lengthTarget>    ("lengthTarget", "Target length", "m",     DisplayOnly, "Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.", positive),
-        property<&Part::areaTarget>      ("areaTarget",  "Target area",  "m\u00b2", DisplayOnly, "Area that its panels are meant to have; empty sets no target.", positive),
-        property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand."),
+        property<&Part::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Part::shown>           ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view.", {}, {.meaning = Shown}),
+        property<&Part::selfContact>     ("selfContact", "Self-contact", "m",       Recompile,   "Distance that particles of this part keep from its own panels and from those of other parts with self-contact; 0 lets fabric pass through fabric.", {}, {.range = notNegative}),
+        property<&Part::selfFriction>    ("selfFriction", "Self-friction", "",      Recompile,   "Coulomb coefficient of fabric on fabric.", {touchesItself}, {.range = notNegative}),
+        property<&Part::canopyPressure>  ("canopyPressure", "Canopy pressure", "",  Recompile,   "Fills the fabric with air through its mouth, up to this pressure over the dynamic pressure of the wind that meets the mouth; 1.68 for round parachutes, 0 leaves each panel to meet the wind by itself.", {}, {.range = {0.0, 4.0}, .traits = {Structure}}),
+        property<&Part::fillEfficiency>  ("fillEfficiency", "Fill efficiency", "",  Recompile,   "Speed at which air fills a canopy, over that of the wind times the square root of mouth over cloth area; 0.07 for round parachutes, only with canopy pressure.", {holdsAir}, {.range = {0.0, 1.0, true}}),
+        property<&Part::addedMass>       ("addedMass",   "Added mass",   "",        Recompile,   "Mass of the air that moves with a canopy over that in a hemisphere on its mouth; only with canopy pressure.", {holdsAir}, {.range = notNegative}),
+        property<&Part::massTarget>      ("massTarget",  "Target mass",  "kg",      DisplayOnly, "What it is meant to weigh; the totals show the difference, and empty sets no target.", {}, {.range = positive}),
+        property<&Part::lengthTarget>    ("lengthTarget", "Target length", "m",     DisplayOnly, "Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.", {}, {.range = positive}),
+        property<&Part::areaTarget>      ("areaTarget",  "Target area",  "m\u00b2", DisplayOnly, "Area that its panels are meant to have; empty sets no target.", {}, {.range = positive}),
+        property<&Part::builder>         ("builder",     "Builder",      "",        DisplayOnly, "Builder that made this part; empty when drawn by hand.", {}, {.traits = {Own}}),
 
-        property<&Material::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Material::color>       ("color",       "Colour",       "",        DisplayOnly, "Colour in the view, as #rrggbb."),
-        property<&Material::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Links and panels of this material are drawn."),
-        property<&Material::stiffness>   ("stiffness",   "Stiffness",    "N/m",     Recompile,   "Force of a spring per metre of stretch.", notNegative),
-        property<&Material::damping>     ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching.", notNegative),
-        property<&Material::compliance>  ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton; 0 never stretches.", notNegative),
-        property<&Material::axialStiffness>("axialStiffness", "Axial stiffness", "N", Recompile, "EA of a line or spar, its tension per strain: a link of this length L gets EA / L, whatever the stiffness and compliance above say; empty leaves it to them.", positive),
-        property<&Material::membraneStiffness>("membraneStiffness", "Membrane stiffness", "N/m", Recompile, "E t of a fabric along its threads, its tension per width and strain: links with the role thread get theirs from it and from their width; empty leaves it to stiffness and compliance.", positive),
-        property<&Material::shearStiffness>("shearStiffness", "Shear stiffness", "N/m", Recompile, "G t of a fabric, its shear force per width and angle: links with the role bias get theirs from it; empty leaves it to stiffness and compliance.", positive),
-        property<&Material::bendingStiffness>("bendingStiffness", "Bending stiffness", "N m", Recompile, "B of a fabric, its bending moment per width and curvature: panels of this material that share a side resist folding there; 0 lets them fold freely.", notNegative),
-        property<&Material::flexuralRigidity>("flexuralRigidity", "Flexural rigidity", "N m\u00b2", Recompile, "EI of a spar, its bending moment per curvature: links of this material that go on into each other resist turning there, and stay as bent as they are built; 0 lets them hinge freely.", notNegative),
-        property<&Material::arealDensity>("arealDensity", "Areal density", "kg/m\u00b2", DisplayOnly, "Mass of the fabric per area that its particles were given; setting another one weighs them anew, and where it was empty it only notes.", notNegative),
-        property<&Material::linearDensity>("linearDensity", "Linear density", "kg/m", DisplayOnly, "Mass of the line or spar per length that its particles were given; setting another one weighs them anew, and where it was empty it only notes.", notNegative),
-        property<&Material::tearRule>    ("tearRule",    "Tears by",     "",        Recompile,   "What breaks a link: its length (m), its strain, the force in it (N), or nothing."),
-        property<&Material::tearLimit>   ("tearLimit",   "Tear limit",   "",        Recompile,   "A link breaks above this, in metres, as a strain or in newtons as the rule says.", notNegative),
-        property<&Material::airLaw>      ("airLaw",      "Air law",      "",        Recompile,   "How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too, lift and drag are read from a table, and the vortex law finds the circulation around a whole wing."),
-        property<&Material::normalCoefficient>("normalCoefficient", "Normal force", "", Recompile, "Coefficient of the force across the panel; 4 is the paper's, 2 a flat plate's, 1.17 a disc's head on; of the linear law it is the slope at small angles.", notNegative),
-        property<&Material::broadsideCoefficient>("broadsideCoefficient", "Broadside", "", Recompile, "Coefficient of the linear law head on, 1.17 for a square plate; empty takes the normal force's.", positive),
-        property<&Material::polar>       ("polar",       "Lift and drag", "",       Recompile,   "Rows of angle of attack in degrees from 0 to 90, lift coefficient and drag coefficient, for the law lift_drag.", {}, {}, 3),
-        property<&Material::stallAngle>  ("stallAngle",  "Stall",        "deg",     Recompile,   "Angle at which a section of a wing with the vortex law meets the air when it has lost half of its circulation; 15 for a wing, 10 to 12 for a thin sail.", {1.0, 40.0}),
-        property<&Material::skinFriction>("skinFriction", "Skin friction", "",      Recompile,   "Coefficient of the force along the panel, both sides together; about 0.02 for cloth.", notNegative),
-        property<&Material::porosity>    ("porosity",    "Porosity",     "",        Recompile,   "Speed of the air that leaks through the cloth over the speed sqrt(2 dp / rho) that its pressure could give; about 0.03 for parachute nylon, 0 is tight.", fraction),
-        property<&Material::diameter>    ("diameter",    "Line diameter", "m",      Recompile,   "Thickness of links as lines in the wind; 0 gives them no drag.", notNegative),
-        property<&Material::dragCoefficient>("dragCoefficient", "Line drag", "",    Recompile,   "Drag coefficient of links across the wind; 1 to 1.1 for lines.", notNegative),
+        property<&Material::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Material::color>       ("color",       "Colour",       "",        DisplayOnly, "Colour in the view, as #rrggbb.", {}, {.meaning = Color}),
+        property<&Material::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Links and panels of this material are drawn.", {}, {.meaning = Shown}),
+        property<&Material::stiffness>   ("stiffness",   "Stiffness",    "N/m",     Recompile,   "Force of a spring per metre of stretch.", {ofLinks, ofSprings, givesStiffness, isAbstract}, {.range = notNegative, .usual = decades(1.0, 1e5)}),
+        property<&Material::damping>     ("damping",     "Damping",      "N s/m",   Recompile,   "Force of a spring per metre per second of stretching.", {ofLinks, ofSprings, givesDamping}, {.range = notNegative, .usual = decades(1e-3, 10.0)}),
+        property<&Material::compliance>  ("compliance",  "Compliance",   "m/N",     Recompile,   "Stretch of a rod per newton; 0 never stretches.", {ofLinks, ofRods, softRods, givesCompliance, isAbstract}, {.range = notNegative, .usual = decades(1e-8, 1e-2)}),
+        property<&Material::axialStiffness>("axialStiffness", "Axial stiffness", "N", Recompile, "EA of a line or spar, its tension per strain: a link of this length L gets EA / L, whatever the stiffness and compliance above say; empty leaves it to them.", {notOnlyStiffRods, ofLines}, {.range = positive}),
+        property<&Material::membraneStiffness>("membraneStiffness", "Membrane stiffness", "N/m", Recompile, "E t of a fabric along its threads, its tension per width and strain: links with the role thread get theirs from it and from their width; empty leaves it to stiffness and compliance.", {notOnlyStiffRods, ofThreads}, {.range = positive}),
+        property<&Material::shearStiffness>("shearStiffness", "Shear stiffness", "N/m", Recompile, "G t of a fabric, its shear force per width and angle: links with the role bias get theirs from it; empty leaves it to stiffness and compliance.", {notOnlyStiffRods, ofBiases}, {.range = positive}),
+        property<&Material::bendingStiffness>("bendingStiffness", "Bending stiffness", "N m", Recompile, "B of a fabric, its bending moment per width and curvature: panels of this material that share a side resist folding there; 0 lets them fold freely.", {ofPanels}, {.range = notNegative}),
+        property<&Material::flexuralRigidity>("flexuralRigidity", "Flexural rigidity", "N m\u00b2", Recompile, "EI of a spar, its bending moment per curvature: links of this material that go on into each other resist turning there, and stay as bent as they are built; 0 lets them hinge freely.", {ofLines}, {.range = notNegative}),
+        property<&Material::arealDensity>("arealDensity", "Areal density", "kg/m\u00b2", DisplayOnly, "Mass of the fabric per area that its particles were given; setting another one weighs them anew, and where it was empty it only notes.", {}, {.range = notNegative}),
+        property<&Material::linearDensity>("linearDensity", "Linear density", "kg/m", DisplayOnly, "Mass of the line or spar per length that its particles were given; setting another one weighs them anew, and where it was empty it only notes.", {}, {.range = notNegative}),
+        property<&Material::tearRule>    ("tearRule",    "Tears by",     "",        Recompile,   "What breaks a link: its length (m), its strain, the force in it (N), or nothing.", {ofLinks}, {.traits = {Looks}}),
+        property<&Material::tearLimit>   ("tearLimit",   "Tear limit",   "",        Recompile,   "A link breaks above this, in metres, as a strain or in newtons as the rule says.", {tears, givesTearLimit}, {.range = notNegative, .traits = {Looks}, .usual = decades(1e-2, 1e3)}),
+        property<&Material::airLaw>      ("airLaw",      "Air law",      "",        Recompile,   "How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too, lift and drag are read from a table, and the vortex law finds the circulation around a whole wing.", {ofPanels, inAir}),
+        property<&Material::normalCoefficient>("normalCoefficient", "Normal force", "", Recompile, "Coefficient of the force across the panel; 4 is the paper's, 2 a flat plate's, 1.17 a disc's head on; of the linear law it is the slope at small angles.", {law<AirLaw::Paper, AirLaw::LinearNormal, AirLaw::Vortex>, ofPanels, inAir}, {.range = notNegative, .usual = even(0.0, 4.0)}),
+        property<&Material::broadsideCoefficient>("broadsideCoefficient", "Broadside", "", Recompile, "Coefficient of the linear law head on, 1.17 for a square plate; empty takes the normal force's.", {law<AirLaw::LinearNormal, AirLaw::Vortex>, ofPanels, inAir}, {.range = positive}),
+        property<&Material::polar>       ("polar",       "Lift and drag", "",       Recompile,   "Rows of angle of attack in degrees from 0 to 90, lift coefficient and drag coefficient, for the law lift_drag.", {law<AirLaw::LiftDrag>, ofPanels, inAir}, {.columns = 3, .meaning = Polar}),
+        property<&Material::stallAngle>  ("stallAngle",  "Stall",        "deg",     Recompile,   "Angle at which a section of a wing with the vortex law meets the air when it has lost half of its circulation; 15 for a wing, 10 to 12 for a thin sail.", {law<AirLaw::Vortex>, ofPanels, inAir}, {.range = {1.0, 40.0}}),
+        property<&Material::skinFriction>("skinFriction", "Skin friction", "",      Recompile,   "Coefficient of the force along the panel, both sides together; about 0.02 for cloth.", {lawOtherThan<AirLaw::None>, ofPanels, inAir}, {.range = notNegative, .usual = even(0.0, 0.2)}),
+        property<&Material::porosity>    ("porosity",    "Porosity",     "",        Recompile,   "Speed of the air that leaks through the cloth over the speed sqrt(2 dp / rho) that its pressure could give; about 0.03 for parachute nylon, 0 is tight.", {lawOtherThan<AirLaw::None, AirLaw::Vortex>, ofPanels, inAir}, {.range = fraction, .usual = even(0.0, 0.2)}),
+        property<&Material::diameter>    ("diameter",    "Line diameter", "m",      Recompile,   "Thickness of links as lines in the wind; 0 gives them no drag.", {ofLinks}, {.range = notNegative}),
+        property<&Material::dragCoefficient>("dragCoefficient", "Line drag", "",    Recompile,   "Drag coefficient of links across the wind; 1 to 1.1 for lines.", {hasDiameter, ofLinks}, {.range = notNegative}),
 
-        property<&Group::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Group::members>        ("members",     "Members",      "",        Recompile,   "Particles, links and panels that belong to the group.", {}, elements),
-        property<&Group::massTarget>      ("massTarget",  "Target mass",  "kg",      DisplayOnly, "What it is meant to weigh; the totals show the difference, and empty sets no target.", positive),
-        property<&Group::lengthTarget>    ("lengthTarget", "Target length", "m",     DisplayOnly, "Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.", positive),
-        property<&Group::areaTarget>      ("areaTarget",  "Target area",  "m\u00b2", DisplayOnly, "Area that its panels are meant to have; empty sets no target.", positive),
+        property<&Group::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Group::members>        ("members",     "Members",      "",        Recompile,   "Particles, links and panels that belong to the group.", {}, {.pointsAt = elements}),
+        property<&Group::massTarget>      ("massTarget",  "Target mass",  "kg",      DisplayOnly, "What it is meant to weigh; the totals show the difference, and empty sets no target.", {}, {.range = positive}),
+        property<&Group::lengthTarget>    ("lengthTarget", "Target length", "m",     DisplayOnly, "Length of line that it is meant to have, by the rest lengths of its links with the role line; empty sets no target.", {}, {.range = positive}),
+        property<&Group::areaTarget>      ("areaTarget",  "Target area",  "m\u00b2", DisplayOnly, "Area that its panels are meant to have; empty sets no target.", {}, {.range = positive}),
 
-        property<&Collider::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Collider::shape>       ("shape",       "Shape",        "",        Recompile,   "A plane without end, a sphere, a box, a cylinder, hills or a relief from a picture, or a mesh from a file."),
-        property<&Collider::position>    ("position",    "Position",     "m",       Recompile,   "A point of the plane, the centre of the sphere, the box or the cylinder, the middle of the foot of a height field, or the origin of the mesh."),
-        property<&Collider::normal>      ("normal",      "Normal",       "",        Recompile,   "Direction that the plane faces; only planes use it."),
-        property<&Collider::radius>      ("radius",      "Radius",       "m",       Recompile,   "Radius of the sphere or the cylinder; other shapes do not use it.", positive),
-        property<&Collider::size>        ("size",        "Size",         "m",       Recompile,   "Edges of a box, or width, height and depth of a height field; the second number is the height of a cylinder, whose axis is its own y."),
-        property<&Collider::turn>        ("turn",        "Turn",         "deg",     Recompile,   "Angles about x, then y, then z; planes and spheres do not use it."),
-        property<&Collider::thickness>   ("thickness",   "Thickness",    "m",       Recompile,   "Distance that fabric keeps from the surface, half the thickness of the fabric or more; it rounds edges.", notNegative),
-        property<&Collider::response>    ("response",    "Response",     "",        Recompile,   "What is left of the motion of a particle that touches: nothing, the part along the surface, or a bounce with friction."),
-        property<&Collider::restitution> ("restitution", "Restitution",  "",        Recompile,   "Share of the impact speed that a bounce gives back; only the response contact uses it.", fraction),
-        property<&Collider::friction>    ("friction",    "Friction",     "",        Recompile,   "Coulomb coefficient; only the response contact uses it.", notNegative),
-        property<&Collider::path>        ("path",        "Path",         "",        Recompile,   "Times in s and places in m that the collider moves through, as 0: 0 1 0; 2.5: 3 1 0; empty stays at its position."),
-        property<&Collider::file>        ("file",        "File",         "",        Recompile,   "Grey picture of a height field (PNG, PGM) or mesh (OBJ, STL, PLY and others), beside the scene file; a height field without one gets generated hills."),
-        property<&Collider::scale>       ("scale",       "Scale",        "",        Recompile,   "Metres per unit of the mesh file; only meshes use it.", positive),
-        property<&Collider::grid>        ("grid",        "Grid",         "",        Recompile,   "Points along each side of generated hills.", {2, 4096}),
-        property<&Collider::seed>        ("seed",        "Seed",         "",        Recompile,   "Number that picks the generated hills; the same number gives the same hills."),
-        property<&Collider::hillLength>  ("hillLength",  "Hill length",  "",        Recompile,   "Distance from one generated hill to the next, over the width of the field.", {0.01, 10.0}),
-        property<&Collider::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view."),
+        property<&Collider::name>        ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Collider::shape>       ("shape",       "Shape",        "",        Recompile,   "A plane without end, a sphere, a box, a cylinder, hills or a relief from a picture, or a mesh from a file.", {}, {.traits = {Looks}}),
+        property<&Collider::position>    ("position",    "Position",     "m",       Recompile,   "A point of the plane, the centre of the sphere, the box or the cylinder, the middle of the foot of a height field, or the origin of the mesh.", {hasNoPath}, {.traits = {Looks, Own}}),
+        property<&Collider::normal>      ("normal",      "Normal",       "",        Recompile,   "Direction that the plane faces; only planes use it.", {hasNormal}, {.traits = {Looks}}),
+        property<&Collider::radius>      ("radius",      "Radius",       "m",       Recompile,   "Radius of the sphere or the cylinder; other shapes do not use it.", {hasRadius}, {.range = positive, .traits = {Looks}}),
+        property<&Collider::size>        ("size",        "Size",         "m",       Recompile,   "Edges of a box, or width, height and depth of a height field; the second number is the height of a cylinder, whose axis is its own y.", {hasSize}, {.traits = {Looks}}),
+        property<&Collider::turn>        ("turn",        "Turn",         "deg",     Recompile,   "Angles about x, then y, then z; planes and spheres do not use it.", {turns}, {.traits = {Looks}}),
+        property<&Collider::thickness>   ("thickness",   "Thickness",    "m",       Recompile,   "Distance that fabric keeps from the surface, half the thickness of the fabric or more; it rounds edges.", {}, {.range = notNegative, .traits = {Looks}, .usual = even(0.0, 0.05)}),
+        property<&Collider::response>    ("response",    "Response",     "",        Recompile,   "What is left of the motion of a particle that touches: nothing, the part along the surface, or a bounce with friction.", {}, {.traits = {Looks}}),
+        property<&Collider::restitution> ("restitution", "Restitution",  "",        Recompile,   "Share of the impact speed that a bounce gives back; only the response contact uses it.", {bounces}, {.range = fraction, .traits = {Looks}, .usual = even(0.0, 1.0)}),
+        property<&Collider::friction>    ("friction",    "Friction",     "",        Recompile,   "Coulomb coefficient; only the response contact uses it.", {bounces}, {.range = notNegative, .traits = {Looks}, .usual = even(0.0, 1.5)}),
+        property<&Collider::path>        ("path",        "Path",         "",        Recompile,   "Times in s and places in m that the collider moves through, as 0: 0 1 0; 2.5: 3 1 0; empty stays at its position.", {}, {.meaning = Path, .traits = {Looks}}),
+        property<&Collider::file>        ("file",        "File",         "",        Recompile,   "Grey picture of a height field (PNG, PGM) or mesh (OBJ, STL, PLY and others), beside the scene file; a height field without one gets generated hills.", {hasFile}, {.meaning = File, .traits = {Looks}}),
+        property<&Collider::scale>       ("scale",       "Scale",        "",        Recompile,   "Metres per unit of the mesh file; only meshes use it.", {isScaled}, {.range = positive, .traits = {Looks}}),
+        property<&Collider::grid>        ("grid",        "Grid",         "",        Recompile,   "Points along each side of generated hills.", {isGenerated}, {.range = {2, 4096}, .traits = {Looks}}),
+        property<&Collider::seed>        ("seed",        "Seed",         "",        Recompile,   "Number that picks the generated hills; the same number gives the same hills.", {isGenerated}, {.traits = {Looks}}),
+        property<&Collider::hillLength>  ("hillLength",  "Hill length",  "",        Recompile,   "Distance from one generated hill to the next, over the width of the field.", {isGenerated}, {.range = {0.01, 10.0}, .traits = {Looks}, .usual = decades(0.02, 2.0)}),
+        property<&Collider::shown>       ("shown",       "Shown",        "",        DisplayOnly, "Drawn in the view.", {}, {.meaning = Shown}),
 
-        property<&Wind::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Wind::kind>            ("kind",        "Kind",         "",        Recompile,   "The same everywhere, growing with height by a power law or a logarithm, gusts that the other winds carry past, or a jet from a nozzle; the winds of a scene add up."),
-        property<&Wind::velocity>        ("velocity",    "Velocity",     "m/s",     Recompile,   "Velocity of the air: everywhere, at the reference height, or in the nozzle; gusts have none of their own."),
-        property<&Wind::referenceHeight> ("referenceHeight", "Reference height", "m", Recompile, "Height over y = 0 at which a profile has its velocity, or for which gusts are made.", positive),
-        property<&Wind::exponent>        ("exponent",    "Exponent",     "",        Recompile,   "Exponent of the power law; 1/7 over open land, 0.1 over water.", {0.0, 2.0}),
-        property<&Wind::roughness>       ("roughness",   "Roughness",    "m",       Recompile,   "Height at which the logarithmic profile starts; 0.0002 on the sea, 0.03 over grass, 0.1 over farmland, 0.5 to 1 over suburbs.", positive),
-        property<&Wind::gustiness>       ("gustiness",   "Gustiness",    "m/s",     Recompile,   "Wind at 20 ft whose gusts these are; 7.7 is light turbulence, 15.4 moderate, 23.2 severe.", notNegative),
-        property<&Wind::seed>            ("seed",        "Seed",         "",        Recompile,   "Number that the gusts follow from; the same seed gives the same gusts.", notNegative),
-        property<&Wind::position>        ("position",    "Position",     "m",       Recompile,   "Middle of the nozzle of a jet."),
-        property<&Wind::radius>          ("radius",      "Radius",       "m",       Recompile,   "Radius of the nozzle of a jet.", positive),
-        property<&Wind::spread>          ("spread",      "Spread",       "deg",     Recompile,   "Half the angle by which a jet widens; 12 is that of a free jet.", {0.0, 80.0}),
+        property<&Wind::name>            ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Wind::kind>            ("kind",        "Kind",         "",        Recompile,   "The same everywhere, growing with height by a power law or a logarithm, gusts that the other winds carry past, or a jet from a nozzle; the winds of a scene add up.", {inAir, someCloth}, {.traits = {Structure, Looks}}),
+        property<&Wind::velocity>        ("velocity",    "Velocity",     "m/s",     Recompile,   "Velocity of the air: everywhere, at the reference height, or in the nozzle; gusts have none of their own.", {inAir, someCloth, isNoGust}, {.traits = {Looks}, .usual = even(0.0, 25.0)}),
+        property<&Wind::referenceHeight> ("referenceHeight", "Reference height", "m", Recompile, "Height over y = 0 at which a profile has its velocity, or for which gusts are made.", {inAir, someCloth, hasHeight}, {.range = positive, .traits = {Looks}}),
+        property<&Wind::exponent>        ("exponent",    "Exponent",     "",        Recompile,   "Exponent of the power law; 1/7 over open land, 0.1 over water.", {inAir, someCloth, isPowerLaw}, {.range = {0.0, 2.0}, .traits = {Looks}}),
+        property<&Wind::roughness>       ("roughness",   "Roughness",    "m",       Recompile,   "Height at which the logarithmic profile starts; 0.0002 on the sea, 0.03 over grass, 0.1 over farmland, 0.5 to 1 over suburbs.", {inAir, someCloth, isLogLaw}, {.range = positive, .traits = {Looks}}),
+        property<&Wind::gustiness>       ("gustiness",   "Gustiness",    "m/s",     Recompile,   "Wind at 20 ft whose gusts these are; 7.7 is light turbulence, 15.4 moderate, 23.2 severe.", {inAir, someCloth, isGusts}, {.range = notNegative, .traits = {Looks}, .usual = even(0.0, 25.0)}),
+        property<&Wind::seed>            ("seed",        "Seed",         "",        Recompile,   "Number that the gusts follow from; the same seed gives the same gusts.", {inAir, someCloth, isGusts}, {.range = notNegative, .traits = {Looks}}),
+        property<&Wind::position>        ("position",    "Position",     "m",       Recompile,   "Middle of the nozzle of a jet.", {inAir, someCloth, isJet}, {.traits = {Looks, Own}}),
+        property<&Wind::radius>          ("radius",      "Radius",       "m",       Recompile,   "Radius of the nozzle of a jet.", {inAir, someCloth, isJet}, {.range = positive, .traits = {Looks}}),
+        property<&Wind::spread>          ("spread",      "Spread",       "deg",     Recompile,   "Half the angle by which a jet widens; 12 is that of a free jet.", {inAir, someCloth, isJet}, {.range = {0.0, 80.0}, .traits = {Looks}}),
 
-        property<&Control::name>         ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths."),
-        property<&Control::kind>         ("kind",        "Kind",         "",        Recompile,   "Moves its targets, or shifts their weight inside the rods that hold them."),
-        property<&Control::targets>      ("targets",     "Targets",      "",        Recompile,   "Particles that the control acts on, and colliders that it moves.", {}, movable),
-        property<&Control::axis>         ("axis",        "Axis",         "",        Recompile,   "Direction of a positive value."),
-        property<&Control::keyLess>      ("keyLess",     "Key less",     "",        DisplayOnly, "Key that lowers the value by one step, for example Left."),
-        property<&Control::keyMore>      ("keyMore",     "Key more",     "",        DisplayOnly, "Key that raises the value by one step, for example Right."),
-        property<&Control::step>         ("step",        "Step",         "m",       DisplayOnly, "Change of the commanded value per key press.", positive),
-        property<&Control::limit>        ("limit",       "Limit",        "m",       Recompile,   "Largest value either way.", notNegative),
-        property<&Control::rate>         ("rate",        "Rate",         "m/s",     Recompile,   "How fast the value follows its command in simulated time.", positive),
-        property<&Control::automaticRate>("automaticRate", "Automatic rate", "m/s", Recompile,   "How fast the value moves by itself until it reaches the limit; 0 waits for keys."),
+        property<&Control::name>         ("name",        "Name",         "",        DisplayOnly, "Shown in the outline and used in paths.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Control::kind>         ("kind",        "Kind",         "",        Recompile,   "Moves its targets, or shifts their weight inside the rods that hold them.", {}),
+        property<&Control::targets>      ("targets",     "Targets",      "",        Recompile,   "Particles that the control acts on, and colliders that it moves.", {}, {.pointsAt = movable}),
+        property<&Control::axis>         ("axis",        "Axis",         "",        Recompile,   "Direction of a positive value.", {}),
+        property<&Control::keyLess>      ("keyLess",     "Key less",     "",        DisplayOnly, "Key that lowers the value by one step, for example Left.", {}, {.meaning = Keys}),
+        property<&Control::keyMore>      ("keyMore",     "Key more",     "",        DisplayOnly, "Key that raises the value by one step, for example Right.", {}, {.meaning = Keys}),
+        property<&Control::step>         ("step",        "Step",         "m",       DisplayOnly, "Change of the commanded value per key press.", {}, {.range = positive}),
+        property<&Control::limit>        ("limit",       "Limit",        "m",       Recompile,   "Largest value either way.", {}, {.range = notNegative}),
+        property<&Control::rate>         ("rate",        "Rate",         "m/s",     Recompile,   "How fast the value follows its command in simulated time.", {}, {.range = positive}),
+        property<&Control::automaticRate>("automaticRate", "Automatic rate", "m/s", Recompile,   "How fast the value moves by itself until it reaches the limit; 0 waits for keys.", {}),
 
-        property<&Probe::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in plots and tables."),
-        property<&Probe::quantity>       ("quantity",    "Quantity",     "",        Recompile,   "What is measured."),
-        property<&Probe::target>         ("target",      "Target",       "",        Recompile,   "Particle, link, part or group that is measured; empty is the whole scene.", {}, measurable),
-        property<&Probe::from>           ("from",        "From",         "",        Recompile,   "Particle that a distance or an elevation is measured from; the tail, where the target is the nose.", {}, particles),
-        property<&Probe::side>           ("side",        "Right side",   "",        Recompile,   "A particle on the right of nose and tail, for roll and angle of attack.", {}, particles),
-        property<&Probe::formula>        ("formula",     "Formula",      "",        Recompile,   "A number made of what other probes read, by their names with _ for blanks: line_tension / weight."),
-        property<&Probe::plotted>        ("plotted",     "Plotted",      "",        DisplayOnly, "Shown in plots that name no probes of their own."),
+        property<&Probe::name>           ("name",        "Name",         "",        DisplayOnly, "Shown in plots and tables.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Probe::quantity>       ("quantity",    "Quantity",     "",        Recompile,   "What is measured.", {}),
+        property<&Probe::target>         ("target",      "Target",       "",        Recompile,   "Particle, link, part or group that is measured; empty is the whole scene.", {isOfThings}, {.pointsAt = measurable}),
+        property<&Probe::from>           ("from",        "From",         "",        Recompile,   "Particle that a distance or an elevation is measured from; the tail, where the target is the nose.", {hasOrigin}, {.pointsAt = particles}),
+        property<&Probe::side>           ("side",        "Right side",   "",        Recompile,   "A particle on the right of nose and tail, for roll and angle of attack.", {hasSide}, {.pointsAt = particles}),
+        property<&Probe::formula>        ("formula",     "Formula",      "",        Recompile,   "A number made of what other probes read, by their names with _ for blanks: line_tension / weight.", {isFormula}),
+        property<&Probe::plotted>        ("plotted",     "Plotted",      "",        DisplayOnly, "Shown in plots that name no probes of their own.", {}),
 
-        property<&Plot::name>            ("name",        "Name",         "",        DisplayOnly, "Shown over the plot."),
-        property<&Plot::axis>            ("axis",        "Against",      "",        DisplayOnly, "What the curves are drawn against: time, what another probe reads, or frequency, as spectra."),
-        property<&Plot::against>         ("against",     "Other probe",  "",        DisplayOnly, "Probe whose readings go across when the curves are against a probe.", {}, probes),
-        property<&Plot::probes>          ("probes",      "Probes",       "",        DisplayOnly, "Probes whose curves it has; empty has all that are plotted.", {}, probes),
-        property<&Plot::seconds>         ("seconds",     "In sight",     "s",       DisplayOnly, "How much of the run is in sight, up to now; 0 shows all of it.", notNegative),
-        property<&Plot::logarithmic>     ("logarithmic", "Logarithmic",  "",        DisplayOnly, "Values stand on a logarithmic axis; those at or below 0 are left out."),
-        property<&Plot::low>             ("low",         "Lowest value", "",        DisplayOnly, "Lower end of the axis of values, in the unit of the curves; empty fits what is in sight."),
-        property<&Plot::high>            ("high",        "Highest value", "",       DisplayOnly, "Upper end of the axis of values, in the unit of the curves; empty fits what is in sight."),
+        property<&Plot::name>            ("name",        "Name",         "",        DisplayOnly, "Shown over the plot.", {}, {.meaning = Name, .traits = {Own}}),
+        property<&Plot::axis>            ("axis",        "Against",      "",        DisplayOnly, "What the curves are drawn against: time, what another probe reads, or frequency, as spectra.", {}),
+        property<&Plot::against>         ("against",     "Other probe",  "",        DisplayOnly, "Probe whose readings go across when the curves are against a probe.", {isAgainstProbe}, {.pointsAt = probes}),
+        property<&Plot::probes>          ("probes",      "Probes",       "",        DisplayOnly, "Probes whose curves it has; empty has all that are plotted.", {}, {.pointsAt = probes}),
+        property<&Plot::seconds>         ("seconds",     "In sight",     "s",       DisplayOnly, "How much of the run is in sight, up to now; 0 shows all of it.", {isAgainstTime}, {.range = notNegative}),
+        property<&Plot::logarithmic>     ("logarithmic", "Logarithmic",  "",        DisplayOnly, "Values stand on a logarithmic axis; those at or below 0 are left out.", {}),
+        property<&Plot::low>             ("low",         "Lowest value", "",        DisplayOnly, "Lower end of the axis of values, in the unit of the curves; empty fits what is in sight.", {}),
+        property<&Plot::high>            ("high",        "Highest value", "",       DisplayOnly, "Upper end of the axis of values, in the unit of the curves; empty fits what is in sight.", {}),
     };
     // clang-format on
-    static_assert(table.size() == propertyUses.size(), "a row of property_uses.h is left over");
     return table;
 }
 
@@ -281,7 +291,7 @@ const Property* findProperty(Kind kind, std::string_view key)
 const Property* findProperty(Kind kind, Meaning meaning)
 {
     for (const Property& property : propertiesOf(kind))
-        if (property.use.meaning == meaning)
+        if (property.meaning == meaning)
             return &property;
     return nullptr;
 }
@@ -290,7 +300,7 @@ const Property& propertyAt(const MemberPlace& place)
 {
     const auto of = propertiesOf(place.kind);
     const auto found =
-        std::ranges::find(of, place, [](const Property& property) { return property.use.place; });
+        std::ranges::find(of, place, [](const Property& property) { return property.place; });
     assert(found != of.end());
     return *found;
 }
@@ -304,12 +314,12 @@ const Property* ofMaterial(const Property& property)
 
 bool isResettable(const Property& property)
 {
-    return property.pointsAt.empty() && !property.use.traits.contains(Trait::Own);
+    return property.pointsAt.empty() && !property.traits.contains(Trait::Own);
 }
 
 bool changesLooks(const Property& property)
 {
-    return property.effect == Effect::DisplayOnly || property.use.traits.contains(Trait::Looks);
+    return property.effect == Effect::DisplayOnly || property.traits.contains(Trait::Looks);
 }
 
 } // namespace ripstop

@@ -2,8 +2,7 @@
 //
 // One row describes one quantity completely. The file format, the inspector, the check of what a
 // user typed, the command line's --set and the property manual all walk this table: a new
-// quantity is a field in items.h, a row in property.cpp (what it is), a row in property_uses.h
-// (what a change of it does and when it counts) and its use. A missing row does not compile.
+// quantity is a field in items.h, a row in property.cpp and its use.
 //
 // Whoever needs one particular property names it by its field, propertyOf<&Particle::mass>(), and
 // asks for the others by what the table says of them: keys are for files, paths and people.
@@ -188,31 +187,30 @@ private:
     std::size_t m_count = 0;
 };
 
-// A row of property_uses.h.
-struct PropertyUse
+// What is said of a quantity where it is not the usual.
+struct PropertyDetails
 {
-    MemberPlace place;
-    Meaning meaning;
-    Traits traits;
-    std::optional<SliderRange> usual; // that a form shows without being asked
-    NeedList needs;
+    Range range = {};
+    Kinds pointsAt = {}; // for ids
+    int columns = 0;     // numbers in each row, for tables
+    Meaning meaning = Meaning::Plain;
+    Traits traits = {};
+    std::optional<SliderRange> usual = std::nullopt; // that a form shows without being asked
 };
 
-struct Property
+struct Property : PropertyDetails
 {
     Kind kind;
+    MemberPlace place;
     std::string_view key;   // name in files and paths; never renamed
     std::string_view label; // name on screen
     std::string_view unit;  // SI; empty when dimensionless
     Effect effect;
     std::string_view help; // one sentence
-    Range range;
-    Kinds pointsAt;                            // for ids
+    NeedList needs;
     std::span<const std::string_view> choices; // for choices
     Value initial;                             // the default; its type is the type of the property
     bool optional;                             // may be absent
-    int columns;                               // numbers in each row, for tables
-    PropertyUse use;
     Value (*get)(const ConstRef&);
     void (*set)(const Ref&, const Value&); // a value that refusal() has let through
 };
@@ -234,7 +232,7 @@ const Property& propertyOf()
 template <auto... members>
 bool isOneOf(const Property& property)
 {
-    return ((property.use.place == memberPlace<members>) || ...);
+    return ((property.place == memberPlace<members>) || ...);
 }
 
 // The property of the material that a link takes where it has no value of its own; null for a

@@ -124,7 +124,7 @@ bool canBeTuned(const Property& property)
 
 SliderRange rangeAround(const Property& property, double value)
 {
-    if (const auto range = property.use.usual; range && value <= range->high)
+    if (const auto range = property.usual; range && value <= range->high)
         return *range;
     const Range& allowed = property.range;
     const bool isWhole = std::holds_alternative<int>(property.initial);

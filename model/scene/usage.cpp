@@ -59,7 +59,7 @@ std::optional<std::string> whyIdle(const Scene& scene, const Usage& usage, const
     const auto made = usage.ofMaterial.find(id);
     const Circumstances around{scene, usage.ofAll,
                                made == usage.ofMaterial.end() ? Use() : made->second};
-    for (const Need& need : property.use.needs)
+    for (const Need& need : property.needs)
         if (!need.holds(*ref, around))
             return need.otherwise;
     return std::nullopt;

@@ -2,7 +2,7 @@
 //
 // The stiffness of a rod, the sweeps of a solver that makes one, the air of a scene without fabric:
 // such numbers can be turned for hours without effect, so forms say that they do nothing, and why.
-// The conditions stand in property_uses.h, a column of the table of properties.
+// The conditions stand in property_needs.h, a column of the table of properties.
 #pragma once
 
 #include "scene/edit.h"

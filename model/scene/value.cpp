@@ -107,7 +107,7 @@ std::optional<Message> refusalOfRows(const Property& property, const NumberRows&
             return Message("must have %1 numbers in each row (row %2)", property.columns, i + 1);
         if (!std::ranges::all_of(row, [](double value) { return std::isfinite(value); }))
             return Message("must be finite numbers (row %1)", i + 1);
-        if (property.use.meaning != Meaning::Polar)
+        if (property.meaning != Meaning::Polar)
             continue;
         if (row[0] < 0.0 || row[0] > 90.0 || row[0] <= last)
             return Message("must have angles that rise from row to row, between 0 and 90 (row %1)",
@@ -247,9 +247,9 @@ std::optional<Message> refusal(const Property& property, const Value& value)
         const auto choices = property.choices;
         if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
             return Message("must be one of %1", joined(choices));
-        if (property.use.meaning == Meaning::Color && !isColor(*text))
+        if (property.meaning == Meaning::Color && !isColor(*text))
             return Message("must be a colour as #rrggbb");
-        if (property.use.meaning == Meaning::Path)
+        if (property.meaning == Meaning::Path)
             if (const auto path = pathFromText(*text); !path)
                 return path.message();
     }

@@ -1,7 +1,7 @@
 // Which forces there are, and what each derives from the rest of a System.
 //
-// The type of what a force derives stands for that force: makeForce() of it (forces/force.h) gives
-// the force itself, and a program that lacks one does not link. What the author's own arrays say
+// The type of what a force derives stands for that force: its makeForce(), which the source of the
+// force defines, gives the force itself, and a program that lacks one does not link. What the author's own arrays say
 // already (springs, panels, weights) is not repeated here.
 //
 // Whoever changes a finished system in place has the lists filled anew by listForces()
@@ -13,19 +13,26 @@
 #include "base/wing_strips.h"
 #include "system/links.h"
 
+#include <memory>
 #include <tuple>
 #include <vector>
 
 namespace ripstop {
 
+class Force;
+
 struct SpringLists
 {
+    static std::unique_ptr<Force> makeForce();
+
     friend bool operator==(const SpringLists&, const SpringLists&) = default;
 };
 
 struct FabricLists
 {
     std::vector<WingStrips> wings; // pieces of fabric with the vortex law
+
+    static std::unique_ptr<Force> makeForce();
 
     friend bool operator==(const FabricLists&, const FabricLists&) = default;
 };
@@ -35,6 +42,8 @@ struct LineLists
     std::vector<DragLine> list; // in the order of their links
     Rows at;                    // [particles], or empty when there are none
 
+    static std::unique_ptr<Force> makeForce();
+
     friend bool operator==(const LineLists&, const LineLists&) = default;
 };
 
@@ -43,16 +52,22 @@ struct BendLists
     std::vector<Bend> list; // where what bends stiffly can bend
     Rows at;                // [particles], or empty when there are none
 
+    static std::unique_ptr<Force> makeForce();
+
     friend bool operator==(const BendLists&, const BendLists&) = default;
 };
 
 struct WeightLists
 {
+    static std::unique_ptr<Force> makeForce();
+
     friend bool operator==(const WeightLists&, const WeightLists&) = default;
 };
 
 struct HandLists
 {
+    static std::unique_ptr<Force> makeForce();
+
     friend bool operator==(const HandLists&, const HandLists&) = default;
 };
 

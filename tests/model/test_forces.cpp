@@ -229,7 +229,7 @@ private slots:
     // A force that was written and stands on no list would do nothing.
     void allAreListed()
     {
-        static const QRegularExpression made("makeForce<(\\w+)>\\(\\)\\s*\\{");
+        static const QRegularExpression made("(\\w+)::makeForce\\(\\)\\s*\\{");
         static const QRegularExpression written(": public Force\\b");
         QSet<QString> types;
         int count = 0;

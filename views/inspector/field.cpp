@@ -98,7 +98,7 @@ Field makeField(const FieldPlace& place)
         return idField(place);
     if (!place.property.choices.empty())
         return choiceField(place);
-    switch (place.property.use.meaning) {
+    switch (place.property.meaning) {
     case Meaning::Color:
         return colorField(place);
     case Meaning::File:
@@ -156,7 +156,7 @@ Field choiceField(const FieldPlace& place)
 Field textField(const FieldPlace& place)
 {
     const auto judge = [place](const QString& text) -> QString {
-        const Meaning meaning = place.property.use.meaning;
+        const Meaning meaning = place.property.meaning;
         if (meaning == Meaning::Keys && !text.trimmed().isEmpty()
             && QKeySequence::fromString(text.trimmed()).toString().isEmpty())
             return words("No key is called so; try Left, A or Ctrl+Up.");

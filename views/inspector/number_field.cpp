@@ -101,14 +101,14 @@ ValueEdit* numberEdit(const FieldPlace& place, int axis, ScrubLabel& label)
 // A slider for what is tuned while it flies; null for other properties.
 QSlider* slider(const FieldPlace& place)
 {
-    const auto range = place.slides ? place.property.use.usual : std::nullopt;
+    const auto range = place.slides ? place.property.usual : std::nullopt;
     return range ? makeSlider(place.subject, place.property, [range] { return *range; }) : nullptr;
 }
 
 void refreshSlider(QSlider* bar, const Property& property, const Common& common)
 {
     if (bar)
-        showOn(*bar, *property.use.usual, common);
+        showOn(*bar, *property.usual, common);
 }
 
 QWidget* stacked(QWidget* above, QWidget* below)

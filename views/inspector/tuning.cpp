@@ -62,7 +62,7 @@ double scrubbed(const Property& property, double before, double distance)
 {
     if (isWhole(property))
         return std::round(before + distance / 8.0);
-    const auto range = property.use.usual;
+    const auto range = property.usual;
     if (isNeverNegative(property) && property.range.high > 1.0 && before > 0.0)
         return rounded(before * std::exp2(distance / 100.0));
     if (isNeverNegative(property) && range && range->logarithmic)

@@ -175,7 +175,7 @@ QVariant SheetModel::data(const QModelIndex& index, int role) const
     case Qt::TextAlignmentRole:
         return int((isNumber(property) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::DecorationRole:
-        return property.use.meaning == Meaning::Color ? QVariant(
+        return property.meaning == Meaning::Color ? QVariant(
                    QColor(QString::fromStdString(cellText(m_document.scene(), *thing, column))))
                                                       : QVariant();
     default:
