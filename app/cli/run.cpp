@@ -54,6 +54,7 @@ struct Options
     std::string replay; // a recording; nothing is flown then but that
     bool profile = false;
     bool json = false;
+    bool strict = false; // ends with an exit code of its own where the accuracy was missed
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
@@ -126,6 +127,20 @@ Json tearSummary(std::span<const Tear> tears)
     return result;
 }
 
+Json accuracyOf(const RunAccuracy& accuracy)
+{
+    return {{"reached", accuracy.pulls},
+            {"wanted", accuracy.wantedPulls},
+            {"strain", accuracy.strain},
+            {"wanted_strain", accuracy.wantedStrain},
+            {"missed", accuracy.missedShare()},
+            {"worst",
+             {{"factor", accuracy.worst},
+              {"time", accuracy.worstTime},
+              {"link", accuracy.worstLink > 0 ? Json(accuracy.worstLink) : Json(nullptr)}}},
+            {"met", accuracy.isMet()}};
+}
+
 Json report(const Simulation& simulation, double wallSeconds)
 {
     const std::shared_ptr<const Frame> frame = simulation.frame();
@@ -142,6 +157,7 @@ Json report(const Simulation& simulation, double wallSeconds)
     result["hash"] = hashText(stateHash(state));
     result["torn"] = tornLinks(*frame);
     result["max_strain"] = largest == frame->strain.end() ? 0.0 : *largest;
+    result["accuracy"] = accuracyOf(frame->accuracy);
     result["energy"] = energy.total();
     result["energies"] = {
         {"kinetic", energy.kinetic}, {"potential", energy.potential}, {"elastic", energy.elastic}};
@@ -226,6 +242,10 @@ void printTable(const Json& result, const Layout& layout)
                 + shortNumber(end["speed"]) + " m/s");
     }
     row("largest strain", shortNumber(result["max_strain"]));
+    const Json& accuracy = result["accuracy"];
+    const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
+    row("error of pulls", percent(accuracy["reached"]) + ", wanted " + percent(accuracy["wanted"])
+                              + "; missed in " + percent(accuracy["missed"]) + " of the steps");
     row("energy", shortNumber(result["energy"]) + " J");
     row("hash", result["hash"].get<std::string>());
     for (const Layout::Probe& probe : layout.probes) {
@@ -317,6 +337,11 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
             return fail(BadInput, failure->message);
     if (simulation.trouble())
         return fail(Diverged, simulation.trouble()->message);
+    if (const Message complaint = simulation.frame()->accuracy.complaint(); !complaint.empty()) {
+        fail(Inaccurate, complaint);
+        if (options.strict)
+            return Inaccurate;
+    }
     if (interrupted())
         return fail(Interrupted, "Interrupted; the results are those up to then.");
     return Done;
@@ -414,6 +439,8 @@ void addRun(CLI::App& app, Command& chosen)
         ->add_flag("--kinetic-damping", options->damped,
                    "With --settle: stop all motion whenever its energy has passed a peak")
         ->needs(settle);
+    command->add_flag("--strict", options->strict,
+                      "End with exit code 5 when the wanted accuracy was missed");
     addSetOption(*command, options->scene.assignments);
     command->add_option("--threads", options->threads, "Threads; the result is the same for all")
         ->check(CLI::Range(1, 1024))

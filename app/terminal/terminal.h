@@ -20,6 +20,7 @@ enum ExitCode {
     WrongUsage = 2,
     Diverged = 3,
     Differs = 4,
+    Inaccurate = 5, // with --strict
     Interrupted = 130
 };
 

@@ -143,6 +143,7 @@ void takeSettings(const Settings& settings, System& system)
     system.sweeps = settings.sweeps;
     system.integrator = settings.integrator;
     system.solver = settings.solver;
+    system.accuracy = settings.accuracy / 100.0;
     system.strainGoal = settings.strainGoal / 100.0;
     system.tearsPerStep = settings.tearsPerStep;
     system.tearMesh = settings.tearMesh;

@@ -389,4 +389,20 @@ std::vector<int> rodsOfSmallFabric(const System& system)
     return rods;
 }
 
+std::vector<int> rodsOfNetworks(const System& system, const std::function<bool(const Rod&)>& isOne)
+{
+    if (std::ranges::none_of(system.rods, isOne))
+        return {};
+    const Networks networks(system);
+    std::vector<std::uint8_t> has(networks.count(), 0);
+    for (int r = 0; r < int(system.rods.size()); ++r)
+        if (networks.ofRod(r) >= 0 && isOne(system.rods[std::size_t(r)]))
+            has[std::size_t(networks.ofRod(r))] = 1;
+    std::vector<int> rods;
+    for (int r = 0; r < int(system.rods.size()); ++r)
+        if (networks.ofRod(r) >= 0 && has[std::size_t(networks.ofRod(r))])
+            rods.push_back(r);
+    return rods;
+}
+
 } // namespace ripstop

@@ -31,14 +31,18 @@
 
 #include "system/system.h"
 
+#include <functional>
 #include <vector>
 
 namespace ripstop {
 
-// Places in system.rods, ascending. The system must be finished. Both build arrays of the size of
+// Places in system.rods, ascending. The system must be finished. They build arrays of the size of
 // the system: they are called when the automatic solver makes its plan (step/solver_plan.h), not in
 // each step.
 std::vector<int> rodsForDirect(const System& system);
 std::vector<int> rodsOfSmallFabric(const System& system);
+
+// All rods of the networks that have a rod like this, whatever their size.
+std::vector<int> rodsOfNetworks(const System& system, const std::function<bool(const Rod&)>& isOne);
 
 } // namespace ripstop

@@ -24,6 +24,13 @@ constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
 constexpr double greatestSoftness = 1e-4;
 constexpr int halvings = 6;
 
+// Below either, factorising is faster than iterating (measured on sheets and ladders).
+constexpr std::size_t fewNodes = 300;
+constexpr std::size_t fewPairs = 2; // for each node; lines have one
+
+constexpr int mostIterations = 200;
+constexpr double leftToSolver = 0.3; // of the accuracy; the rest is for what the step itself errs
+
 RIPSTOP_INLINE double dot(const Row& a, const Row& b)
 {
     return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
@@ -37,21 +44,21 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
     m_bars.clear();
     m_particle.clear();
     m_mass.clear();
-    constexpr auto none = std::uint32_t(-1);
-    std::vector<std::uint32_t> row(system.inverseMass.size(), none);
+    std::vector<std::uint8_t> isHere(system.inverseMass.size(), 0);
+    for (const int r : rods)
+        for (const int end : {system.rods[std::size_t(r)].a, system.rods[std::size_t(r)].b})
+            isHere[std::size_t(end)] = 1;
+    std::vector<std::uint32_t> row(isHere.size());
     for (const bool pins : {false, true})
-        for (const int r : rods)
-            for (const int end : {system.rods[std::size_t(r)].a, system.rods[std::size_t(r)].b}) {
-                const auto p = std::size_t(end);
-                if (row[p] != none || (system.inverseMass[p] == 0.0) != pins)
-                    continue;
-                row[p] = std::uint32_t(m_particle.size());
-                m_particle.push_back(end);
-                if (!pins)
-                    m_mass.push_back(0.0);
-            }
+        for (std::size_t p = 0; p < isHere.size(); ++p) {
+            if (!isHere[p] || (system.inverseMass[p] == 0.0) != pins)
+                continue;
+            row[p] = std::uint32_t(m_particle.size());
+            m_particle.push_back(int(p));
+            if (!pins)
+                m_mass.push_back(0.0);
+        }
 
-    std::vector<std::pair<int, int>> pairs;
     for (const int r : rods) {
         const Rod& rod = system.rods[std::size_t(r)];
         Bar bar;
@@ -60,13 +67,33 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
         bar.b = row[std::size_t(rod.b)];
         if (bar.a == bar.b || std::min(bar.a, bar.b) >= nodes()) // nothing to move
             continue;
-        if (bar.a < nodes() && bar.b < nodes()) {
-            bar.pair = int(pairs.size());
-            pairs.emplace_back(bar.a, bar.b);
-        }
         m_bars.push_back(bar);
     }
-    m_matrix.analyze(nodes(), pairs);
+    // Bars stand as their blocks do, so that a walk along them is a walk through memory.
+    std::ranges::stable_sort(m_bars, {}, [](const Bar& bar) {
+        return std::minmax(bar.a, bar.b);
+    });
+    std::vector<std::pair<int, int>> pairs, anchors;
+    for (Bar& bar : m_bars) {
+        const auto [low, high] = std::minmax(bar.a, bar.b);
+        if (high < nodes()) {
+            bar.pair = int(pairs.size());
+            pairs.emplace_back(bar.a, bar.b);
+        } else {
+            anchors.emplace_back(low, high);
+        }
+    }
+    m_iterates = nodes() > fewNodes && pairs.size() > fewPairs * nodes();
+    if (m_iterates) {
+        std::vector<Row> place;
+        for (const int p : m_particle) {
+            const Vec3& x = system.start.position[std::size_t(p)];
+            place.push_back({{x.x(), x.y(), x.z(), 0.0}});
+        }
+        m_grid.analyze(nodes(), pairs, anchors, place);
+    } else {
+        m_factor.analyze(nodes(), pairs);
+    }
     takeGuides(system);
     findIslands();
     takeValues(system);
@@ -167,6 +194,7 @@ void DirectSolver::takeValues(const System& system)
     for (Bar& bar : m_bars) {
         const Rod& rod = system.rods[std::size_t(bar.rod)];
         bar.resists = rod.resists;
+        bar.isElastic = rod.compliance > 0.0;
         bar.weight =
             system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
     }
@@ -204,6 +232,7 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
 {
     if (task.h != m_h)
         soften(task.system, task.h);
+    m_wanted = leftToSolver * task.system.accuracy;
     for (Bar& bar : m_bars) {
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
@@ -229,13 +258,13 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
         assemble();
         const double before = merit();
-        if (!m_matrix.factorize()) // something is not a number, which the watchdog will see
+        if (!solveForMoves()) // something is not a number, which the watchdog will see
             break;
-        m_matrix.solve(m_move);
         moveAlongGuides();
         foresee();
         go(1.0);
-        near = error() < tolerance;
+        near = error() < tolerance
+               && energyOfErrors() <= m_wanted * m_wanted * energyOfPulls();
         double share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
             go(share *= 0.5);
@@ -244,6 +273,8 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
                 bar.multiplier = bar.before + share * (bar.multiplier - bar.before);
     }
 
+    const double pulls = energyOfPulls();
+    m_residual = pulls > 0.0 ? m_left / std::sqrt(pulls) : 0.0;
     keepCenters();
     for (std::size_t i = 0; i < nodes(); ++i)
         task.position[std::size_t(m_particle[i])] =
@@ -257,6 +288,57 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
             held = std::min(held, 0.0);
     }
     return taken;
+}
+
+BlockCholesky::Block& DirectSolver::diagonal(std::size_t node)
+{
+    return m_iterates ? m_grid.diagonal(node) : m_factor.diagonal(node);
+}
+
+BlockCholesky::Block& DirectSolver::pair(std::size_t index)
+{
+    return m_iterates ? m_grid.pair(index) : m_factor.pair(index);
+}
+
+// Puts the moves in place of the right-hand side.
+bool DirectSolver::solveForMoves()
+{
+    if (!m_iterates) {
+        if (!m_factor.factorize())
+            return false;
+        m_factor.solve(m_move);
+        return true;
+    }
+    if (!m_grid.factorize())
+        return false;
+    const auto keepOnGuides = [this](std::span<Row> rows) {
+        for (std::size_t i = 0; i < m_guides.size() && i < rows.size(); ++i)
+            moveAlongGuide(i, rows[i]);
+    };
+    m_left = m_grid.solve({m_move.data(), nodes()}, m_wanted * std::sqrt(energyOfPulls()),
+                          mostIterations, keepOnGuides);
+    return true;
+}
+
+// Twice the energy that pulls of the multipliers take, kg m^2.
+double DirectSolver::energyOfPulls() const
+{
+    double sum = 0.0;
+    for (const Bar& bar : m_bars)
+        sum += bar.softness * bar.multiplier * bar.multiplier;
+    return sum;
+}
+
+// Twice the energy of what the pulls of elastic rods differ by from those of their lengths, kg m^2.
+double DirectSolver::energyOfErrors() const
+{
+    double sum = 0.0;
+    for (const Bar& bar : m_bars)
+        if (bar.isElastic) {
+            const double off = bar.active ? bar.stretch - bar.softness * bar.multiplier : excess(bar);
+            sum += off * off / bar.softness;
+        }
+    return sum;
 }
 
 // Measures the rods with their ends where they are now.
@@ -292,19 +374,23 @@ RIPSTOP_CLONES
 void DirectSolver::assemble()
 {
     const std::size_t count = m_mass.size();
-    m_matrix.setZero();
+    if (m_iterates)
+        m_grid.setZero();
+    else
+        m_factor.setZero();
     for (std::size_t i = 0; i < count; ++i) {
         const double mass = m_mass[i];
-        BlockCholesky::Block& block = m_matrix.diagonal(i);
+        BlockCholesky::Block& block = diagonal(i);
         for (int c = 0; c < 3; ++c)
             block.column[c][c] = mass;
         pack(m_move[i].v) = mass * (pack(m_guess[i].v) - pack(m_position[i].v));
     }
     for (Bar& bar : m_bars) {
         bar.active = acts(bar);
-        if (bar.active && bar.guided)
+        const bool apart = bar.guided && !m_iterates; // iterations keep to guides by themselves
+        if (bar.active && apart)
             addOnGuides(bar);
-        if (!bar.active || bar.guided)
+        if (!bar.active || apart)
             continue;
         const Pack n = pack(bar.direction.v);
         const double along = 1.0 / bar.softness;
@@ -316,19 +402,19 @@ void DirectSolver::assemble()
         }
         const Pack pull = n * (along * bar.stretch);
         if (bar.a < count) {
-            BlockCholesky::Block& block = m_matrix.diagonal(bar.a);
+            BlockCholesky::Block& block = diagonal(bar.a);
             for (int c = 0; c < 3; ++c)
                 pack(block.column[c]) += column[c];
             pack(m_move[bar.a].v) += pull;
         }
         if (bar.b < count) {
-            BlockCholesky::Block& block = m_matrix.diagonal(bar.b);
+            BlockCholesky::Block& block = diagonal(bar.b);
             for (int c = 0; c < 3; ++c)
                 pack(block.column[c]) += column[c];
             pack(m_move[bar.b].v) -= pull;
         }
         if (bar.pair >= 0) {
-            BlockCholesky::Block& block = m_matrix.pair(std::size_t(bar.pair));
+            BlockCholesky::Block& block = pair(std::size_t(bar.pair));
             for (int c = 0; c < 3; ++c)
                 pack(block.column[c]) -= column[c];
         }
@@ -361,16 +447,16 @@ void DirectSolver::addOnGuides(const Bar& bar)
             m_move[row].v[c] += force[c];
     };
     if (bar.a < nodes()) {
-        add(m_matrix.diagonal(bar.a), ontoA * stiffness * ontoA);
+        add(diagonal(bar.a), ontoA * stiffness * ontoA);
         pull(bar.a, ontoA * (along * bar.stretch * n));
     }
     if (bar.b < nodes()) {
-        add(m_matrix.diagonal(bar.b), ontoB * stiffness * ontoB);
+        add(diagonal(bar.b), ontoB * stiffness * ontoB);
         pull(bar.b, ontoB * (-along * bar.stretch * n));
     }
     if (bar.pair >= 0) {
-        const bool aIsRow = m_matrix.isLater(bar.a, bar.b);
-        add(m_matrix.pair(std::size_t(bar.pair)),
+        const bool aIsRow = m_factor.isLater(bar.a, bar.b);
+        add(pair(std::size_t(bar.pair)),
             aIsRow ? Eigen::Matrix3d(-ontoA * stiffness * ontoB)
                    : Eigen::Matrix3d(-ontoB * stiffness * ontoA));
     }
@@ -379,12 +465,15 @@ void DirectSolver::addOnGuides(const Bar& bar)
 // The moves lead along the guides but for rounding errors, which are taken out here.
 void DirectSolver::moveAlongGuides()
 {
-    for (std::size_t i = 0; i < std::min(m_guides.size(), nodes()); ++i) {
-        const Vec3 along =
-            m_guides[i].freePart(Vec3(m_move[i].v[0], m_move[i].v[1], m_move[i].v[2]));
-        for (int c = 0; c < 3; ++c)
-            m_move[i].v[c] = along[c];
-    }
+    for (std::size_t i = 0; i < std::min(m_guides.size(), nodes()); ++i)
+        moveAlongGuide(i, m_move[i]);
+}
+
+void DirectSolver::moveAlongGuide(std::size_t row, Row& move) const
+{
+    const Vec3 along = m_guides[row].freePart(Vec3(move.v[0], move.v[1], move.v[2]));
+    for (int c = 0; c < 3; ++c)
+        move.v[c] = along[c];
 }
 
 // Foresees the multipliers at the end of the move, as if rods kept their directions.

@@ -24,14 +24,17 @@
 // A particle on a guide (base/guide.h) moves by P: its rows and columns of the matrix are
 // multiplied by P on either side but for its mass. What the system gives is exact for it as well.
 //
-// Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. The cost of an
-// iteration grows like n for chains, n^1.5 for sheets: meant for up to some hundreds of particles.
+// Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. Chains and small
+// frames are factorised (block_cholesky.h), which costs n for chains and n^1.5 for sheets; from some
+// hundred particles on, sheets are iterated with coarser networks in a time that grows like n
+// (multigrid.h), as far as the pulls need it.
 // Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h of its energy
 // per second, for waves on tight lines all of it at once. Explicit forces beside it, air above all,
 // keep their own limit of the step.
 #pragma once
 
 #include "constraints/block_cholesky.h"
+#include "constraints/multigrid.h"
 #include "parallel/simd_pack.h"
 #include "system/system.h"
 
@@ -65,9 +68,13 @@ public:
     int project(const RodTask& task, std::span<double> multiplier, int iterations,
                 double tolerance = 3e-4);
 
+    // What the last project() has left unsolved, as an error of the pulls, 1; that of iterations.
+    double residual() const { return m_residual; }
+
     std::span<const int> rods() const { return m_rods; }         // as given to prepare()
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
-    std::size_t products() const { return m_matrix.products(); } // of blocks, in an iteration
+    std::size_t products() const { return m_factor.products(); } // of blocks, in an iteration
+    bool iterates() const { return m_iterates; } // too large to be factorised
 
 private:
     struct Bar // a rod
@@ -80,6 +87,7 @@ private:
         bool guided = false; // an end is on a guide
         Resists resists = Resists::Both;
         bool torn = false;
+        bool isElastic = false;  // has a compliance
         bool active = false;     // takes part in this iteration
         double weight = 0.0;     // 1/kg, of both ends
         double softness = 0.0;   // 1/kg, s above
@@ -97,6 +105,11 @@ private:
     void measure();
     void assemble();
     void foresee();
+    bool solveForMoves();
+    double energyOfPulls() const;
+    double energyOfErrors() const;
+    BlockCholesky::Block& diagonal(std::size_t node);
+    BlockCholesky::Block& pair(std::size_t index);
     void go(double share);
     double merit() const;
     double error() const;
@@ -104,12 +117,18 @@ private:
     void keepCenters();
     void addOnGuides(const Bar& bar);
     void moveAlongGuides();
+    void moveAlongGuide(std::size_t row, Row& move) const;
     static bool acts(const Bar& bar);
     static double excess(const Bar& bar);
 
     std::vector<int> m_rods; // as given to prepare()
     double m_h = 0.0;        // s, for which softness is right
-    BlockCholesky m_matrix;
+    double m_wanted = 0.003; // 1, of the root of the energy of pulls: what may be left of errors
+    double m_left = 0.0;     // sqrt(kg) m, the root of the energy of what iterations have left
+    double m_residual = 0.0; // 1
+    bool m_iterates = false;
+    BlockCholesky m_factor;               // of the matrix, or
+    Multigrid m_grid;                     // for a large one
     std::vector<Bar> m_bars;
     std::vector<int> m_particle;          // [rows] particle; nodes first, then pins
     std::vector<double> m_mass;           // [nodes] kg

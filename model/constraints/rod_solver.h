@@ -47,6 +47,9 @@ public:
     // rods that are solved directly it is that of the last substep.
     void takeTensions(const RodTask& task, ThreadPool& pool, std::span<double> tension);
 
+    // What the global solve of the last substep has left unsolved, as an error of its pulls, 1.
+    double residual() const { return m_direct.rods().empty() ? 0.0 : m_direct.residual(); }
+
 private:
     void average(const RodTask& task, ThreadPool& pool);
     void averagedSweep(const RodTask& task, ThreadPool& pool);

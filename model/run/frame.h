@@ -11,6 +11,7 @@
 #include "base/message.h"
 #include "base/vec3.h"
 #include "run/hand_track.h"
+#include "run/run_accuracy.h"
 
 #include <array>
 #include <cstdint>
@@ -119,6 +120,7 @@ struct Frame
     std::int64_t step = 0;      // time steps since the start
     int substeps = 0;           // that the next step will take
     Message solverChoice;       // what Solver::Auto began with and why; empty for others
+    RunAccuracy accuracy;       // of the run so far
     std::uint64_t hash = 0;     // of the state, as stateHash() has it
     double realTimeRatio = 0.0; // simulated seconds per second of the clock, lately
     std::vector<Vec3> position; // [particles] m

@@ -64,9 +64,11 @@ public:
     ProbeReader probes;
     Stepper stepper;
     EnergyLedger ledger;
+    RunAccuracy accuracy;
     std::optional<Trouble> trouble;
 
 private:
+    void noteAccuracy();
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -78,6 +80,7 @@ private:
 // A new run, from the start of the compiled system.
 void Simulation::Private::startOver()
 {
+    accuracy = {};
     run.atStart = true;
     run.now = derived.compiled()->start;
     hands.forget();
@@ -85,6 +88,7 @@ void Simulation::Private::startOver()
 
 void Simulation::Private::load(std::shared_ptr<const System> system)
 {
+    accuracy = {};
     const bool again = system->run != derived.compiled()->run;
     const std::shared_ptr<const System> before = derived.replace(std::move(system));
     if (again) {
@@ -98,6 +102,7 @@ void Simulation::Private::load(std::shared_ptr<const System> system)
 
 void Simulation::Private::apply(const Patch& patch)
 {
+    accuracy = {};
     const bool again = patch.run != derived.compiled()->run;
     const std::shared_ptr<const System> before = derived.apply(patch);
     trouble.reset();
@@ -138,6 +143,7 @@ void Simulation::Private::resetTo(const Patch& patch)
 
 void Simulation::Private::resume(const Moment& moment)
 {
+    accuracy = {};
     hands.forget();
     run.atStart = false;
     trouble.reset();
@@ -167,12 +173,32 @@ bool Simulation::Private::step()
     const int substeps = stepper.step(system(), run.now);
     if (keepsLedger)
         ledger.end(system(), run.now);
+    noteAccuracy();
     trouble = findTrouble(system(), run.lastGood, run.now, substeps);
     if (trouble)
         std::swap(run.now, run.lastGood);
     else
         derived.followTears(tears, run);
     return !trouble;
+}
+
+void Simulation::Private::noteAccuracy()
+{
+    const StepAccuracy& last = stepper.accuracy();
+    const double ratio = last.ratio(system());
+    accuracy.pulls = last.pulls;
+    accuracy.strain = last.strain;
+    accuracy.wantedPulls = system().accuracy;
+    accuracy.wantedStrain = system().strainGoal;
+    ++accuracy.steps;
+    accuracy.missed += ratio > 1.0;
+    if (ratio > accuracy.worst) {
+        const int rod = last.worstRod(system());
+        accuracy.worst = ratio;
+        accuracy.worstTime = run.now.time;
+        accuracy.worstLink =
+            rod < 0 ? 0 : system().links[std::size_t(system().rodLink[std::size_t(rod)])].key;
+    }
 }
 
 double Simulation::Private::substep() const
@@ -191,6 +217,7 @@ std::shared_ptr<Frame> Simulation::Private::frame()
     frame->layout = derived.layout(state);
     frame->time = state.time;
     frame->step = state.step;
+    frame->accuracy = accuracy;
     frame->solverChoice = stepper.choice(system());
     frame->substeps = stepper.substepsOf(system(), state);
     frame->hash = stateHash(state);

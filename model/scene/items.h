@@ -243,6 +243,7 @@ struct Settings
     int sweeps = 8;
     Integrator integrator = Integrator::SemiImplicitEuler;
     Solver solver = Solver::Auto;
+    double accuracy = 1.0;   // %, error of pulls that is wanted
     double strainGoal = 1.0; // %, largest strain of rods that Solver::Auto aims at
     int tearsPerStep = 0;    // links that a time step may break, 0 for any number
     TearMesh tearMesh = TearMesh::Vanish;

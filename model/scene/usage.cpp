@@ -46,7 +46,7 @@ bool changesUsage(const Edit& edit)
 {
     return std::ranges::any_of(edit.changes, [](const Change& change) {
         const auto* values = std::get_if<SetValues>(&change);
-        return !values || values->property->use.traits.contains(Trait::Counts);
+        return !values || values->property->traits.contains(Trait::Counts);
     });
 }
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -25,6 +26,7 @@ constexpr int mostSubsteps = 2000;
 constexpr double safety = 1.5;
 constexpr double leastGravity = 9.80665; // m/s^2; wind loads what floats in space too
 constexpr double manySubsteps = 100.0;   // in 10 ms
+constexpr double manyForPull = 40.0;
 constexpr double farLighter = 1000.0;
 constexpr std::size_t mostForBlocks = 20000; // particles; looking for blocks takes its time
 
@@ -112,6 +114,24 @@ Worst worstRod(const System& system, const std::vector<std::uint8_t>& direct)
     return worst;
 }
 
+// Substeps that a rod of some compliance needs for its pull.
+double substepsForPull(const System& system, const Rod& rod)
+{
+    const double weight =
+        system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+    return system.timeStep * std::sqrt(weight / (rod.compliance * system.accuracy));
+}
+
+// Of the rods with compliance that are not in `direct`.
+double substepsForPulls(const System& system, const std::vector<std::uint8_t>& direct)
+{
+    double most = 1.0;
+    for (std::size_t r = 0; r < system.rods.size(); ++r)
+        if (system.rods[r].compliance > 0.0 && (direct.empty() || !direct[r]))
+            most = std::max(most, substepsForPull(system, system.rods[r]));
+    return most;
+}
+
 int substepsWithin(double timeStep, double limit, double spare)
 {
     return std::clamp(int(std::ceil(std::min(spare * timeStep / limit, double(mostSubsteps)))), 1,
@@ -140,14 +160,20 @@ SolverPlan planFor(const System& system)
         plan.reason = bounded(Message("there are no rods"));
         return plan;
     }
+    const std::vector<int> stiff = rodsOfNetworks(system, [&](const Rod& rod) {
+        return rod.compliance > 0.0 && substepsForPull(system, rod) > manyForPull;
+    });
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
     const auto solveDirectly = [&](const std::vector<int>& rods) {
         plan.direct.resize(system.rods.size(), 0);
+        std::size_t more = 0;
         for (const int rod : rods)
-            plan.direct[std::size_t(rod)] = 1;
-        return rods.size();
+            more += !std::exchange(plan.direct[std::size_t(rod)], std::uint8_t(1));
+        return more;
     };
-    std::size_t ofFabric = 0, ofLoad = 0; // rods that are solved directly
+    std::size_t ofStiff = 0, ofFabric = 0, ofLoad = 0; // rods that are solved together
+    if (!stiff.empty())
+        ofStiff = solveDirectly(stiff);
     if (mayHaveBlocks)
         if (const std::vector<int> rods = rodsOfSmallFabric(system); !rods.empty())
             ofFabric = solveDirectly(rods);
@@ -162,9 +188,12 @@ SolverPlan planFor(const System& system)
             ofSweeps = worst.substeps;
             worst = worstRod(system, plan.direct);
         }
-    plan.substeps =
-        std::max(int(std::ceil(std::min(worst.substeps, double(mostSubsteps)))), plan.substeps);
-    const bool all = !plan.direct.empty() && worst.rod < 0;
+    const double forPulls = substepsForPulls(system, plan.direct);
+    plan.substeps = std::max(
+        int(std::ceil(std::min(std::max(worst.substeps, forPulls), double(mostSubsteps)))),
+        plan.substeps);
+    const bool all = !plan.direct.empty()
+                     && std::ranges::all_of(plan.direct, [](std::uint8_t one) { return one; });
     if (all)
         plan.reason = bounded(Message("%1 substeps", plan.substeps));
     else
@@ -185,29 +214,11 @@ SolverPlan planFor(const System& system)
         plan.reason = Message("%1 rods are solved directly, since they hold fabric that is small "
                               "enough for it; %2",
                               ofFabric, plan.reason);
+    if (ofStiff > 0)
+        plan.reason = Message("%1 rods are solved together, since they are too stiff for sweeps; "
+                              "%2",
+                              ofStiff, plan.reason);
     return plan;
-}
-
-double largestRodStrain(const System& system, const State& state,
-                        std::span<const double> restLength)
-{
-    double largest = 0.0;
-    for (std::size_t r = 0; r < system.rods.size(); ++r) {
-        const Rod& rod = system.rods[r];
-        const double rest = restLength[r];
-        const bool isHeld = system.inverseMass[std::size_t(rod.a)] == 0.0
-                            && system.inverseMass[std::size_t(rod.b)] == 0.0;
-        if (state.rodTorn[r] || rod.compliance > 0.0 || rest <= 0.0 || isHeld)
-            continue;
-        const double strain =
-            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm() / rest
-            - 1.0;
-        if (rod.resists != Resists::Compression)
-            largest = std::max(largest, strain);
-        if (rod.resists != Resists::Tension)
-            largest = std::max(largest, -strain);
-    }
-    return largest;
 }
 
 int substepsForDamping(const System& system, const State& state, std::vector<double>& scratch)
@@ -216,9 +227,8 @@ int substepsForDamping(const System& system, const State& state, std::vector<dou
 }
 
 // The strain falls with about the 1.5th power of the number of substeps.
-int adaptedSubsteps(const System& system, int substeps, double strain)
+int adaptedSubsteps(const System& system, int substeps, double ratio)
 {
-    const double ratio = strain / system.strainGoal;
     double next = substeps;
     if (ratio > 1.0)
         next = std::max(

@@ -13,6 +13,10 @@
 // above 100 in 10 ms, and a direct block (direct_choice.h) can have such rods, it gets them; small
 // kites and gliders go there as a whole.
 //
+// A rod of compliance c it finds softer by the share h^2 (wa + wb) / c. Where that takes more than
+// 40 substeps to come down to the wanted accuracy, all rods of the network go to the global solve
+// (direct_solver.h), whose cost does not depend on the stiffness; cloth of real fabric does.
+//
 // Stiff forces, as bends, bound the substep themselves (forces/forces.h).
 //
 // That is the start. While a system runs, the strain is looked at every few steps and the number of
@@ -45,6 +49,7 @@ public:
         , m_valuesSerial(system.valuesSerial)
         , m_timeStep(system.timeStep)
         , m_strainGoal(system.strainGoal)
+        , m_accuracy(system.accuracy)
         , m_gravity(system.gravity.norm())
         , m_substeps(system.substeps)
     {}
@@ -57,6 +62,7 @@ private:
     std::uint64_t m_valuesSerial = 0;
     double m_timeStep = 0.0;
     double m_strainGoal = 0.0;
+    double m_accuracy = 0.0;
     double m_gravity = 0.0;
     int m_substeps = 0;
 };
@@ -64,18 +70,13 @@ private:
 // The system must be finished.
 SolverPlan planFor(const System& system);
 
-// Largest strain, 1, of the rods that are whole, never stretch and resist it, but for those between
-// pins, which no solver can help.
-//   restLength  [rods]  m
-double largestRodStrain(const System& system, const State& state,
-                        std::span<const double> restLength);
-
 // Fewest substeps for what forces, air above all, take from the motion that is in `state`, with a
 // half to spare for what they do in the next few steps. Rods that are solved directly say nothing
 // of it by their strain.
 int substepsForDamping(const System& system, const State& state, std::vector<double>& scratch);
 
-// Substeps of the next step, given those of the last and the strain that they left.
-int adaptedSubsteps(const System& system, int substeps, double strain);
+// Substeps of the next step, given those of the last and how often the error that they left is as
+// large as it may be (StepAccuracy::ratio()).
+int adaptedSubsteps(const System& system, int substeps, double ratio);
 
 } // namespace ripstop

@@ -14,6 +14,7 @@
 #include "step/particle_motion.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ripstop {
 namespace {
@@ -67,6 +68,9 @@ int Stepper::step(const System& system, State& state)
     m_rods.takeTensions(rodTask(system, state, h), m_pool, state.rodTension);
     m_clock.lap(StepStage::Tensions);
     ++state.step;
+    m_accuracy = accuracyOf(system, state, m_restLength);
+    m_accuracy.pulls = std::sqrt(m_accuracy.pulls * m_accuracy.pulls
+                                 + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
         adapt(system, state, substeps);
     m_clock.lap(StepStage::Plan);
@@ -124,9 +128,8 @@ int Stepper::substepsForDamping(const System& system, const State& state) const
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
-    const double strain = largestRodStrain(system, state, m_restLength);
-    state.substeps = std::max({adaptedSubsteps(system, substeps, strain), m_plan.least,
-                               substepsForDamping(system, state)});
+    state.substeps = std::max({adaptedSubsteps(system, substeps, m_accuracy.ratio(system)),
+                               m_plan.least, substepsForDamping(system, state)});
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const

@@ -11,6 +11,7 @@
 #include "contact/obstacle_motion.h"
 #include "forces/forces.h"
 #include "parallel/thread_pool.h"
+#include "step/accuracy.h"
 #include "step/particle_motion.h"
 #include "step/solver_plan.h"
 #include "step/step_times.h"
@@ -50,6 +51,9 @@ public:
     // Which obstacles each particle met in the last step, as touchOf() has it; empty without any.
     std::span<const std::uint32_t> touches() const { return m_touches; }
 
+    // Of the last step.
+    const StepAccuracy& accuracy() const { return m_accuracy; }
+
     // Of the next step; where the solver chooses and has not yet, the fewest that the author asks
     // for.
     int substepsOf(const System& system, const State& state) const;
@@ -78,6 +82,7 @@ private:
     RodSolver m_rods;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
+    StepAccuracy m_accuracy;
     FabricContact m_fabric;
     Forces m_forces;
     std::vector<Lane> m_lanes;              // of the forces that act now

@@ -110,7 +110,7 @@ inline constexpr auto fieldsOf<System> =
     fields<System, &System::generation, &System::run, field<&System::serial, Compared::No>,
            field<&System::valuesSerial, Compared::No>, field<&System::touched, Compared::No>,
            &System::timeStep, &System::substeps, &System::sweeps, &System::integrator,
-           &System::solver, &System::strainGoal, &System::tearsPerStep, &System::tearMesh,
+           &System::solver, &System::accuracy, &System::strainGoal, &System::tearsPerStep, &System::tearMesh,
            &System::gravity, &System::airDensity, &System::wind, &System::airflows, &System::gusts,
            &System::viscosity, &System::speedLimit, &System::key, &System::parts, &System::mass,
            &System::inverseMass, &System::guided, &System::springs, &System::rods,

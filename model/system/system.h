@@ -82,7 +82,8 @@ struct System
     int sweeps = 8; // passes over the rods per substep
     Integrator integrator = Integrator::SemiImplicitEuler;
     Solver solver = Solver::GaussSeidel;
-    double strainGoal = 0.01; // 1, for Solver::Auto
+    double accuracy = 0.01;   // 1, error of pulls that is wanted
+    double strainGoal = 0.01; // 1, the strain that stands for it in rods without compliance
     int tearsPerStep = 0;     // links that a time step may break, 0 for any number
     TearMesh tearMesh = TearMesh::Vanish;
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2

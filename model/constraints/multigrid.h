@@ -1,0 +1,97 @@
+// Solves systems with symmetric positive definite matrices of symmetric 3 x 3 blocks, as those of
+// fabric, in a time that grows like their size: conjugate gradients with a multigrid cycle as its
+// preconditioner.
+//
+// Stiff fabric passes a pull on over its whole length. An iteration that passes it on from neighbour
+// to neighbour needs as many rounds as the fabric has cells across; a hierarchy of coarser fabrics
+// needs a few, however fine the mesh (Tamstorf, Jones and McCormick 2015 for cloth).
+//
+//   - A level keeps nodes that are not neighbours of each other, in the order of their numbers: on a
+//     square grid with diagonals every second one each way. Anchors are kept on every level.
+//   - All other nodes move as the kept ones beside them tell: by weights of sum 1 that give motions
+//     which are linear in the place, rotations among them, back as they are, so far as there are
+//     neighbours to do so. That makes smooth motions cheap, which the rounds are slow at.
+//   - The coarse matrix is P^T A P (Galerkin). As P has one number for each pair of nodes, its blocks
+//     stay symmetric.
+//   - A cycle is one sweep of block Gauss-Seidel forth before the coarser level and one back after
+//     it; the coarsest level is factorised. Being symmetric it suits conjugate gradients.
+//
+// The pattern, the weights and the order of all sums are those of analyze(): the same numbers give
+// the same bits. Nothing is kept from one solve() to the next.
+#pragma once
+
+#include "constraints/block_cholesky.h"
+
+#include <functional>
+
+namespace ripstop {
+
+class Multigrid
+{
+public:
+    using Block = BlockCholesky::Block;
+
+    // Analyses a pattern, which takes memory; nothing else does.
+    //   pairs    places off the diagonal, each pair of nodes once or more, in any order
+    //   anchors  pairs of a node and something that is held, numbered from `nodes` on
+    //   place    [nodes, then what is held]  m, where the weights of the levels come from
+    void analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs,
+                 std::span<const std::pair<int, int>> anchors, std::span<const Row> place);
+
+    // Filling the matrix: set it to zero, then add symmetric blocks.
+    void setZero();
+    Block& diagonal(std::size_t node) { return m_levels[0].diagonal[node]; }
+    Block& pair(std::size_t index) { return m_levels[0].block[m_pair[index]]; }
+
+    // Makes the coarser levels of the matrix. Returns false when the matrix is not positive
+    // definite.
+    [[nodiscard]] bool factorize();
+
+    // Solves for `x`, [nodes], given the right-hand side in it, until the error of x, as its energy
+    // sqrt(e^T A e) is estimated by the cycle, is at most `goal` or next to nothing of that of 0.
+    // Returns that estimate of the error that is left; iterations() tells how many it took.
+    //   keep  takes out of rows, [nodes], what x may not have; a projection
+    double solve(std::span<Row> x, double goal, int mostIterations,
+              const std::function<void(std::span<Row>)>& keep);
+
+    int iterations() const { return m_iterations; } // of the last solve()
+
+    std::size_t nodes() const { return m_levels.empty() ? 0 : m_levels[0].diagonal.size(); }
+    std::size_t levels() const { return m_levels.size(); }
+    std::size_t blocks() const; // of all levels
+
+private:
+    struct Level
+    {
+        std::vector<std::uint32_t> start;  // [nodes + 1] blocks of each row, right of the diagonal
+        std::vector<std::uint32_t> column; // [blocks] ascending in each row
+        std::vector<Block> block;          // [blocks]
+        std::vector<Block> diagonal;       // [nodes]
+        std::vector<Block> inverse;        // [nodes] of the diagonal
+        std::vector<std::uint32_t> ofNode; // [nodes + 1] places in `coarse` and `weight`
+        std::vector<std::uint32_t> coarse; // node of the next level
+        std::vector<double> weight;        // 1
+        std::vector<std::uint32_t> target; // where products go on the next level: the blocks, then
+                                           // the diagonal
+        std::vector<Row> x, b, r;          // [nodes] scratch of the cycle
+    };
+
+    struct Graph;
+    static Graph coarsen(Level& fine, const Graph& graph);
+    void makeCoarser(const Level& fine, Level& coarse);
+    void cycle(std::size_t level);
+    static bool invert(Level& level);
+    static void multiply(const Level& level, const Row* x, Row* y);
+    static void forward(Level& level);
+    static void restrictTo(const Level& fine, Level& coarse);
+    static void prolongFrom(Level& fine, const Level& coarse);
+    static void backward(Level& level);
+
+    std::vector<Level> m_levels;       // the finest first
+    std::vector<std::uint32_t> m_pair; // [pairs] block of the finest level
+    int m_iterations = 0;
+    BlockCholesky m_coarsest;          // of the last level
+    std::vector<Row> m_x, m_r, m_p, m_q; // [nodes] of conjugate gradients
+};
+
+} // namespace ripstop

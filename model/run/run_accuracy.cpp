@@ -1,0 +1,25 @@
+#include "run/run_accuracy.h"
+
+namespace ripstop {
+
+Message RunAccuracy::complaint() const
+{
+    if (isMet())
+        return {};
+    const auto percent = [](double share) { return Message::number("%.3g", 100.0 * share); };
+    const Message where =
+        Message("%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a "
+                "factor of %4",
+                percent(missedShare()), Message::number("%.3g", worstTime), worstLink,
+                Message::number("%.3g", worst));
+    return pulls / wantedPulls >= strain / wantedStrain
+               ? Message("%1. Pulls in links are off by %2 % in the last one, where %3 % are "
+                         "wanted: the design is not as stiff as it says. Choose the automatic "
+                         "solver, or a shorter time step.",
+                         where, percent(pulls), percent(wantedPulls))
+               : Message("%1. Rods that never stretch are %2 % too long in the last one, where %3 "
+                         "% are wanted. Choose the automatic solver, or a shorter time step.",
+                         where, percent(strain), percent(wantedStrain));
+}
+
+} // namespace ripstop

@@ -1,0 +1,71 @@
+#include "step/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr double unseen = 1e-6; // strain
+
+double allowed(Resists resists, double pull)
+{
+    switch (resists) {
+    case Resists::Tension:
+        return std::max(pull, 0.0);
+    case Resists::Compression:
+        return std::min(pull, 0.0);
+    case Resists::Both:
+        break;
+    }
+    return pull;
+}
+
+} // namespace
+
+double StepAccuracy::ratio(const System& system) const
+{
+    return std::max(pulls / system.accuracy, strain / system.strainGoal);
+}
+
+int StepAccuracy::worstRod(const System& system) const
+{
+    return pulls / system.accuracy > strain / system.strainGoal ? pullsRod : strainRod;
+}
+
+StepAccuracy accuracyOf(const System& system, const State& state,
+                        std::span<const double> restLength)
+{
+    StepAccuracy result;
+    double off = 0.0, whole = 0.0, most = 0.0; // J, twice the energies
+    for (std::size_t r = 0; r < system.rods.size(); ++r) {
+        const Rod& rod = system.rods[r];
+        const double rest = restLength[r];
+        const bool isHeld = system.inverseMass[std::size_t(rod.a)] == 0.0
+                            && system.inverseMass[std::size_t(rod.b)] == 0.0;
+        if (state.rodTorn[r] || isHeld)
+            continue;
+        const double length =
+            (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm();
+        const double stretch = allowed(rod.resists, length - rest);
+        if (rod.compliance > 0.0) {
+            const double given = state.rodTension[r];
+            const double wrong = stretch / rod.compliance - given;
+            const double share = rod.compliance * wrong * wrong;
+            off += share;
+            whole += rod.compliance * given * given + unseen * unseen * rest * rest / rod.compliance;
+            if (share > most) {
+                most = share;
+                result.pullsRod = int(r);
+            }
+        } else if (rest > 0.0 && std::abs(stretch) > result.strain * rest) {
+            result.strain = std::abs(stretch) / rest;
+            result.strainRod = int(r);
+        }
+    }
+    if (whole > 0.0)
+        result.pulls = std::sqrt(off / whole);
+    return result;
+}
+
+} // namespace ripstop
