@@ -54,7 +54,7 @@ struct Options
     std::string replay; // a recording; nothing is flown then but that
     bool profile = false;
     bool json = false;
-    bool strict = false; // ends with an exit code of its own where the accuracy was missed
+    bool strict = false;   // ends with an exit code of its own where the accuracy was missed
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 

@@ -29,7 +29,8 @@ constexpr std::size_t fewNodes = 300;
 constexpr std::size_t fewPairs = 2; // for each node; lines have one
 
 constexpr int mostIterations = 200;
-constexpr double leftToSolver = 0.3; // of the accuracy; the rest is for what the step itself errs
+constexpr double leftByIterations = 0.4; // of the accuracy; both together stay within it
+constexpr double leftByNewton = 0.5;
 
 RIPSTOP_INLINE double dot(const Row& a, const Row& b)
 {
@@ -70,9 +71,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
         m_bars.push_back(bar);
     }
     // Bars stand as their blocks do, so that a walk along them is a walk through memory.
-    std::ranges::stable_sort(m_bars, {}, [](const Bar& bar) {
-        return std::minmax(bar.a, bar.b);
-    });
+    std::ranges::stable_sort(m_bars, {}, [](const Bar& bar) { return std::minmax(bar.a, bar.b); });
     std::vector<std::pair<int, int>> pairs, anchors;
     for (Bar& bar : m_bars) {
         const auto [low, high] = std::minmax(bar.a, bar.b);
@@ -222,9 +221,9 @@ void DirectSolver::soften(const System& system, double h)
     for (Bar& bar : m_bars) {
         const Rod& rod = system.rods[std::size_t(bar.rod)];
         const double unseen = strainOfRigid * rod.restLength / load;
-        bar.softness = rod.compliance / (h * h)
-                       + std::clamp(unseen / (h * h), leastSoftness * bar.weight,
-                                    greatestSoftness * bar.weight);
+        bar.softness = std::max(rod.compliance / (h * h),
+                                std::clamp(unseen / (h * h), leastSoftness * bar.weight,
+                                           greatestSoftness * bar.weight));
     }
 }
 
@@ -232,7 +231,7 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
 {
     if (task.h != m_h)
         soften(task.system, task.h);
-    m_wanted = leftToSolver * task.system.accuracy;
+    m_accuracy = task.system.accuracy;
     for (Bar& bar : m_bars) {
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
@@ -253,6 +252,8 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
     measure();
+    if (m_iterates && !task.before.empty())
+        startNearer(task);
     int taken = 0;
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
@@ -264,7 +265,8 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         foresee();
         go(1.0);
         near = error() < tolerance
-               && energyOfErrors() <= m_wanted * m_wanted * energyOfPulls();
+               && std::sqrt(energyOfErrors())
+                      <= leftByNewton * m_accuracy * std::sqrt(energyOfPulls());
         double share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
             go(share *= 0.5);
@@ -300,6 +302,27 @@ BlockCholesky::Block& DirectSolver::pair(std::size_t index)
     return m_iterates ? m_grid.pair(index) : m_factor.pair(index);
 }
 
+// Where forces and rods are near their balance, as in all that hangs or is in the wind, particles
+// go on as they were: that is a better start than where the forces alone take them.
+void DirectSolver::startNearer(const RodTask& task)
+{
+    for (Bar& bar : m_bars)
+        bar.active = acts(bar);
+    const double away = merit();
+    std::copy_n(m_position.begin(), nodes(), m_from.begin());
+    for (std::size_t i = 0; i < nodes(); ++i) {
+        const auto p = std::size_t(m_particle[i]);
+        pack(m_position[i].v) -= (task.h * task.h) * pack(task.acceleration[p]);
+    }
+    measure();
+    for (Bar& bar : m_bars)
+        bar.active = acts(bar);
+    if (merit() < away)
+        return;
+    std::copy_n(m_from.begin(), nodes(), m_position.begin());
+    measure();
+}
+
 // Puts the moves in place of the right-hand side.
 bool DirectSolver::solveForMoves()
 {
@@ -315,7 +338,8 @@ bool DirectSolver::solveForMoves()
         for (std::size_t i = 0; i < m_guides.size() && i < rows.size(); ++i)
             moveAlongGuide(i, rows[i]);
     };
-    m_left = m_grid.solve({m_move.data(), nodes()}, m_wanted * std::sqrt(energyOfPulls()),
+    m_left = m_grid.solve({m_move.data(), nodes()},
+                          leftByIterations * m_accuracy * std::sqrt(energyOfPulls()),
                           mostIterations, keepOnGuides);
     return true;
 }
@@ -335,7 +359,8 @@ double DirectSolver::energyOfErrors() const
     double sum = 0.0;
     for (const Bar& bar : m_bars)
         if (bar.isElastic) {
-            const double off = bar.active ? bar.stretch - bar.softness * bar.multiplier : excess(bar);
+            const double off =
+                bar.active ? bar.stretch - bar.softness * bar.multiplier : excess(bar);
             sum += off * off / bar.softness;
         }
     return sum;
@@ -456,9 +481,8 @@ void DirectSolver::addOnGuides(const Bar& bar)
     }
     if (bar.pair >= 0) {
         const bool aIsRow = m_factor.isLater(bar.a, bar.b);
-        add(pair(std::size_t(bar.pair)),
-            aIsRow ? Eigen::Matrix3d(-ontoA * stiffness * ontoB)
-                   : Eigen::Matrix3d(-ontoB * stiffness * ontoA));
+        add(pair(std::size_t(bar.pair)), aIsRow ? Eigen::Matrix3d(-ontoA * stiffness * ontoB)
+                                                : Eigen::Matrix3d(-ontoB * stiffness * ontoA));
     }
 }
 

@@ -25,8 +25,8 @@
 // multiplied by P on either side but for its mass. What the system gives is exact for it as well.
 //
 // Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. Chains and small
-// frames are factorised (block_cholesky.h), which costs n for chains and n^1.5 for sheets; from some
-// hundred particles on, sheets are iterated with coarser networks in a time that grows like n
+// frames are factorised (block_cholesky.h), which costs n for chains and n^1.5 for sheets; from
+// some hundred particles on, sheets are iterated with coarser networks in a time that grows like n
 // (multigrid.h), as far as the pulls need it.
 // Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h of its energy
 // per second, for waves on tight lines all of it at once. Explicit forces beside it, air above all,
@@ -74,7 +74,7 @@ public:
     std::span<const int> rods() const { return m_rods; }         // as given to prepare()
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
     std::size_t products() const { return m_factor.products(); } // of blocks, in an iteration
-    bool iterates() const { return m_iterates; } // too large to be factorised
+    bool iterates() const { return m_iterates; }                 // too large to be factorised
 
 private:
     struct Bar // a rod
@@ -105,6 +105,7 @@ private:
     void measure();
     void assemble();
     void foresee();
+    void startNearer(const RodTask& task);
     bool solveForMoves();
     double energyOfPulls() const;
     double energyOfErrors() const;
@@ -121,14 +122,14 @@ private:
     static bool acts(const Bar& bar);
     static double excess(const Bar& bar);
 
-    std::vector<int> m_rods; // as given to prepare()
-    double m_h = 0.0;        // s, for which softness is right
-    double m_wanted = 0.003; // 1, of the root of the energy of pulls: what may be left of errors
-    double m_left = 0.0;     // sqrt(kg) m, the root of the energy of what iterations have left
-    double m_residual = 0.0; // 1
+    std::vector<int> m_rods;  // as given to prepare()
+    double m_h = 0.0;         // s, for which softness is right
+    double m_accuracy = 0.01; // 1, System::accuracy
+    double m_left = 0.0;      // sqrt(kg) m, the root of the energy of what iterations have left
+    double m_residual = 0.0;  // 1
     bool m_iterates = false;
-    BlockCholesky m_factor;               // of the matrix, or
-    Multigrid m_grid;                     // for a large one
+    BlockCholesky m_factor; // of the matrix, or
+    Multigrid m_grid;       // for a large one
     std::vector<Bar> m_bars;
     std::vector<int> m_particle;          // [rows] particle; nodes first, then pins
     std::vector<double> m_mass;           // [nodes] kg

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ripstop {
 namespace {
@@ -21,7 +22,10 @@ constexpr std::size_t mostKept = 6;     // that a node moves by
 constexpr std::size_t mostAnchors = 3;  // among them
 constexpr double ridge = 0.05;          // of the squared distance: prefers even weights
 constexpr double leastWeight = 0.05;
-constexpr double nothing = 1e-5; // of the energy's root
+constexpr double offAtSeams = 0.25;
+constexpr double nothing = 1e-5;   // of the energy's root
+constexpr double usualFall = 0.02; // of the square of the error, in an iteration
+constexpr double toSpare = 3.0;
 
 using Block = BlockCholesky::Block;
 
@@ -57,10 +61,16 @@ struct Weighted
     double weight;
 };
 
+struct Weights
+{
+    std::vector<Weighted> list;
+    double off = 0.0; // 1, how far they put the node from where it is, over the way to the nearest
+};
+
 // Weights of sum 1 by which a node at `origin` moves as the kept ones beside it: those that put it
 // nearest to where it is, as even as that allows, none of them negative.
-std::vector<Weighted> weightsAt(const Row& origin, std::vector<int> kept, std::size_t nodes,
-                                std::span<const Row> place)
+Weights weightsAt(const Row& origin, std::vector<int> kept, std::size_t nodes,
+                  std::span<const Row> place)
 {
     const auto to = [&](int node) {
         const Row& p = place[std::size_t(node)];
@@ -68,9 +78,8 @@ std::vector<Weighted> weightsAt(const Row& origin, std::vector<int> kept, std::s
     };
     std::ranges::stable_sort(kept, {}, [&](int node) { return to(node).squaredNorm(); });
     std::size_t anchors = 0;
-    std::erase_if(kept, [&](int node) {
-        return std::size_t(node) >= nodes && ++anchors > mostAnchors;
-    });
+    std::erase_if(kept,
+                  [&](int node) { return std::size_t(node) >= nodes && ++anchors > mostAnchors; });
     if (kept.size() > mostKept)
         kept.resize(mostKept);
     Eigen::VectorXd weight;
@@ -92,9 +101,15 @@ std::vector<Weighted> weightsAt(const Row& origin, std::vector<int> kept, std::s
             break;
         kept.erase(kept.begin() + lowest);
     }
-    std::vector<Weighted> result;
-    for (std::size_t i = 0; i < kept.size(); ++i)
-        result.push_back({kept[i], weight[Eigen::Index(i)]});
+    Weights result;
+    Vec3 off = Vec3::Zero();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        result.list.push_back({kept[i], weight[Eigen::Index(i)]});
+        off += weight[Eigen::Index(i)] * to(kept[i]);
+        nearest = std::min(nearest, to(kept[i]).norm());
+    }
+    result.off = nearest > 0.0 ? off.norm() / nearest : 0.0;
     return result;
 }
 
@@ -148,8 +163,8 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
     sortUnique(graph.anchors);
     m_pair.clear();
     for (const auto& pair : pairs)
-        m_pair.push_back(std::uint32_t(
-            std::ranges::lower_bound(graph.pairs, ordered(pair)) - graph.pairs.begin()));
+        m_pair.push_back(std::uint32_t(std::ranges::lower_bound(graph.pairs, ordered(pair))
+                                       - graph.pairs.begin()));
 
     m_levels.clear();
     for (;;) {
@@ -191,16 +206,25 @@ Multigrid::Graph Multigrid::coarsen(Level& fine, const Graph& graph)
     Graph coarse;
     for (const auto& [node, anchor] : graph.anchors)
         reached[node] = 1;
-    for (std::size_t i = 0; i < graph.nodes; ++i) {
+    // Corners and edges have fewer neighbours: they come first, as nothing lies beyond them that
+    // could tell how they move.
+    std::vector<std::size_t> order(graph.nodes);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return neighbours[i].size(); });
+    std::vector<std::uint8_t> isKept(graph.nodes, 0);
+    for (const std::size_t i : order) {
         if (reached[i])
             continue;
-        number[i] = int(coarse.nodes++);
-        coarse.place.push_back(graph.place[i]);
-        reached[i] = 1;
+        isKept[i] = reached[i] = 1;
         for (const int j : neighbours[i])
             if (std::size_t(j) < graph.nodes)
                 reached[std::size_t(j)] = 1;
     }
+    for (std::size_t i = 0; i < graph.nodes; ++i)
+        if (isKept[i]) {
+            number[i] = int(coarse.nodes++);
+            coarse.place.push_back(graph.place[i]);
+        }
     coarse.place.insert(coarse.place.end(), graph.place.begin() + std::ptrdiff_t(graph.nodes),
                         graph.place.end());
 
@@ -212,17 +236,31 @@ Multigrid::Graph Multigrid::coarsen(Level& fine, const Graph& graph)
             fine.coarse.push_back(std::uint32_t(number[i]));
             fine.weight.push_back(1.0);
         } else {
+            const auto isCoarse = [&](int j) {
+                return std::size_t(j) >= graph.nodes || number[std::size_t(j)] >= 0;
+            };
             std::vector<int> kept;
-            for (const int j : neighbours[i])
-                if (std::size_t(j) >= graph.nodes || number[std::size_t(j)] >= 0)
-                    kept.push_back(j);
+            std::ranges::copy_if(neighbours[i], std::back_inserter(kept), isCoarse);
+            Weights weights;
             if (!kept.empty())
-                for (const Weighted& w :
-                     weightsAt(graph.place[i], std::move(kept), graph.nodes, graph.place))
-                    if (std::size_t(w.node) < graph.nodes) {
-                        fine.coarse.push_back(std::uint32_t(number[std::size_t(w.node)]));
-                        fine.weight.push_back(w.weight);
-                    }
+                weights = weightsAt(graph.place[i], kept, graph.nodes, graph.place);
+            if (weights.off > offAtSeams) { // where the kept ones of two sides meet out of step
+                for (const int j : neighbours[i])
+                    if (std::size_t(j) < graph.nodes)
+                        std::ranges::copy_if(neighbours[std::size_t(j)], std::back_inserter(kept),
+                                             isCoarse);
+                std::ranges::sort(kept);
+                kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+                Weights wider =
+                    weightsAt(graph.place[i], std::move(kept), graph.nodes, graph.place);
+                if (wider.off < weights.off)
+                    weights = std::move(wider);
+            }
+            for (const Weighted& w : weights.list)
+                if (std::size_t(w.node) < graph.nodes) {
+                    fine.coarse.push_back(std::uint32_t(number[std::size_t(w.node)]));
+                    fine.weight.push_back(w.weight);
+                }
         }
         fine.ofNode.push_back(std::uint32_t(fine.coarse.size()));
     }
@@ -255,10 +293,10 @@ Multigrid::Graph Multigrid::coarsen(Level& fine, const Graph& graph)
     // Diagonals of the next level are targets after its blocks.
     fine.target.clear();
     eachPair([&](std::uint32_t i, std::uint32_t j) {
-        fine.target.push_back(
-            i == j ? std::uint32_t(coarse.pairs.size() + i)
-                   : std::uint32_t(std::ranges::lower_bound(coarse.pairs, Pair(i, j))
-                                   - coarse.pairs.begin()));
+        fine.target.push_back(i == j
+                                  ? std::uint32_t(coarse.pairs.size() + i)
+                                  : std::uint32_t(std::ranges::lower_bound(coarse.pairs, Pair(i, j))
+                                                  - coarse.pairs.begin()));
     });
     return coarse;
 }
@@ -335,8 +373,7 @@ void Multigrid::makeCoarser(const Level& fine, Level& coarse)
             for (std::uint32_t j = i; j < fine.ofNode[a + 1]; ++j) {
                 const std::uint32_t to = *target++;
                 const double w = fine.weight[i] * fine.weight[j];
-                Block& into =
-                    to >= blocks ? coarse.diagonal[to - blocks] : coarse.block[to];
+                Block& into = to >= blocks ? coarse.diagonal[to - blocks] : coarse.block[to];
                 pack(into.column[0]) += x * w;
                 pack(into.column[1]) += y * w;
                 pack(into.column[2]) += z * w;
@@ -442,7 +479,7 @@ void Multigrid::cycle(std::size_t l)
 }
 
 double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
-                     const std::function<void(std::span<Row>)>& keep)
+                        const std::function<void(std::span<Row>)>& keep)
 {
     const std::size_t count = nodes();
     Level& finest = m_levels[0];
@@ -450,10 +487,9 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
     std::fill(m_x.begin(), m_x.end(), Row{});
     keep(m_r);
     double enough = goal * goal;
-    double before = 0.0;
-    double now = 0.0;
+    double now = 0.0; // the square of the error's energy, as the cycle estimates it
     int taken = 0;
-    for (;; ++taken) {
+    for (double before = 0.0;; ++taken) {
         std::copy(m_r.begin(), m_r.end(), finest.b.begin());
         cycle(0);
         keep(finest.x);
@@ -463,6 +499,7 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
             enough = std::max(enough, nothing * nothing * now);
         if (!(now > enough) || taken == mostIterations)
             break;
+        const double fall = taken == 0 ? usualFall : std::max(now / before, usualFall);
         const double share = taken == 0 ? 0.0 : now / before;
         before = now;
         for (std::size_t i = 0; i < count; ++i)
@@ -470,10 +507,16 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
         multiply(finest, m_p.data(), m_q.data());
         keep(m_q);
         const double step = now / dotOf(m_p.data(), m_q.data(), count);
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < count; ++i)
             pack(m_x[i].v) += step * pack(m_p[i].v);
-            pack(m_r[i].v) -= step * pack(m_q[i].v);
+        // The next cycle would show what is left. It is not needed where the fall so far tells it.
+        if (now * fall * toSpare < enough) {
+            now *= fall;
+            ++taken;
+            break;
         }
+        for (std::size_t i = 0; i < count; ++i)
+            pack(m_r[i].v) -= step * pack(m_q[i].v);
     }
     std::copy(m_x.begin(), m_x.end(), x.begin());
     m_iterations = taken;

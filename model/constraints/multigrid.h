@@ -2,16 +2,19 @@
 // fabric, in a time that grows like their size: conjugate gradients with a multigrid cycle as its
 // preconditioner.
 //
-// Stiff fabric passes a pull on over its whole length. An iteration that passes it on from neighbour
-// to neighbour needs as many rounds as the fabric has cells across; a hierarchy of coarser fabrics
-// needs a few, however fine the mesh (Tamstorf, Jones and McCormick 2015 for cloth).
+// Stiff fabric passes a pull on over its whole length. An iteration that passes it on from
+// neighbour to neighbour needs as many rounds as the fabric has cells across; a hierarchy of
+// coarser fabrics needs a few, however fine the mesh (Tamstorf, Jones and McCormick 2015 for
+// cloth).
 //
-//   - A level keeps nodes that are not neighbours of each other, in the order of their numbers: on a
+//   - A level keeps nodes that are not neighbours of each other, in the order of their numbers: on
+//   a
 //     square grid with diagonals every second one each way. Anchors are kept on every level.
 //   - All other nodes move as the kept ones beside them tell: by weights of sum 1 that give motions
 //     which are linear in the place, rotations among them, back as they are, so far as there are
 //     neighbours to do so. That makes smooth motions cheap, which the rounds are slow at.
-//   - The coarse matrix is P^T A P (Galerkin). As P has one number for each pair of nodes, its blocks
+//   - The coarse matrix is P^T A P (Galerkin). As P has one number for each pair of nodes, its
+//   blocks
 //     stay symmetric.
 //   - A cycle is one sweep of block Gauss-Seidel forth before the coarser level and one back after
 //     it; the coarsest level is factorised. Being symmetric it suits conjugate gradients.
@@ -52,7 +55,7 @@ public:
     // Returns that estimate of the error that is left; iterations() tells how many it took.
     //   keep  takes out of rows, [nodes], what x may not have; a projection
     double solve(std::span<Row> x, double goal, int mostIterations,
-              const std::function<void(std::span<Row>)>& keep);
+                 const std::function<void(std::span<Row>)>& keep);
 
     int iterations() const { return m_iterations; } // of the last solve()
 
@@ -90,7 +93,7 @@ private:
     std::vector<Level> m_levels;       // the finest first
     std::vector<std::uint32_t> m_pair; // [pairs] block of the finest level
     int m_iterations = 0;
-    BlockCholesky m_coarsest;          // of the last level
+    BlockCholesky m_coarsest;            // of the last level
     std::vector<Row> m_x, m_r, m_p, m_q; // [nodes] of conjugate gradients
 };
 

@@ -27,7 +27,9 @@ struct RodTask
     double h;                             // s
     std::uint64_t seed;                   // of the order of the colours; the number of the substep
     std::span<PaddedVec3> position;       // [particles] m, corrected in place
-    bool note = true;                     // this substep counts for takeTensions()
+    std::span<const PaddedVec3> before = {};       // [particles] m, at the start of the substep
+    std::span<const PaddedVec3> acceleration = {}; // [particles] m/s^2, of forces
+    bool note = true;                              // this substep counts for takeTensions()
     bool shifted = true; // rest lengths of shifted rods may differ from the substep before
 };
 

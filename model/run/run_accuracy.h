@@ -11,13 +11,13 @@ namespace ripstop {
 
 struct RunAccuracy
 {
-    // The steps that may miss what was wanted, as a share of all, before a run counts as untrue: the
-    // first steps from the pose of the design and blows are hard to foresee.
+    // The steps that may miss what was wanted, as a share of all, before a run counts as untrue:
+    // the first steps from the pose of the design and blows are hard to foresee.
     static constexpr double mostMissed = 0.01;
 
-    double pulls = 0.0;        // 1, error of the pulls of the last step
-    double strain = 0.0;       // 1, largest of the last step in rods that never stretch
-    double wantedPulls = 0.01; // 1
+    double pulls = 0.0;         // 1, error of the pulls of the last step
+    double strain = 0.0;        // 1, largest of the last step in rods that never stretch
+    double wantedPulls = 0.01;  // 1
     double wantedStrain = 0.01; // 1
     std::int64_t steps = 0;
     std::int64_t missed = 0;     // steps of which either was too large

@@ -53,7 +53,8 @@ StepAccuracy accuracyOf(const System& system, const State& state,
             const double wrong = stretch / rod.compliance - given;
             const double share = rod.compliance * wrong * wrong;
             off += share;
-            whole += rod.compliance * given * given + unseen * unseen * rest * rest / rod.compliance;
+            whole +=
+                rod.compliance * given * given + unseen * unseen * rest * rest / rod.compliance;
             if (share > most) {
                 most = share;
                 result.pullsRod = int(r);

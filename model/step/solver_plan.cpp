@@ -189,9 +189,9 @@ SolverPlan planFor(const System& system)
             worst = worstRod(system, plan.direct);
         }
     const double forPulls = substepsForPulls(system, plan.direct);
-    plan.substeps = std::max(
-        int(std::ceil(std::min(std::max(worst.substeps, forPulls), double(mostSubsteps)))),
-        plan.substeps);
+    plan.substeps =
+        std::max(int(std::ceil(std::min(std::max(worst.substeps, forPulls), double(mostSubsteps)))),
+                 plan.substeps);
     const bool all = !plan.direct.empty()
                      && std::ranges::all_of(plan.direct, [](std::uint8_t one) { return one; });
     if (all)

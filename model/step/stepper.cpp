@@ -69,8 +69,8 @@ int Stepper::step(const System& system, State& state)
     m_clock.lap(StepStage::Tensions);
     ++state.step;
     m_accuracy = accuracyOf(system, state, m_restLength);
-    m_accuracy.pulls = std::sqrt(m_accuracy.pulls * m_accuracy.pulls
-                                 + m_rods.residual() * m_rods.residual());
+    m_accuracy.pulls =
+        std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
         adapt(system, state, substeps);
     m_clock.lap(StepStage::Plan);
@@ -144,7 +144,9 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
             m_restLength,
             h,
             std::uint64_t(state.substep),
-            state.position};
+            state.position,
+            m_before,
+            m_acceleration};
 }
 
 void Stepper::substep(RodTask& task, State& state)
