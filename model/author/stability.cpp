@@ -6,6 +6,7 @@
 #include "author/stability.h"
 
 #include "author/net.h"
+#include "scene/link_stiffness.h"
 #include "scene/step_limits.h"
 
 #include <algorithm>
@@ -136,6 +137,65 @@ std::optional<Finding> massRatio(const Look& look)
                 "end by a light one only slowly: even the masses out, or choose the automatic "
                 "solver.",
                 shortNumber(worst));
+    finding.repair = setting(Message("Choose the automatic solver"),
+                             propertyOf<&Settings::solver>(), {settingsId}, {std::string("auto")});
+    return finding;
+}
+
+// Sweeps find the pull of a rod with compliance c too soft by about (wa + wb) h^2 / c, w being the
+// inverse masses of its ends and h the substep; more sweeps in a substep bring it down.
+std::optional<Finding> softness(const Look& look)
+{
+    const Settings& settings = look.scene.settings;
+    const double h = settings.timeStep / settings.substeps;
+    const int passes = settings.solver == Solver::SmallSteps ? 1 : settings.sweeps;
+    double worst = 0.0;
+    bool some = false;
+    Finding finding = about(Message("Stiffness"));
+    for (std::size_t k = 0; k < look.net.ends.size(); ++k) {
+        const Link& link = *look.net.all.links[k];
+        const int place = look.index.material(link.material);
+        if (link.kind != LinkKind::Rod || !look.isTied(k) || place < 0)
+            continue;
+        const auto& material = std::get<Material>(look.scene.items[std::size_t(place)].item);
+        const double compliance = link.compliance.value_or(
+            rodCompliance(material, link.role, link.width, link.restLength));
+        double weight = 0.0; // 1/kg
+        for (const Particle* end : {&look.end(k, 0), &look.end(k, 1)})
+            weight += end->pinned || !(end->mass > 0.0) ? 0.0 : 1.0 / end->mass;
+        if (!(compliance > 0.0) || weight == 0.0)
+            continue;
+        some = true;
+        const double share = weight * h * h / (compliance * passes);
+        worst = std::max(worst, share);
+        if (share > settings.accuracy / 100.0)
+            finding.culprits.push_back(link.id);
+    }
+    if (!some || settings.solver == Solver::PaperJacobi)
+        return std::nullopt;
+    const Message wanted = shortNumber(settings.accuracy);
+    if (!sweeps(settings.solver) || finding.culprits.empty()) {
+        finding.culprits.clear();
+        finding.message =
+            sweeps(settings.solver)
+                ? Message("Sweeps keep the stiffness of links to about %1 %.",
+                          shortNumber(100.0 * worst))
+                : Message("This solver takes what it needs to keep the stiffness of links to %1 %; "
+                          "the bar of the run shows what it reaches.",
+                          wanted);
+        return finding;
+    }
+    std::ranges::sort(finding.culprits);
+    finding.severity = Severity::Warning;
+    const Message softer = shortNumber(1.0 + worst);
+    finding.message =
+        finding.culprits.size() == 1
+            ? Message("1 link is too stiff for these sweeps, which make it up to %1 times as soft "
+                      "as it says.",
+                      softer)
+            : Message("%1 links are too stiff for these sweeps, which make them up to %2 times as "
+                      "soft as they say.",
+                      finding.culprits.size(), softer);
     finding.repair = setting(Message("Choose the automatic solver"),
                              propertyOf<&Settings::solver>(), {settingsId}, {std::string("auto")});
     return finding;
@@ -378,7 +438,7 @@ std::vector<Finding> stabilityOf(const Scene& scene)
 {
     const Look look(scene);
     std::vector<Finding> findings;
-    for (auto examine : {massless, loose, doubles, timeStep, massRatio, iterations})
+    for (auto examine : {massless, loose, doubles, timeStep, softness, massRatio, iterations})
         if (auto finding = examine(look))
             findings.push_back(std::move(*finding));
     for (Finding& finding : lengths(look))

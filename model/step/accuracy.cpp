@@ -6,7 +6,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double unseen = 1e-6; // strain
+constexpr double unseen = 1e-5; // strain
 
 double allowed(Resists resists, double pull)
 {

@@ -6,8 +6,8 @@
 //
 //   - Rods with a compliance c: the error is the root of  sum c (law - given)^2  over  sum c
 //   given^2,
-//     the energy of what is off over that of the pulls. Pulls that strain a rod by less than a
-//     millionth do not count.
+//     the energy of what is off over that of the pulls. Pulls that strain a rod by less than
+//     1e-5 do not count.
 //   - Rods without one have no law but their length: their strain stands for the error, against the
 //     strain that is wanted.
 //

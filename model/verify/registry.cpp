@@ -23,6 +23,7 @@ const Section sections[] = {
     {"Ropes", ropeCases},
     {"Cloth", clothCases},
     {"Materials", materialCases},
+    {"Defaults of a new scene", defaultCases},
     {"Bending", bendingCases},
     {"Conservation and invariance", invarianceCases},
     {"Repeats", repeatCases},

@@ -1,7 +1,7 @@
 // Edits start a timer; when it runs out, check() asks the follower. Its findings come in two
 // signals, the problems first and the figures of stability right after them; the second one
 // rebuilds the list. noteStop() adds why the player stopped, until a frame of a running simulation
-// comes.
+// comes; noteFrame() that the run is not as true as wanted.
 //
 // told() leaves out what the list beside tells; rebuild() makes a row of each finding and announces
 // the counts, those of the list beside included.
@@ -26,7 +26,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int patience = 250; // ms after the last edit
+constexpr int patience = 250;    // ms after the last edit
+constexpr int oldFigures = 1000; // ms
 
 QIcon signOf(Severity severity)
 {
@@ -82,12 +83,8 @@ ProblemList::ProblemList(Document& document, Selection& selection, Player& playe
                 rebuild();
             });
     connect(&player, &Player::stopped, this, &ProblemList::noteStop);
-    connect(&player, &Player::frameReady, this, [this](const std::shared_ptr<const Frame>& frame) {
-        if (frame->stopped.empty() && !m_stops.empty()) {
-            m_stops.clear();
-            rebuild();
-        }
-    });
+    connect(&player, &Player::frameReady, this,
+            [this](const std::shared_ptr<const Frame>& frame) { noteFrame(*frame); });
 
     const auto select = [this](QListWidgetItem* item) {
         const Id culprit{item->data(Qt::UserRole).toUInt()};
@@ -109,9 +106,31 @@ void ProblemList::noteStop(const QString& why, quint32 culprit)
     rebuild();
 }
 
+// The sentence about the accuracy has figures of now; once in a while is enough to read them.
+void ProblemList::noteFrame(const Frame& frame)
+{
+    const bool goesOn = frame.stopped.empty() && !m_stops.empty();
+    const bool isUntrue = !frame.accuracy.isMet();
+    const bool turned = isUntrue == m_untrue.empty();
+    const bool isOld = isUntrue && m_sinceUntrue.hasExpired(oldFigures);
+    if (!goesOn && !turned && !isOld)
+        return;
+    if (goesOn)
+        m_stops.clear();
+    if (turned || isOld) {
+        m_untrue.clear();
+        if (isUntrue)
+            m_untrue.push_back(
+                {Severity::Warning, frame.accuracy.complaint(), {Id{frame.accuracy.worstLink}}});
+        m_sinceUntrue.start();
+    }
+    rebuild();
+}
+
 std::vector<Finding> ProblemList::told() const
 {
     std::vector<Finding> all = m_stops;
+    std::ranges::copy(m_untrue, std::back_inserter(all));
     std::ranges::copy_if(m_problems, std::back_inserter(all), [this](const Finding& problem) {
         return problem.severity == Severity::Error || !m_stability->tellsPoor(problem.sort);
     });

@@ -1,5 +1,5 @@
-// What keeps the scene from running, what will run but hardly as meant, and why the simulation
-// stopped.
+// What keeps the scene from running, what will run but hardly as meant, that a run is not as true
+// as wanted, and why the simulation stopped.
 //
 // A click selects the culprit. Beside it stands how near the design is to what its solver can
 // follow; a warning that is told there, with its repair, is not told twice. The check runs on the
@@ -9,6 +9,7 @@
 
 #include "scene/check.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -19,6 +20,7 @@ class QStackedLayout;
 namespace ripstop {
 
 class Document;
+struct Frame;
 class Player;
 class Selection;
 class StabilityList;
@@ -40,13 +42,16 @@ signals:
 private:
     void check();
     void noteStop(const QString& why, quint32 culprit);
+    void noteFrame(const Frame& frame);
     std::vector<Finding> told() const; // what is told here, as the list beside does not tell it
     void rebuild();
 
     Selection& m_selection;
     Player& m_player;
     std::vector<Finding> m_problems;
-    std::vector<Finding> m_stops; // why the run stopped, at most one
+    std::vector<Finding> m_stops;  // why the run stopped, at most one
+    std::vector<Finding> m_untrue; // that the run is not as true as wanted, at most one
+    QElapsedTimer m_sinceUntrue;   // its figures change with each frame
     QTimer m_delay;
     QStackedLayout* m_pages;
     QLabel* m_empty;

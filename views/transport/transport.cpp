@@ -63,12 +63,14 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     , m_time(steadyLabel(QStringLiteral("00000.000 s"), tr("Simulated time since the start")))
     , m_ratio(steadyLabel(QStringLiteral("00000.00x"), {}))
     , m_substeps(steadyLabel(tr("%1 substeps").arg(2000), {}))
+    , m_accuracy(steadyLabel(tr("error %1 %").arg(QStringLiteral("00.00")), {}))
 {
     m_badge->setObjectName(QStringLiteral("mode"));
     m_badge->setAlignment(Qt::AlignCenter);
     m_time->setObjectName(QStringLiteral("time"));
     m_ratio->setObjectName(QStringLiteral("ratio"));
     m_substeps->setObjectName(QStringLiteral("substeps"));
+    m_accuracy->setObjectName(QStringLiteral("accuracy"));
     m_step->setAutoRepeat(true);
     fillSpeeds();
 
@@ -85,6 +87,7 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     layout->addWidget(m_time);
     layout->addWidget(m_ratio);
     layout->addWidget(m_substeps);
+    layout->addWidget(m_accuracy);
     layout->addStretch(1);
 
     connect(m_reset, &QToolButton::clicked, &player, &Player::reset);
@@ -146,6 +149,7 @@ void Transport::refreshRun()
     m_reset->setEnabled(m_player.isPlaying() || (frame && frame->underWay));
     refreshRatio();
     refreshSubsteps();
+    refreshAccuracy();
     refreshBadge();
 }
 
@@ -176,6 +180,35 @@ void Transport::refreshSubsteps()
                                : tr("Parts that the automatic solver cuts each time step into, "
                                     "lately. It began so: %1.")
                                      .arg(choice));
+}
+
+// How true the last step was. It stands out while the run misses what is wanted.
+void Transport::refreshAccuracy()
+{
+    const auto& frame = m_player.frame();
+    const RunAccuracy accuracy = frame ? frame->accuracy : RunAccuracy();
+    if (accuracy.steps == 0) {
+        m_accuracy->setText({});
+        m_accuracy->setToolTip({});
+        return;
+    }
+    const auto percent = [](double share) {
+        return QLocale().toString(100.0 * share, 'g', share < 1.0 ? 2 : 3);
+    };
+    const bool byPulls =
+        accuracy.pulls / accuracy.wantedPulls >= accuracy.strain / accuracy.wantedStrain;
+    const double shown = byPulls ? accuracy.pulls : accuracy.strain;
+    m_accuracy->setText(tr("error %1 %").arg(shown < 1e-4 ? QStringLiteral("0") : percent(shown)));
+    QFont font = this->font();
+    font.setBold(!accuracy.isMet());
+    m_accuracy->setFont(font);
+    const QString told =
+        tr("Error of the pulls in links in the last step, against what their stiffness says: "
+           "%1 %, wanted %2 %. Largest strain of rods that never stretch: %3 %, wanted %4 %.")
+            .arg(percent(accuracy.pulls), percent(accuracy.wantedPulls), percent(accuracy.strain),
+                 percent(accuracy.wantedStrain));
+    m_accuracy->setToolTip(
+        accuracy.isMet() ? told : told + QLatin1String("\n") + translated(accuracy.complaint()));
 }
 
 void Transport::refreshBadge()

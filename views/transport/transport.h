@@ -1,6 +1,6 @@
 // The bar that runs the simulation: back to the design, one step, play and pause, speed; and where
-// the run stands: the mode, the simulated time, s, how it keeps up with the clock, and the
-// substeps. It keeps no state: buttons call the Player, and everything shown is read from the
+// the run stands: the mode, the simulated time, s, how it keeps up with the clock, the
+// substeps, and how true it is. It keeps no state: buttons call the Player, and everything shown is read from the
 // player and its newest frame. Only the window's thread uses it.
 #pragma once
 
@@ -29,6 +29,7 @@ private:
     void refreshRun();   // where the run stands
     void refreshRatio(); // simulated seconds per second of the clock
     void refreshSubsteps();
+    void refreshAccuracy(); // how true it is
     void refreshBadge();
 
     Document& m_document;
@@ -41,6 +42,7 @@ private:
     QLabel* m_time;
     QLabel* m_ratio;
     QLabel* m_substeps;
+    QLabel* m_accuracy;
 };
 
 } // namespace ripstop

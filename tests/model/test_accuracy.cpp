@@ -1,0 +1,144 @@
+// A run knows how true it is: it says so where what was typed is not what was flown.
+#include "builders/builder.h"
+#include "compile/compile.h"
+#include "io/scene_file.h"
+#include "model/cli_call.h"
+#include "run/simulation.h"
+#include "step/accuracy.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+// 65 kg on 10 m of line: 0.64 % longer by its stiffness.
+Scene pilotOnALine()
+{
+    Scene scene =
+        *build(*findBuilder("rope"),
+               {{"segments", 50}, {"length", 10}, {"axial", 1e5}, {"end_mass", 65}, {"angle", 0}});
+    scene.settings.viscosity = 1.0;
+    return scene;
+}
+
+RunAccuracy flown(const Scene& scene, double seconds)
+{
+    Simulation simulation(*compile(scene));
+    if (!simulation.runUntil(seconds))
+        return {};
+    return simulation.frame()->accuracy;
+}
+
+} // namespace
+
+class TestAccuracy : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // By the definition: given 1 N where the length says 1.1 N, on one rod of compliance c.
+    void isWhatTheLawSaysAgainstWhatWasGiven()
+    {
+        System system;
+        system.inverseMass = {0.0, 1.0};
+        system.rods = {{0, 1, 1.0, 0.01, Resists::Both, {}}};
+        State state;
+        state.position = {PaddedVec3(0, 0, 0), PaddedVec3(0, -1.011, 0)};
+        state.rodTorn = {0};
+        state.rodTension = {1.0};
+        const std::vector<double> rest{1.0};
+        StepAccuracy accuracy = accuracyOf(system, state, rest);
+        QVERIFY(std::abs(accuracy.pulls - 0.1) < 1e-6);
+        QCOMPARE(accuracy.pullsRod, 0);
+        QVERIFY(std::abs(accuracy.ratio(system) - 10.0) < 1e-4);
+
+        system.rods[0].resists = Resists::Tension;  // slack lines and those that are torn pull at
+        state.position[1] = PaddedVec3(0, -0.9, 0); // nothing
+        state.rodTension = {0.0};
+        QCOMPARE(accuracyOf(system, state, rest).pulls, 0.0);
+        state.rodTorn = {1};
+        QCOMPARE(accuracyOf(system, state, rest).pullsRod, -1);
+
+        system.rods[0] = {0, 1, 1.0, 0.0, Resists::Both, {}}; // without compliance: its strain
+        state.position[1] = PaddedVec3(0, -1.02, 0);
+        state.rodTorn = {0};
+        accuracy = accuracyOf(system, state, rest);
+        QVERIFY(std::abs(accuracy.strain - 0.02) < 1e-12);
+        QVERIFY(std::abs(accuracy.ratio(system) - 2.0) < 1e-9);
+        QCOMPARE(accuracy.worstRod(system), 0);
+    }
+
+    // What a new scene gets is true, and says so.
+    void isMetByDefault()
+    {
+        const RunAccuracy accuracy = flown(pilotOnALine(), 4.0);
+        QVERIFY(accuracy.steps > 900);
+        QVERIFY(accuracy.isMet());
+        QVERIFY(accuracy.pulls < 0.01);
+        QVERIFY(accuracy.complaint().empty());
+    }
+
+    // Sweeps that cannot hold the line say so, by at least the factor by which it is too long.
+    void saysWhereSweepsAreTooSoft_data()
+    {
+        QTest::addColumn<Solver>("solver");
+        QTest::newRow("small steps") << Solver::SmallSteps;
+        QTest::newRow("sweeps") << Solver::GaussSeidel;
+        QTest::newRow("averaged") << Solver::AveragedJacobi;
+    }
+
+    void saysWhereSweepsAreTooSoft()
+    {
+        QFETCH(Solver, solver);
+        Scene scene = pilotOnALine();
+        scene.settings.solver = solver;
+        const RunAccuracy accuracy = flown(scene, 2.0);
+        QVERIFY(!accuracy.isMet());
+        QVERIFY(accuracy.pulls > 0.05);
+        QVERIFY(accuracy.worstLink > 0);
+        QVERIFY(accuracy.complaint().english().find("not as stiff as it says")
+                != std::string::npos);
+    }
+
+    // A smaller wish is met by more work.
+    void isAsSmallAsWanted()
+    {
+        Scene scene = pilotOnALine();
+        for (const double wanted : {10.0, 0.1}) {
+            scene.settings.accuracy = wanted;
+            const RunAccuracy accuracy = flown(scene, 2.0);
+            QCOMPARE(accuracy.wantedPulls, wanted / 100.0);
+            QVERIFY(accuracy.isMet());
+        }
+    }
+
+    void commandLineTells()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("line.ripstop.json");
+        Scene scene = pilotOnALine();
+        QVERIFY(!saveScene(scene, file.toStdString()));
+        const QStringList fly{"run", file, "--seconds", "1", "--json", "--strict"};
+        Outcome outcome = call(fly);
+        QCOMPARE(outcome.exitCode, 0);
+        QJsonObject told = outcome.json()["accuracy"].toObject();
+        QVERIFY(told["met"].toBool());
+        QCOMPARE(told["wanted"].toDouble(), 0.01);
+
+        outcome = call(fly + QStringList{"--set", "settings.solver=small_steps"});
+        QCOMPARE(outcome.exitCode, 5);
+        QVERIFY2(outcome.error.contains("wanted accuracy"), qPrintable(outcome.error));
+        told = outcome.json()["accuracy"].toObject();
+        QVERIFY(!told["met"].toBool());
+        QVERIFY(told["missed"].toDouble() > 0.5);
+
+        outcome = call({"run", file, "--seconds", "1", "--set", "settings.solver=small_steps"});
+        QCOMPARE(outcome.exitCode, 0); // it says so all the same
+        QVERIFY(outcome.error.contains("wanted accuracy"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAccuracy)
+#include "test_accuracy.moc"
