@@ -1,12 +1,11 @@
-// planFor() gives rods to direct blocks for three reasons, in systems of at most 20 000 particles.
-// Rods of small fabric come first, whatever their load. Of the rest, worstRod() finds the rod that
-// needs most substeps, from the load that it estimates by the mass that Networks sums, joined by
-// rods without passing a pin or a guide. rodsForDirect() is asked when that number is too large, or
-// when a pinned network holds a heavy load by particles that are far lighter, since sweeps would
-// make the load bounce. The worst rod that is left then decides the substeps, at least as many as
-// the stiffness of the forces needs, and the plan states its reason.
+// planFor() gives rods to the global solve for four reasons: rods of real stiffness, whose pulls
+// sweeps would need too many substeps for (substepsForPull); small fabric, whatever its load; heavy
+// loads on lines, of which worstRod() finds the rod that needs most substeps, from the load that it
+// estimates by the mass that Networks sums, joined by rods without passing a pin or a guide; and
+// whatever else would need far too many. The worst rod that is left then decides the substeps, at
+// least as many as the stiffness of the forces needs. Planner notes the reasons.
 //
-// While the system runs, adaptedSubsteps() follows the strain that is measured.
+// While the system runs, adaptedSubsteps() follows the error that is measured.
 #include "step/solver_plan.h"
 
 #include "base/joined_sets.h"
@@ -17,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace ripstop {
@@ -24,8 +24,9 @@ namespace {
 
 constexpr int mostSubsteps = 2000;
 constexpr double safety = 1.5;
-constexpr double leastGravity = 9.80665; // m/s^2; wind loads what floats in space too
-constexpr double manySubsteps = 100.0;   // in 10 ms
+constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
+constexpr double manySubsteps = 100.0;    // in 10 ms
+constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network
 constexpr double manyForPull = 40.0;
 constexpr double farLighter = 1000.0;
 constexpr std::size_t mostForBlocks = 20000; // particles; looking for blocks takes its time
@@ -144,81 +145,126 @@ int substepsForStiffness(const System& system)
     return substepsWithin(system.timeStep, stiffStepLimit(system), 1.05);
 }
 
+// Makes a plan by giving rods away to the global solve, for one reason after the other.
+class Planner
+{
+public:
+    explicit Planner(const System& system)
+        : m_system(system)
+        , m_direct(system.rods.size(), 0)
+    {}
+
+    // Returns whether there were any that had not been given before.
+    //   why  says it, given the number of rods and the sentence that follows
+    using Why = std::function<Message(std::size_t, const Message&)>;
+    bool give(const std::vector<int>& rods, Why why)
+    {
+        std::size_t count = 0;
+        for (const int rod : rods)
+            count += !std::exchange(m_direct[std::size_t(rod)], std::uint8_t(1));
+        if (count > 0)
+            m_given.push_back({count, std::move(why)});
+        return count > 0;
+    }
+
+    // All rods of networks that have one like this, of those that are not given yet.
+    template <typename IsOne> // isOne(rod)
+    std::vector<int> networksOf(IsOne isOne) const
+    {
+        return rodsOfNetworks(m_system, [&](const Rod& rod) {
+            return !m_direct[std::size_t(&rod - m_system.rods.data())] && isOne(rod);
+        });
+    }
+
+    const std::vector<std::uint8_t>& direct() const { return m_direct; }
+
+    SolverPlan plan(int least, double substeps) const
+    {
+        SolverPlan plan;
+        plan.least = least;
+        plan.substeps = std::max(
+            {int(std::ceil(std::min(substeps, double(mostSubsteps)))), m_system.substeps, least});
+        if (!m_given.empty())
+            plan.direct = m_direct;
+        if (m_system.rods.empty())
+            plan.reason = Message("there are no rods");
+        else if (!m_given.empty() && substeps <= 1.0)
+            plan.reason = Message("%1 substeps", plan.substeps);
+        else
+            plan.reason =
+                Message("small steps: %1 substeps of one sweep to begin with, for a "
+                        "strain of %2 %",
+                        plan.substeps, Message::number("%.3g", 100.0 * m_system.strainGoal));
+        if (least > 1)
+            plan.reason = Message("%1; %2 needs at least %3", std::move(plan.reason),
+                                  boundingForces(m_system), least);
+        for (auto given = m_given.rbegin(); given != m_given.rend(); ++given)
+            plan.reason = given->why(given->count, plan.reason);
+        return plan;
+    }
+
+private:
+    struct Given
+    {
+        std::size_t count; // of rods
+        Why why;
+    };
+
+    const System& m_system;
+    std::vector<std::uint8_t> m_direct; // [rods]
+    std::vector<Given> m_given;
+};
+
 } // namespace
 
 SolverPlan planFor(const System& system)
 {
-    SolverPlan plan;
-    plan.least = substepsForStiffness(system);
-    plan.substeps = std::max(system.substeps, plan.least);
-    const auto bounded = [&](Message reason) {
-        return plan.least > 1 ? Message("%1; %2 needs at least %3", std::move(reason),
-                                        boundingForces(system), plan.least)
-                              : reason;
-    };
-    if (system.rods.empty()) {
-        plan.reason = bounded(Message("there are no rods"));
-        return plan;
-    }
-    const std::vector<int> stiff = rodsOfNetworks(system, [&](const Rod& rod) {
-        return rod.compliance > 0.0 && substepsForPull(system, rod) > manyForPull;
-    });
-    const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
-    const auto solveDirectly = [&](const std::vector<int>& rods) {
-        plan.direct.resize(system.rods.size(), 0);
-        std::size_t more = 0;
-        for (const int rod : rods)
-            more += !std::exchange(plan.direct[std::size_t(rod)], std::uint8_t(1));
-        return more;
-    };
-    std::size_t ofStiff = 0, ofFabric = 0, ofLoad = 0; // rods that are solved together
-    if (!stiff.empty())
-        ofStiff = solveDirectly(stiff);
-    if (mayHaveBlocks)
-        if (const std::vector<int> rods = rodsOfSmallFabric(system); !rods.empty())
-            ofFabric = solveDirectly(rods);
-    Worst worst = worstRod(system, plan.direct);
+    Planner planner(system);
+    const int least = substepsForStiffness(system);
+    if (system.rods.empty())
+        return planner.plan(least, 1.0);
     const double many = manySubsteps * system.timeStep / 0.01;
-    double ofSweeps = 0.0; // substeps that the load would need
+    const double tooMany = tooManySubsteps * system.timeStep / 0.01;
+    const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
+
+    const auto isTooStiff = [&](const Rod& rod) {
+        return rod.compliance > 0.0 && substepsForPull(system, rod) > manyForPull;
+    };
+    planner.give(planner.networksOf(isTooStiff), [](std::size_t count, const Message& rest) {
+        return Message("%1 rods are solved together, since they are too stiff for sweeps; %2",
+                       count, rest);
+    });
+    if (mayHaveBlocks)
+        planner.give(rodsOfSmallFabric(system), [](std::size_t count, const Message& rest) {
+            return Message("%1 rods are solved directly, since they hold fabric that is small "
+                           "enough for it; %2",
+                           count, rest);
+        });
+    Worst worst = worstRod(system, planner.direct());
     // A heavy load on light lines stretches them little in a step, but the sweeps give back more
     // than they took: it bounces higher and higher.
-    if ((worst.substeps > many || worst.hangsHeavy) && mayHaveBlocks)
-        if (const std::vector<int> rods = rodsForDirect(system); !rods.empty()) {
-            ofLoad = solveDirectly(rods);
-            ofSweeps = worst.substeps;
-            worst = worstRod(system, plan.direct);
-        }
-    const double forPulls = substepsForPulls(system, plan.direct);
-    plan.substeps =
-        std::max(int(std::ceil(std::min(std::max(worst.substeps, forPulls), double(mostSubsteps)))),
-                 plan.substeps);
-    const bool all = !plan.direct.empty()
-                     && std::ranges::all_of(plan.direct, [](std::uint8_t one) { return one; });
-    if (all)
-        plan.reason = bounded(Message("%1 substeps", plan.substeps));
-    else
-        plan.reason =
-            bounded(Message("small steps: %1 substeps of one sweep to begin with, for a "
-                            "strain of %2 %",
-                            plan.substeps, Message::number("%.3g", 100.0 * system.strainGoal)));
-    if (ofLoad > 0)
-        plan.reason =
-            ofSweeps > many
-                ? Message("%1 rods are solved directly, since their load would need %2 substeps; "
-                          "%3",
-                          ofLoad, Message::number("%.0f", ofSweeps), plan.reason)
-                : Message("%1 rods are solved directly, since their load is far heavier than what "
-                          "holds it; %2",
-                          ofLoad, plan.reason);
-    if (ofFabric > 0)
-        plan.reason = Message("%1 rods are solved directly, since they hold fabric that is small "
-                              "enough for it; %2",
-                              ofFabric, plan.reason);
-    if (ofStiff > 0)
-        plan.reason = Message("%1 rods are solved together, since they are too stiff for sweeps; "
-                              "%2",
-                              ofStiff, plan.reason);
-    return plan;
+    const auto ofLoad = [needed = worst.substeps, many](std::size_t count, const Message& rest) {
+        return needed > many
+                   ? Message("%1 rods are solved directly, since their load would need %2 "
+                             "substeps; %3",
+                             count, Message::number("%.0f", needed), rest)
+                   : Message("%1 rods are solved directly, since their load is far heavier than "
+                             "what holds it; %2",
+                             count, rest);
+    };
+    if ((worst.substeps > many || worst.hangsHeavy) && mayHaveBlocks
+        && planner.give(rodsForDirect(system), ofLoad))
+        worst = worstRod(system, planner.direct());
+    // What is left may be too much for sweeps as well, and too large for a block.
+    const auto isRigid = [](const Rod& rod) { return rod.compliance == 0.0; };
+    const auto ofSize = [needed = worst.substeps](std::size_t count, const Message& rest) {
+        return Message("%1 rods are solved together, since sweeps would need %2 substeps; %3",
+                       count, Message::number("%.0f", needed), rest);
+    };
+    if (worst.substeps > tooMany && planner.give(planner.networksOf(isRigid), ofSize))
+        worst = worstRod(system, planner.direct());
+    return planner.plan(least,
+                        std::max(worst.substeps, substepsForPulls(system, planner.direct())));
 }
 
 int substepsForDamping(const System& system, const State& state, std::vector<double>& scratch)
