@@ -109,6 +109,36 @@ RIPSTOP_INLINE void backward(const Block& l, double* x)
 
 } // namespace
 
+// A row of the factor has a block in each column on the way up the elimination tree from its
+// entries in the matrix to itself (Liu 1990).
+double BlockCholesky::countProducts(std::size_t nodes, std::span<const std::pair<int, int>> pairs)
+{
+    const std::vector<std::uint32_t> place = eliminationOrder(nodes, pairs);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> entries; // row, column left of it
+    for (const auto& pair : pairs) {
+        const auto [low, high] =
+            std::minmax({place[std::size_t(pair.first)], place[std::size_t(pair.second)]});
+        entries.emplace_back(high, low);
+    }
+    std::ranges::sort(entries);
+    constexpr auto none = std::uint32_t(-1);
+    std::vector<std::uint32_t> parent(nodes, none), reachedBy(nodes, none);
+    std::vector<std::uint32_t> below(nodes, 0); // blocks below the diagonal of each column
+    for (const auto& [row, column] : entries) {
+        reachedBy[row] = row;
+        for (std::uint32_t k = column; reachedBy[k] != row; k = parent[k]) {
+            reachedBy[k] = row;
+            ++below[k];
+            if (parent[k] == none)
+                parent[k] = row;
+        }
+    }
+    double products = 0.0;
+    for (const double count : below)
+        products += 0.5 * count * (count + 1.0);
+    return products;
+}
+
 void BlockCholesky::analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs)
 {
     m_place = eliminationOrder(nodes, pairs);

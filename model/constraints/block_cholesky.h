@@ -28,6 +28,10 @@ public:
     // diagonal, in any order, each pair of nodes once or more.
     void analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs);
 
+    // How many products of blocks a factorisation takes, without analysing all of it: it needs the
+    // memory of the pattern and the time of as many blocks as the factor has.
+    static double countProducts(std::size_t nodes, std::span<const std::pair<int, int>> pairs);
+
     // Filling the matrix: set it to zero, then add symmetric blocks.
     void setZero();
     Block& diagonal(std::size_t node) { return m_block[m_diagonal[node]]; }

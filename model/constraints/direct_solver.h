@@ -98,6 +98,8 @@ private:
         double before = 0.0;     // kg m, of the iteration before
     };
 
+    void takeBars(const System& system, std::span<const std::uint32_t> row);
+    std::vector<std::pair<int, int>> numberPairs();
     bool hasSamePins(const System& system) const;
     void takeGuides(const System& system);
     void takeValues(const System& system);

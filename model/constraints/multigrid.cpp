@@ -1,30 +1,19 @@
 // Conjugate gradients over a hierarchy of coarser networks.
 //
-// analyze() makes the hierarchy from the pattern and the places alone: coarsen() keeps nodes,
-// weighs the others by them (weightsAt) and finds where each product of P^T A P goes. factorize()
-// fills the levels with numbers: makeCoarser() and invert() for each, and a factor of the last.
-// solve() iterates; cycle() is one V through the levels. Loops over blocks are compiled for both
-// kinds of machine and fuse nothing.
+// analyze() makes the hierarchy (coarsening.h). factorize() fills the levels with numbers:
+// makeCoarser() and invert() for each, and a factor of the last. solve() iterates; cycle() is one V
+// through the levels. Loops over blocks are compiled for both kinds of machine and fuse nothing.
 #include "constraints/multigrid.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace ripstop {
 namespace {
 
 constexpr std::size_t smallEnough = 48; // nodes, of the coarsest level
-constexpr std::size_t mostKept = 6;     // that a node moves by
-constexpr std::size_t mostAnchors = 3;  // among them
-constexpr double ridge = 0.05;          // of the squared distance: prefers even weights
-constexpr double leastWeight = 0.05;
-constexpr double offAtSeams = 0.25;
-constexpr double nothing = 1e-5;   // of the energy's root
-constexpr double usualFall = 0.02; // of the square of the error, in an iteration
+constexpr double nothing = 1e-5;        // of the energy's root
+constexpr double usualFall = 0.02;      // of the square of the error, in an iteration
 constexpr double toSpare = 3.0;
 
 using Block = BlockCholesky::Block;
@@ -55,102 +44,17 @@ double dotOf(const Row* a, const Row* b, std::size_t count)
     return (all[0] + all[1]) + all[2];
 }
 
-struct Weighted
-{
-    int node; // kept, by its number on the fine level; anchors come after the nodes
-    double weight;
-};
-
-struct Weights
-{
-    std::vector<Weighted> list;
-    double off = 0.0; // 1, how far they put the node from where it is, over the way to the nearest
-};
-
-// Weights of sum 1 by which a node at `origin` moves as the kept ones beside it: those that put it
-// nearest to where it is, as even as that allows, none of them negative.
-Weights weightsAt(const Row& origin, std::vector<int> kept, std::size_t nodes,
-                  std::span<const Row> place)
-{
-    const auto to = [&](int node) {
-        const Row& p = place[std::size_t(node)];
-        return Vec3(p.v[0] - origin.v[0], p.v[1] - origin.v[1], p.v[2] - origin.v[2]);
-    };
-    std::ranges::stable_sort(kept, {}, [&](int node) { return to(node).squaredNorm(); });
-    std::size_t anchors = 0;
-    std::erase_if(kept,
-                  [&](int node) { return std::size_t(node) >= nodes && ++anchors > mostAnchors; });
-    if (kept.size() > mostKept)
-        kept.resize(mostKept);
-    Eigen::VectorXd weight;
-    for (;;) {
-        const auto count = Eigen::Index(kept.size());
-        Eigen::MatrixXd gram(count, count);
-        for (Eigen::Index i = 0; i < count; ++i)
-            for (Eigen::Index j = 0; j < count; ++j)
-                gram(i, j) = to(kept[std::size_t(i)]).dot(to(kept[std::size_t(j)]));
-        const double size = gram.trace() / double(count);
-        for (Eigen::Index i = 0; i < count; ++i)
-            gram(i, i) += ridge * size + std::numeric_limits<double>::min();
-        weight = gram.llt().solve(Eigen::VectorXd::Ones(count));
-        weight /= weight.sum();
-        if (!weight.allFinite()) // all at one place
-            weight.setConstant(count, 1.0 / double(count));
-        Eigen::Index lowest = 0;
-        if (count == 1 || weight.minCoeff(&lowest) >= leastWeight)
-            break;
-        kept.erase(kept.begin() + lowest);
-    }
-    Weights result;
-    Vec3 off = Vec3::Zero();
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        result.list.push_back({kept[i], weight[Eigen::Index(i)]});
-        off += weight[Eigen::Index(i)] * to(kept[i]);
-        nearest = std::min(nearest, to(kept[i]).norm());
-    }
-    result.off = nearest > 0.0 ? off.norm() / nearest : 0.0;
-    return result;
-}
-
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-void sortUnique(std::vector<Pair>& pairs)
-{
-    std::ranges::sort(pairs);
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
 } // namespace
-
-// What a level is made from.
-struct Multigrid::Graph
-{
-    std::size_t nodes = 0;
-    std::vector<Pair> pairs;   // ascending, the lower node first, each once
-    std::vector<Pair> anchors; // node and anchor, numbered from 0; ascending
-    std::vector<Row> place;    // [nodes, then anchors] m
-
-    // [nodes] neighbours in ascending order, anchors after the nodes.
-    std::vector<std::vector<int>> neighbours() const
-    {
-        std::vector<std::vector<int>> result(nodes);
-        for (const auto& [a, b] : pairs) {
-            result[a].push_back(int(b));
-            result[b].push_back(int(a));
-        }
-        for (auto& row : result)
-            std::ranges::sort(row);
-        for (const auto& [node, anchor] : anchors)
-            result[node].push_back(int(nodes + anchor));
-        return result;
-    }
-};
 
 void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs,
                         std::span<const std::pair<int, int>> anchors, std::span<const Row> place)
 {
-    Graph graph{nodes, {}, {}, {place.begin(), place.end()}};
+    using Pair = NetworkGraph::Pair;
+    NetworkGraph graph{nodes, {}, {}, {place.begin(), place.end()}};
+    const auto sortUnique = [](std::vector<Pair>& all) {
+        std::ranges::sort(all);
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+    };
     const auto ordered = [](const std::pair<int, int>& pair) {
         const auto [low, high] = std::minmax(pair.first, pair.second);
         return Pair(std::uint32_t(low), std::uint32_t(high));
@@ -182,13 +86,13 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
             rows->assign(graph.nodes, Row{});
         if (graph.nodes <= smallEnough)
             break;
-        Graph coarse = coarsen(level, graph);
-        if (coarse.nodes == 0 || coarse.nodes > graph.nodes * 4 / 5) { // no use
-            level.ofNode.clear();
+        Coarsening next = coarsened(graph);
+        if (next.graph.nodes == 0 || next.graph.nodes > graph.nodes * 4 / 5) // no use
             break;
-        }
         level.inverse.assign(graph.nodes, Block{});
-        graph = std::move(coarse);
+        level.up = std::move(next.up);
+        level.target = std::move(next.target);
+        graph = std::move(next.graph);
     }
     std::vector<std::pair<int, int>> last;
     for (const auto& [a, b] : graph.pairs)
@@ -196,109 +100,6 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
     m_coarsest.analyze(graph.nodes, last);
     for (auto* rows : {&m_x, &m_r, &m_p, &m_q})
         rows->assign(nodes, Row{});
-}
-
-Multigrid::Graph Multigrid::coarsen(Level& fine, const Graph& graph)
-{
-    const std::vector<std::vector<int>> neighbours = graph.neighbours();
-    std::vector<int> number(graph.nodes, -1); // on the next level, of what is kept
-    std::vector<std::uint8_t> reached(graph.nodes, 0);
-    Graph coarse;
-    for (const auto& [node, anchor] : graph.anchors)
-        reached[node] = 1;
-    // Corners and edges have fewer neighbours: they come first, as nothing lies beyond them that
-    // could tell how they move.
-    std::vector<std::size_t> order(graph.nodes);
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return neighbours[i].size(); });
-    std::vector<std::uint8_t> isKept(graph.nodes, 0);
-    for (const std::size_t i : order) {
-        if (reached[i])
-            continue;
-        isKept[i] = reached[i] = 1;
-        for (const int j : neighbours[i])
-            if (std::size_t(j) < graph.nodes)
-                reached[std::size_t(j)] = 1;
-    }
-    for (std::size_t i = 0; i < graph.nodes; ++i)
-        if (isKept[i]) {
-            number[i] = int(coarse.nodes++);
-            coarse.place.push_back(graph.place[i]);
-        }
-    coarse.place.insert(coarse.place.end(), graph.place.begin() + std::ptrdiff_t(graph.nodes),
-                        graph.place.end());
-
-    fine.ofNode.assign(1, 0);
-    fine.coarse.clear();
-    fine.weight.clear();
-    for (std::size_t i = 0; i < graph.nodes; ++i) {
-        if (number[i] >= 0) {
-            fine.coarse.push_back(std::uint32_t(number[i]));
-            fine.weight.push_back(1.0);
-        } else {
-            const auto isCoarse = [&](int j) {
-                return std::size_t(j) >= graph.nodes || number[std::size_t(j)] >= 0;
-            };
-            std::vector<int> kept;
-            std::ranges::copy_if(neighbours[i], std::back_inserter(kept), isCoarse);
-            Weights weights;
-            if (!kept.empty())
-                weights = weightsAt(graph.place[i], kept, graph.nodes, graph.place);
-            if (weights.off > offAtSeams) { // where the kept ones of two sides meet out of step
-                for (const int j : neighbours[i])
-                    if (std::size_t(j) < graph.nodes)
-                        std::ranges::copy_if(neighbours[std::size_t(j)], std::back_inserter(kept),
-                                             isCoarse);
-                std::ranges::sort(kept);
-                kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-                Weights wider =
-                    weightsAt(graph.place[i], std::move(kept), graph.nodes, graph.place);
-                if (wider.off < weights.off)
-                    weights = std::move(wider);
-            }
-            for (const Weighted& w : weights.list)
-                if (std::size_t(w.node) < graph.nodes) {
-                    fine.coarse.push_back(std::uint32_t(number[std::size_t(w.node)]));
-                    fine.weight.push_back(w.weight);
-                }
-        }
-        fine.ofNode.push_back(std::uint32_t(fine.coarse.size()));
-    }
-
-    const auto ofNode = [&](std::size_t i) {
-        return std::span(fine.coarse).subspan(fine.ofNode[i], fine.ofNode[i + 1] - fine.ofNode[i]);
-    };
-    const auto eachPair = [&](auto visit) { // visit(I, J) in the order of makeCoarser()
-        for (const auto& [a, b] : graph.pairs)
-            for (const std::uint32_t i : ofNode(a))
-                for (const std::uint32_t j : ofNode(b))
-                    visit(std::min(i, j), std::max(i, j));
-        for (std::size_t a = 0; a < graph.nodes; ++a)
-            for (std::size_t i = fine.ofNode[a]; i < fine.ofNode[a + 1]; ++i)
-                for (std::size_t j = i; j < fine.ofNode[a + 1]; ++j) {
-                    const auto [low, high] = std::minmax(fine.coarse[i], fine.coarse[j]);
-                    visit(low, high);
-                }
-    };
-    eachPair([&](std::uint32_t i, std::uint32_t j) {
-        if (i != j && (coarse.pairs.empty() || coarse.pairs.back() != Pair(i, j)))
-            coarse.pairs.emplace_back(i, j);
-    });
-    sortUnique(coarse.pairs);
-    for (const auto& [node, anchor] : graph.anchors)
-        for (const std::uint32_t i : ofNode(node))
-            coarse.anchors.emplace_back(i, anchor);
-    sortUnique(coarse.anchors);
-
-    // Diagonals of the next level are targets after its blocks.
-    fine.target.clear();
-    eachPair([&](std::uint32_t i, std::uint32_t j) {
-        fine.target.push_back(i == j
-                                  ? std::uint32_t(coarse.pairs.size() + i)
-                                  : std::uint32_t(std::ranges::lower_bound(coarse.pairs, Pair(i, j))
-                                                  - coarse.pairs.begin()));
-    });
-    return coarse;
 }
 
 void Multigrid::setZero()
@@ -354,11 +155,12 @@ void Multigrid::makeCoarser(const Level& fine, Level& coarse)
             const Pack x = pack(fine.block[k].column[0]);
             const Pack y = pack(fine.block[k].column[1]);
             const Pack z = pack(fine.block[k].column[2]);
-            for (std::uint32_t i = fine.ofNode[a]; i < fine.ofNode[a + 1]; ++i)
-                for (std::uint32_t j = fine.ofNode[b]; j < fine.ofNode[b + 1]; ++j) {
+            for (std::uint32_t i = fine.up.ofNode[a]; i < fine.up.ofNode[a + 1]; ++i)
+                for (std::uint32_t j = fine.up.ofNode[b]; j < fine.up.ofNode[b + 1]; ++j) {
                     const std::uint32_t to = *target++;
                     const bool isDiagonal = to >= blocks;
-                    const double w = fine.weight[i] * fine.weight[j] * (isDiagonal ? 2.0 : 1.0);
+                    const double w =
+                        fine.up.weight[i] * fine.up.weight[j] * (isDiagonal ? 2.0 : 1.0);
                     Block& into = isDiagonal ? coarse.diagonal[to - blocks] : coarse.block[to];
                     pack(into.column[0]) += x * w;
                     pack(into.column[1]) += y * w;
@@ -369,10 +171,10 @@ void Multigrid::makeCoarser(const Level& fine, Level& coarse)
         const Pack x = pack(fine.diagonal[a].column[0]);
         const Pack y = pack(fine.diagonal[a].column[1]);
         const Pack z = pack(fine.diagonal[a].column[2]);
-        for (std::uint32_t i = fine.ofNode[a]; i < fine.ofNode[a + 1]; ++i)
-            for (std::uint32_t j = i; j < fine.ofNode[a + 1]; ++j) {
+        for (std::uint32_t i = fine.up.ofNode[a]; i < fine.up.ofNode[a + 1]; ++i)
+            for (std::uint32_t j = i; j < fine.up.ofNode[a + 1]; ++j) {
                 const std::uint32_t to = *target++;
-                const double w = fine.weight[i] * fine.weight[j];
+                const double w = fine.up.weight[i] * fine.up.weight[j];
                 Block& into = to >= blocks ? coarse.diagonal[to - blocks] : coarse.block[to];
                 pack(into.column[0]) += x * w;
                 pack(into.column[1]) += y * w;
@@ -447,8 +249,8 @@ void Multigrid::restrictTo(const Level& fine, Level& coarse)
 {
     std::fill(coarse.b.begin(), coarse.b.end(), Row{});
     for (std::size_t i = 0; i < fine.diagonal.size(); ++i)
-        for (std::uint32_t k = fine.ofNode[i]; k < fine.ofNode[i + 1]; ++k)
-            pack(coarse.b[fine.coarse[k]].v) += fine.weight[k] * pack(fine.r[i].v);
+        for (std::uint32_t k = fine.up.ofNode[i]; k < fine.up.ofNode[i + 1]; ++k)
+            pack(coarse.b[fine.up.coarse[k]].v) += fine.up.weight[k] * pack(fine.r[i].v);
 }
 
 RIPSTOP_CLONES
@@ -456,8 +258,8 @@ void Multigrid::prolongFrom(Level& fine, const Level& coarse)
 {
     for (std::size_t i = 0; i < fine.diagonal.size(); ++i) {
         Pack x = pack(fine.x[i].v);
-        for (std::uint32_t k = fine.ofNode[i]; k < fine.ofNode[i + 1]; ++k)
-            x += fine.weight[k] * pack(coarse.x[fine.coarse[k]].v);
+        for (std::uint32_t k = fine.up.ofNode[i]; k < fine.up.ofNode[i + 1]; ++k)
+            x += fine.up.weight[k] * pack(coarse.x[fine.up.coarse[k]].v);
         pack(fine.x[i].v) = x;
     }
 }

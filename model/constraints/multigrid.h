@@ -7,12 +7,8 @@
 // coarser fabrics needs a few, however fine the mesh (Tamstorf, Jones and McCormick 2015 for
 // cloth).
 //
-//   - A level keeps nodes that are not neighbours of each other, in the order of their numbers: on
-//   a
-//     square grid with diagonals every second one each way. Anchors are kept on every level.
-//   - All other nodes move as the kept ones beside them tell: by weights of sum 1 that give motions
-//     which are linear in the place, rotations among them, back as they are, so far as there are
-//     neighbours to do so. That makes smooth motions cheap, which the rounds are slow at.
+//   - A level keeps about one node of four on sheets, one of two on lines; the others move as these
+//     tell (coarsening.h).
 //   - The coarse matrix is P^T A P (Galerkin). As P has one number for each pair of nodes, its
 //   blocks
 //     stay symmetric.
@@ -24,6 +20,7 @@
 #pragma once
 
 #include "constraints/block_cholesky.h"
+#include "constraints/coarsening.h"
 
 #include <functional>
 
@@ -71,16 +68,11 @@ private:
         std::vector<Block> block;          // [blocks]
         std::vector<Block> diagonal;       // [nodes]
         std::vector<Block> inverse;        // [nodes] of the diagonal
-        std::vector<std::uint32_t> ofNode; // [nodes + 1] places in `coarse` and `weight`
-        std::vector<std::uint32_t> coarse; // node of the next level
-        std::vector<double> weight;        // 1
-        std::vector<std::uint32_t> target; // where products go on the next level: the blocks, then
-                                           // the diagonal
+        Prolongation up;                   // to the next level
+        std::vector<std::uint32_t> target; // of products there
         std::vector<Row> x, b, r;          // [nodes] scratch of the cycle
     };
 
-    struct Graph;
-    static Graph coarsen(Level& fine, const Graph& graph);
     void makeCoarser(const Level& fine, Level& coarse);
     void cycle(std::size_t level);
     static bool invert(Level& level);

@@ -29,6 +29,7 @@ constexpr double manySubsteps = 100.0;    // in 10 ms
 constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network
 constexpr double manyForPull = 40.0;
 constexpr double farLighter = 1000.0;
+constexpr std::size_t mostRigid = 50000;     // particles; more take too much memory
 constexpr std::size_t mostForBlocks = 20000; // particles; looking for blocks takes its time
 
 // Pinned, or on a guide, which bears a load as a pin does.
@@ -261,7 +262,8 @@ SolverPlan planFor(const System& system)
         return Message("%1 rods are solved together, since sweeps would need %2 substeps; %3",
                        count, Message::number("%.0f", needed), rest);
     };
-    if (worst.substeps > tooMany && planner.give(planner.networksOf(isRigid), ofSize))
+    if (worst.substeps > tooMany && system.inverseMass.size() <= mostRigid
+        && planner.give(planner.networksOf(isRigid), ofSize))
         worst = worstRod(system, planner.direct());
     return planner.plan(least,
                         std::max(worst.substeps, substepsForPulls(system, planner.direct())));

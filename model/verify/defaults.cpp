@@ -94,7 +94,7 @@ double growth(const HungLine& line) // m
     scene.settings.viscosity = 1.0;
     scene.settings.airDensity = 0.0;
     Simulation simulation(*compile(scene));
-    (void)simulation.runUntil(8.0);
+    (void)simulation.runUntil(16.0);
     const auto& position = simulation.state().position; // the rope's ends come first
     return Vec3(position[0] - position[1]).norm() - line.length;
 }

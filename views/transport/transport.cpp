@@ -70,7 +70,7 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     m_time->setObjectName(QStringLiteral("time"));
     m_ratio->setObjectName(QStringLiteral("ratio"));
     m_substeps->setObjectName(QStringLiteral("substeps"));
-    m_accuracy->setObjectName(QStringLiteral("accuracy"));
+    m_accuracy->setObjectName(QStringLiteral("pull_error"));
     m_step->setAutoRepeat(true);
     fillSpeeds();
 

@@ -1,0 +1,202 @@
+// What DirectSolver works on.
+//
+// prepare() numbers the particles (those that move first, then pins), chooses whether the matrix is
+// factorised or iterated, analyses its pattern and finds islands that nothing holds. refresh()
+// reads changed numbers and prepares anew only where pins or guides have changed.
+#include "constraints/direct_solver.h"
+#include "constraints/guides.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ripstop {
+namespace {
+
+// Products of blocks for each node above which iterations cost less than a factorisation (measured
+// on sheets), and the nodes of blocks that are factorised in any case.
+constexpr double manyProducts = 250.0;
+constexpr std::size_t fewNodes = 300;
+
+} // namespace
+
+void DirectSolver::prepare(const System& system, std::span<const int> rods)
+{
+    m_rods.assign(rods.begin(), rods.end());
+    m_bars.clear();
+    m_particle.clear();
+    m_mass.clear();
+    // Each particle gets its row where a rod first names it.
+    constexpr auto none = std::uint32_t(-1);
+    std::vector<std::uint32_t> row(system.inverseMass.size(), none);
+    for (const bool pins : {false, true})
+        for (const int r : rods)
+            for (const int end : {system.rods[std::size_t(r)].a, system.rods[std::size_t(r)].b}) {
+                const auto p = std::size_t(end);
+                if (row[p] != none || (system.inverseMass[p] == 0.0) != pins)
+                    continue;
+                row[p] = std::uint32_t(m_particle.size());
+                m_particle.push_back(end);
+                if (!pins)
+                    m_mass.push_back(0.0);
+            }
+    takeBars(system, row);
+    auto pairs = numberPairs();
+    m_iterates = nodes() > fewNodes
+                 && BlockCholesky::countProducts(nodes(), pairs) > manyProducts * double(nodes());
+    if (m_iterates) {
+        // Rows in the order of the particles and bars in the order of rows: a walk along either is
+        // one through memory.
+        std::sort(m_particle.begin(), m_particle.begin() + std::ptrdiff_t(nodes()));
+        std::sort(m_particle.begin() + std::ptrdiff_t(nodes()), m_particle.end());
+        for (std::size_t i = 0; i < m_particle.size(); ++i)
+            row[std::size_t(m_particle[i])] = std::uint32_t(i);
+        takeBars(system, row);
+        std::ranges::stable_sort(m_bars, {},
+                                 [](const Bar& bar) { return std::minmax(bar.a, bar.b); });
+        pairs = numberPairs();
+        std::vector<std::pair<int, int>> anchors;
+        for (const Bar& bar : m_bars)
+            if (bar.pair < 0)
+                anchors.emplace_back(std::min(bar.a, bar.b), std::max(bar.a, bar.b));
+        std::vector<Row> place;
+        for (const int p : m_particle) {
+            const Vec3& x = system.start.position[std::size_t(p)];
+            place.push_back({{x.x(), x.y(), x.z(), 0.0}});
+        }
+        m_grid.analyze(nodes(), pairs, anchors, place);
+    } else {
+        m_factor.analyze(nodes(), pairs);
+    }
+    takeGuides(system);
+    findIslands();
+    takeValues(system);
+    m_position.assign(m_particle.size(), Row{});
+    m_move.assign(m_particle.size(), Row{});
+    m_guess.assign(nodes(), Row{});
+    m_from.assign(nodes(), Row{});
+}
+
+void DirectSolver::takeBars(const System& system, std::span<const std::uint32_t> row)
+{
+    m_bars.clear();
+    for (const int r : m_rods) {
+        const Rod& rod = system.rods[std::size_t(r)];
+        Bar bar;
+        bar.rod = r;
+        bar.a = row[std::size_t(rod.a)];
+        bar.b = row[std::size_t(rod.b)];
+        if (bar.a != bar.b && std::min(bar.a, bar.b) < nodes()) // something to move
+            m_bars.push_back(bar);
+    }
+}
+
+// Numbers the bars between two nodes and returns their ends.
+std::vector<std::pair<int, int>> DirectSolver::numberPairs()
+{
+    std::vector<std::pair<int, int>> pairs;
+    for (Bar& bar : m_bars)
+        if (bar.a < nodes() && bar.b < nodes()) {
+            bar.pair = int(pairs.size());
+            pairs.emplace_back(bar.a, bar.b);
+        }
+    return pairs;
+}
+
+void DirectSolver::takeGuides(const System& system)
+{
+    m_guides.clear();
+    if (system.guided.empty())
+        return;
+    m_guides.resize(m_particle.size());
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if (const GuidedParticle* guide = guideOf(system, m_particle[i]))
+            m_guides[i] = {int(i), guide->guide, guide->axis};
+    for (Bar& bar : m_bars)
+        bar.guided = m_guides[bar.a].guide != Guide::None || m_guides[bar.b].guide != Guide::None;
+}
+
+void DirectSolver::findIslands()
+{
+    // Every row points to a lower one of its island until it points to the lowest; those that a pin
+    // holds point to -1 in the end.
+    std::vector<int> lower(m_particle.size());
+    std::iota(lower.begin(), lower.end(), 0);
+    const auto lowest = [&](std::uint32_t row) {
+        while (lower[row] != int(row))
+            row = std::uint32_t(lower[row]);
+        return int(row);
+    };
+    std::vector<std::uint8_t> held(lower.size(), 0);
+    for (const Bar& bar : m_bars)
+        if (bar.pair >= 0) {
+            const auto [low, high] = std::minmax({lowest(bar.a), lowest(bar.b)});
+            lower[std::size_t(high)] = low;
+        }
+    for (const Bar& bar : m_bars)
+        if (bar.pair < 0)
+            held[std::size_t(lowest(std::min(bar.a, bar.b)))] = 1;
+    for (std::size_t i = 0; i < m_guides.size(); ++i) // a guide holds across itself
+        if (m_guides[i].guide != Guide::None)
+            held[std::size_t(lowest(std::uint32_t(i)))] = 1;
+
+    m_island.assign(nodes(), -1);
+    m_islandMass.clear();
+    std::vector<int> number(nodes(), -1);
+    for (std::size_t i = 0; i < nodes(); ++i) {
+        const auto root = std::size_t(lowest(std::uint32_t(i)));
+        if (held[root])
+            continue;
+        if (number[root] < 0) {
+            number[root] = int(m_islandMass.size());
+            m_islandMass.push_back(0.0);
+        }
+        m_island[i] = number[root];
+    }
+    m_drift.assign(m_islandMass.size(), Row{});
+}
+
+void DirectSolver::refresh(const System& system)
+{
+    if (hasSamePins(system))
+        takeValues(system);
+    else
+        prepare(system, std::vector<int>(m_rods));
+}
+
+bool DirectSolver::hasSamePins(const System& system) const
+{
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if ((system.inverseMass[std::size_t(m_particle[i])] == 0.0) != (i >= nodes()))
+            return false;
+    const auto sameGuide = [&](std::size_t i) {
+        const GuidedParticle* guide = guideOf(system, m_particle[i]);
+        const Guide now = guide ? guide->guide : Guide::None;
+        return m_guides.empty()
+                   ? now == Guide::None
+                   : m_guides[i].guide == now && (!guide || m_guides[i].axis == guide->axis);
+    };
+    for (std::size_t i = 0; i < m_particle.size(); ++i)
+        if (!sameGuide(i))
+            return false;
+    return true;
+}
+
+void DirectSolver::takeValues(const System& system)
+{
+    m_h = 0.0;
+    std::fill(m_islandMass.begin(), m_islandMass.end(), 0.0);
+    for (std::size_t i = 0; i < nodes(); ++i) {
+        m_mass[i] = 1.0 / system.inverseMass[std::size_t(m_particle[i])];
+        if (m_island[i] >= 0)
+            m_islandMass[std::size_t(m_island[i])] += m_mass[i];
+    }
+    for (Bar& bar : m_bars) {
+        const Rod& rod = system.rods[std::size_t(bar.rod)];
+        bar.resists = rod.resists;
+        bar.isElastic = rod.compliance > 0.0;
+        bar.weight =
+            system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];
+    }
+}
+
+} // namespace ripstop
