@@ -53,11 +53,11 @@ void DirectSolver::soften(const System& system, double h)
     const double load = greatLoad * std::accumulate(m_mass.begin(), m_mass.end(), 0.0);
     for (Bar& bar : m_bars) {
         const Rod& rod = system.rods[std::size_t(bar.rod)];
-        const double unseen = strainOfRigid * rod.restLength / (load * h * h);
-        bar.softness =
-            bar.isElastic
-                ? std::max(rod.compliance / (h * h), leastSoftness * bar.weight)
-                : std::clamp(unseen, leastSoftness * bar.weight, greatestSoftness * bar.weight);
+        const double unseen = strainOfRigid * rod.restLength / load;
+        bar.softness = bar.isElastic
+                           ? std::max(rod.compliance / (h * h), leastSoftness * bar.weight)
+                           : std::clamp(unseen / (h * h), leastSoftness * bar.weight,
+                                        greatestSoftness * bar.weight);
     }
 }
 

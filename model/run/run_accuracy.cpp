@@ -14,11 +14,11 @@ Message RunAccuracy::complaint() const
                 Message::number("%.3g", worst));
     return pulls / wantedPulls >= strain / wantedStrain
                ? Message("%1. Pulls in links are off by %2 % in the last one, where %3 % are "
-                         "wanted: the design is not as stiff as it says. Choose the automatic "
-                         "solver, or a shorter time step.",
+                         "wanted: the design is not as stiff as it says. Take a shorter time "
+                         "step, or the automatic solver.",
                          where, percent(pulls), percent(wantedPulls))
                : Message("%1. Rods that never stretch are %2 % too long in the last one, where %3 "
-                         "% are wanted. Choose the automatic solver, or a shorter time step.",
+                         "% are wanted. Take a shorter time step, or the automatic solver.",
                          where, percent(strain), percent(wantedStrain));
 }
 

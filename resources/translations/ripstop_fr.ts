@@ -5347,6 +5347,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <translation>tenu par des points fixés</translation>
     </message>
     <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a factor of %4</source>
+        <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans la liaison %3, d’un facteur %4</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>%1. Pulls in links are off by %2 % in the last one, where %3 % are wanted: the design is not as stiff as it says. Take a shorter time step, or the automatic solver.</source>
+        <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. Prendre un pas de temps plus court, ou le solveur automatique.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
+        <source>%1. Rods that never stretch are %2 % too long in the last one, where %3 % are wanted. Take a shorter time step, or the automatic solver.</source>
+        <translation>%1. Au dernier, des tiges qui ne s’étirent jamais sont trop longues de %2 %, où %3 % sont voulus. Prendre un pas de temps plus court, ou le solveur automatique.</translation>
+    </message>
+    <message>
         <location filename="run_files.cpp"/>
         <source>%1 is of another design than the one that is open. Open that design, too? The runs that are not saved are then lost.</source>
         <translation>%1 est d’un autre modèle que celui qui est ouvert. Ouvrir aussi ce modèle ? Les simulations non enregistrées sont alors perdues.</translation>
@@ -6278,6 +6293,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved together, since sweeps would need %2 substeps; %3</source>
+        <translation>%1 tiges sont résolues ensemble, car des balayages demanderaient %2 sous-pas ; %3</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved together, since they are too stiff for sweeps; %2</source>
+        <translation>%1 tiges sont résolues ensemble, car elles sont trop raides pour des balayages ; %2</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
         <source>%1; %2 needs at least %3</source>
         <translation>%1 ; %2 en demande au moins %3</translation>
     </message>
@@ -6368,6 +6393,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
+        <source>%1 links are too stiff for these sweeps, which make them up to %2 times as soft as they say.</source>
+        <translation>%1 liaisons sont trop raides pour ces balayages, qui les rendent jusqu’à %2 fois plus souples qu’elles ne le disent.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
         <source>%1 links join particles that are joined already, so that they are as stiff as two.</source>
         <translation>%1 liaisons joignent des particules déjà jointes, qui sont donc deux fois plus raides.</translation>
     </message>
@@ -6400,6 +6430,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="stability.cpp"/>
         <source>1 link is longer at the start than at rest by more than %1 %, up to %2 %.</source>
         <translation>1 liaison est plus longue au départ qu’au repos de plus de %1 %, jusqu’à %2 %.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 link is too stiff for these sweeps, which make it up to %1 times as soft as it says.</source>
+        <translation>1 liaison est trop raide pour ces balayages, qui la rendent jusqu’à %1 fois plus souple qu’elle ne le dit.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -6503,6 +6538,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Sweeps keep the stiffness of links to about %1 %.</source>
+        <translation>Les balayages respectent la raideur des liaisons à environ %1 % près.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
         <source>Take %1 substeps</source>
         <translation>Prendre %1 sous-pas</translation>
     </message>
@@ -6535,6 +6580,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="stability.cpp"/>
         <source>The substep is %1 s and may be up to %2 s for the springs and the bending; the automatic solver keeps to it.</source>
         <translation>Le sous-pas est de %1 s et peut aller jusqu’à %2 s pour les ressorts et la flexion ; le solveur automatique s’y tient.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>This solver takes what it needs to keep the stiffness of links to %1 %; the bar of the run shows what it reaches.</source>
+        <translation>Ce solveur prend ce qu’il faut pour respecter la raideur des liaisons à %1 % près ; la barre de la simulation montre ce qu’il atteint.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -6935,6 +6985,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Acceleration of everything that falls; y is up.</source>
         <translation>Accélération de tout ce qui tombe ; y est vers le haut.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Accuracy</source>
+        <translation>Précision</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7650,6 +7705,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Damping and step limits</source>
         <translation>Amortissement et limites de pas</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Defaults of a new scene</source>
+        <translation>Réglages d’une scène nouvelle</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8663,8 +8723,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Largest strain of rods that the automatic solver allows; smaller is stiffer and slower.</source>
-        <translation>Plus grande déformation des tiges que le solveur automatique permet ; plus petite, c’est plus raide et plus lent.</translation>
+        <source>Largest error of the pulls in links that a step may leave, against what their stiffness says; the automatic solver takes what that needs, and every run says where it was missed.</source>
+        <translation>Plus grande erreur des tractions dans les liaisons qu’un pas peut laisser, par rapport à ce que dit leur raideur ; le solveur automatique prend ce qu’il faut, et chaque simulation dit où elle a été manquée.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Largest strain that the automatic solver allows in rods without compliance, where it stands for the accuracy; smaller is stiffer and slower.</source>
+        <translation>Plus grande déformation que le solveur automatique admet dans les tiges sans souplesse, où elle tient lieu de précision ; plus petite, c’est plus raide et plus lent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10013,8 +10078,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Rule that restores the lengths of rods; the automatic one takes as many small steps as the wanted strain needs, and direct blocks for heavy loads on light lines; averaged Jacobi conserves momentum, the paper's does not.</source>
-        <translation>Règle qui rétablit les longueurs des tiges ; l’automatique prend autant de petits pas que la déformation voulue en demande, et des blocs directs pour de lourdes charges sur des lignes légères ; Jacobi moyenné conserve la quantité de mouvement, celui de l’article non.</translation>
+        <source>Rule that restores the lengths of rods; the automatic one takes what the wanted accuracy needs: small steps, or all rods together where they are stiff or carry heavy loads; averaged Jacobi conserves momentum, the paper's does not.</source>
+        <translation>Règle qui rend leurs longueurs aux tiges ; l’automatique prend ce que demande la précision voulue : de petits pas, ou toutes les tiges ensemble là où elles sont raides ou portent de lourdes charges ; le Jacobi moyenné conserve la quantité de mouvement, celui de l’article non.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10340,11 +10405,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Stiffened rod</source>
         <translation>Tige raidie</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Stiffness</source>
-        <translation>Raideur</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12214,6 +12274,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="transport.cpp"/>
+        <source>Error of the pulls in links in the last step, against what their stiffness says: %1 %, wanted %2 %. Largest strain of rods that never stretch: %3 %, wanted %4 %.</source>
+        <translation>Erreur des tractions dans les liaisons au dernier pas, par rapport à ce que dit leur raideur : %1 %, voulu %2 %. Plus grande déformation des tiges qui ne s’étirent jamais : %3 %, voulu %4 %.</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
         <source>One time step, then pause. Repeats while it is held down.</source>
         <translation>Un pas de temps, puis pause. Se répète tant qu’il est tenu.</translation>
     </message>
@@ -12291,6 +12356,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="transport.cpp"/>
         <source>as fast as possible</source>
         <translation>aussi vite que possible</translation>
+    </message>
+    <message>
+        <location filename="transport.cpp"/>
+        <source>error %1 %</source>
+        <translation>erreur %1 %</translation>
     </message>
     <message>
         <location filename="tuning.cpp"/>

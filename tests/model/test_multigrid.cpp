@@ -23,8 +23,9 @@ struct Net
 Row row(double x, double y, double z) { return {{x, y, z, 0.0}}; }
 
 // A sheet with both diagonals, `cells` each way, held along its first edge; its places are shaken
-// by a share of a cell, and the nodes stand in an order of their own when it is `shuffled`.
-Net sheet(int cells, double shake = 0.0, bool shuffled = false)
+// by a share of a cell in its plane, and across it where it is `rough`; the nodes stand in an order
+// of their own when it is `shuffled`.
+Net sheet(int cells, double shake = 0.0, bool shuffled = false, bool rough = false)
 {
     std::mt19937 random(7);
     const int side = cells + 1;
@@ -41,8 +42,9 @@ Net sheet(int cells, double shake = 0.0, bool shuffled = false)
         number[std::size_t(k)] = k < held ? int(net.nodes) + k : order[std::size_t(k - held)];
     const auto shaken = [&] { return shake * (double(random() % 1000) / 500.0 - 1.0); };
     for (int k = 0; k < side * side; ++k)
-        net.place[std::size_t(number[std::size_t(k)])] = row(
-            (k % side + shaken()) / cells, 2.0 + shaken() / cells, (k / side + shaken()) / cells);
+        net.place[std::size_t(number[std::size_t(k)])] =
+            row((k % side + shaken()) / cells, 2.0 + (rough ? shaken() / cells : 0.0),
+                (k / side + shaken()) / cells);
     const auto join = [&](int a, int b) {
         const int i = number[std::size_t(a)], j = number[std::size_t(b)];
         const bool iFree = std::size_t(i) < net.nodes, jFree = std::size_t(j) < net.nodes;
@@ -158,11 +160,11 @@ private slots:
                 QTest::addRow("%d cells, stiffness %g", cells, stiffness)
                     << cells << 0.0 << false << stiffness;
         QTest::newRow("shaken") << 40 << 0.2 << false << 1e6;
+        QTest::newRow("shaken, larger") << 80 << 0.2 << false << 1e6;
         QTest::newRow("in any order") << 40 << 0.1 << true << 1e6;
     }
 
-    // The estimate of the error that is left is right within a factor of ten, and the number of
-    // iterations stays as it is from 10 to 6 500 nodes.
+    // The number of iterations stays as it is from 10 to 6 500 nodes.
     void solves()
     {
         QFETCH(int, cells);
@@ -175,8 +177,22 @@ private slots:
         std::vector<Row> x = problem.right;
         problem.grid.solve(x, 0.0, 100, nothingToKeep);
         QVERIFY2(errorOf(problem, x) < 1e-4, qPrintable(QString::number(errorOf(problem, x))));
-        QVERIFY2(problem.grid.iterations() <= 40,
-                 qPrintable(QString::number(problem.grid.iterations())));
+        qInfo("%d iterations", problem.grid.iterations());
+        QVERIFY(problem.grid.iterations() <= 12);
+    }
+
+    // Where neighbours do not lie in one plane, what is stiff couples with what is soft; that takes
+    // more, and still comes to the end.
+    void solvesRoughSheets()
+    {
+        Problem problem;
+        fill(problem, sheet(40, 0.2, false, true), 1e6);
+        QVERIFY(problem.grid.factorize());
+        std::vector<Row> x = problem.right;
+        problem.grid.solve(x, 0.0, 200, nothingToKeep);
+        qInfo("%d iterations", problem.grid.iterations());
+        QVERIFY(problem.grid.iterations() < 200);
+        QVERIFY(errorOf(problem, x) < 1e-4);
     }
 
     void stopsAtItsGoal()
