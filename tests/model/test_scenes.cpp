@@ -221,6 +221,18 @@ private slots:
         QVERIFY2(strain < 0.001, qPrintable(QString::number(strain)));
     }
 
+    // EA = 100 kN: (M + m / 2) g L / (EA) of 65 kg and 0.5 kg on 10 m; the ends come first.
+    void stretchedLineIsAsLongAsItsStiffnessSays()
+    {
+        Simulation simulation = started("stretched_line");
+        QVERIFY(simulation.runUntil(18.0));
+        const auto& position = simulation.state().position;
+        const double longer = Vec3(position[0] - position[1]).norm() - 10.0;
+        const double expected = (65.0 + 0.5 * 0.5) * 9.80665 * 10.0 / 1e5;
+        QVERIFY2(std::abs(longer / expected - 1.0) < 0.01, qPrintable(QString::number(longer)));
+        QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+
     void sheetsLieOnTop_data()
     {
         QTest::addColumn<QString>("name");

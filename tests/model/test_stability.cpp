@@ -104,6 +104,38 @@ private slots:
         QVERIFY(scene.settings.substeps >= 3);
     }
 
+    // One sweep finds the pull of a rod of compliance c too soft by (wa + wb) h^2 / c: 10 g at both
+    // ends, h = 1 ms and c = 1e-3 m/N make it 20 %; 40 sweeps as much less.
+    void softness()
+    {
+        Scene scene = chain(4);
+        for (Link& link : part(scene).links) {
+            link.kind = LinkKind::Rod;
+            link.compliance = 1e-3;
+        }
+        scene.settings.solver = Solver::Auto;
+        QVERIFY(about(scene, "Stiffness", Severity::Fine));
+        scene.settings.timeStep = 1e-3;
+        scene.settings.substeps = 1;
+        scene.settings.solver = Solver::SmallSteps;
+        QVERIFY(isPoor(scene, "Stiffness"));
+        QVERIFY(about(scene, "Stiffness")->message.english().find("1.2 times")
+                != std::string::npos);
+        scene.settings.accuracy = 25.0; // %
+        QVERIFY(!isPoor(scene, "Stiffness"));
+        scene.settings.accuracy = 1.0;
+        scene.settings.solver = Solver::GaussSeidel;
+        scene.settings.sweeps = 40;
+        QVERIFY(!isPoor(scene, "Stiffness"));
+        scene.settings.sweeps = 10;
+        repair(scene, "Stiffness");
+        QVERIFY(scene.settings.solver == Solver::Auto);
+        for (Link& link : part(scene).links)
+            link.compliance = 0.0; // what never stretches is told of by its strain
+        scene.settings.solver = Solver::SmallSteps;
+        QVERIFY(!isPoor(scene, "Stiffness") && !about(scene, "Stiffness", Severity::Fine));
+    }
+
     void massRatio()
     {
         Scene scene = chain(4);

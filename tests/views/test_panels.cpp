@@ -18,6 +18,7 @@
 
 #include <QBuffer>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -246,6 +247,46 @@ private slots:
         QCOMPARE(part.links[0].restLength, 1.0);
         QCOMPARE(bench.document.history().count(), 2);
         QTRY_VERIFY(!poor());
+    }
+
+    // 65 kg on a line that one sweep makes far too soft: the run says so, in the bar and in the
+    // list, and a click leads to the link. A solver that can do it is content.
+    void aRunThatIsNotTrueIsToldOf()
+    {
+        Scene scene = *build(
+            *findBuilder("rope"),
+            {{"segments", 50}, {"length", 10}, {"axial", 1e5}, {"end_mass", 65}, {"angle", 0}});
+        scene.settings.solver = Solver::SmallSteps;
+        Bench bench(scene);
+        ProblemList problems(bench.document, bench.selection, bench.player);
+        Transport transport(bench.document, bench.player);
+        problems.resize(900, 200);
+        problems.show();
+        transport.show();
+        auto* list = problems.findChild<QListWidget*>();
+        auto* error = transport.findChild<QLabel*>("pull_error");
+        const auto isTold = [list] {
+            return list->count() == 1 && list->item(0)->text().contains("wanted accuracy");
+        };
+        QTRY_VERIFY(bench.isReady());
+        QVERIFY(error->text().isEmpty());
+        bench.player.play();
+        QTRY_VERIFY(isTold());
+        bench.player.pause();
+        QVERIFY(error->font().bold());
+        QVERIFY(error->toolTip().contains("wanted accuracy"));
+        QVERIFY(error->sizeHint().width() <= error->width());
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualItemRect(list->item(0)).center());
+        QCOMPARE(bench.selection.ids().size(), std::size_t(1));
+
+        bench.player.reset();
+        bench.document.push(
+            setValue(bench.document.scene(), settingsId, "solver", std::string("auto")));
+        bench.player.play();
+        QTRY_VERIFY(!error->text().isEmpty() && !error->font().bold());
+        bench.player.pause();
+        QCOMPARE(list->count(), 0);
     }
 
     // Both the check and the stability list know of it; the one with a repair tells it.

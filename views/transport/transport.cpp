@@ -63,7 +63,7 @@ Transport::Transport(Document& document, Player& player, QWidget* parent)
     , m_time(steadyLabel(QStringLiteral("00000.000 s"), tr("Simulated time since the start")))
     , m_ratio(steadyLabel(QStringLiteral("00000.00x"), {}))
     , m_substeps(steadyLabel(tr("%1 substeps").arg(2000), {}))
-    , m_accuracy(steadyLabel(tr("error %1 %").arg(QStringLiteral("00.00")), {}))
+    , m_accuracy(steadyLabel(tr("error %1 %").arg(QStringLiteral("00.000")), {}))
 {
     m_badge->setObjectName(QStringLiteral("mode"));
     m_badge->setAlignment(Qt::AlignCenter);
@@ -198,7 +198,10 @@ void Transport::refreshAccuracy()
     const bool byPulls =
         accuracy.pulls / accuracy.wantedPulls >= accuracy.strain / accuracy.wantedStrain;
     const double shown = byPulls ? accuracy.pulls : accuracy.strain;
-    m_accuracy->setText(tr("error %1 %").arg(shown < 1e-4 ? QStringLiteral("0") : percent(shown)));
+    m_accuracy->setText(tr("error %1 %")
+                            .arg(shown < 1e-4   ? QStringLiteral("0")
+                                 : shown < 9.99 ? percent(shown)
+                                                : QStringLiteral(">999")));
     QFont font = this->font();
     font.setBold(!accuracy.isMet());
     m_accuracy->setFont(font);
