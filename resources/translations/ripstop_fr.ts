@@ -6833,6 +6833,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>A line of EA = 100 kN and 10 m hangs 65 kg. It bounces, and comes to rest 64 mm longer, M g L / (EA).</source>
+        <translation>Une corde de EA = 100 kN et de 10 m porte 65 kg. Elle rebondit et s’arrête 64 mm plus longue, M g L / (EA).</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A line resists tension only, a strut compression only, a batten both.</source>
         <translation>Une ligne ne résiste qu’à la traction, un étai qu’à la compression, une latte aux deux.</translation>
     </message>
@@ -10440,6 +10445,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Stretch of a rod per newton; 0 never stretches.</source>
         <translation>Allongement d’une tige par newton ; 0 ne s’allonge jamais.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Stretched line</source>
+        <translation>Corde étirée</translation>
     </message>
     <message>
         <location filename="tables"/>
