@@ -20,6 +20,7 @@ constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
 constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
 constexpr double greatestSoftness = 1e-4;
 constexpr int halvings = 6;
+constexpr double atRest = 1e-12; // of the length: lines that are neither slack nor tight take part
 
 constexpr int mostIterations = 200;
 constexpr double leftByIterations = 0.4; // of the accuracy; both together stay within it
@@ -220,9 +221,9 @@ bool DirectSolver::acts(const Bar& bar)
         return false;
     switch (bar.resists) {
     case Resists::Tension:
-        return bar.rest == 0.0 || bar.multiplier * bar.weight + bar.stretch > 0.0;
+        return bar.rest == 0.0 || bar.multiplier * bar.weight + bar.stretch > -atRest * bar.rest;
     case Resists::Compression:
-        return bar.multiplier * bar.weight + bar.stretch < 0.0;
+        return bar.multiplier * bar.weight + bar.stretch < atRest * bar.rest;
     case Resists::Both:
         break;
     }
