@@ -161,6 +161,7 @@ void DirectSolver::startNearer(const RodTask& task)
 // Puts the moves in place of the right-hand side.
 bool DirectSolver::solveForMoves()
 {
+    m_left = 0.0;
     if (!m_iterates) {
         if (!m_factor.factorize())
             return false;

@@ -220,9 +220,6 @@ double bendingEnergy(const System& system, const State& state)
     return energy;
 }
 
-std::unique_ptr<Force> BendLists::makeForce()
-{
-    return std::make_unique<BendForce>();
-}
+std::unique_ptr<Force> BendLists::makeForce() { return std::make_unique<BendForce>(); }
 
 } // namespace ripstop

@@ -57,9 +57,6 @@ void fillFabricLoads(const System& system, const State& state, ThreadPool& pool,
     addCanopyLoads(system, state, pool, load);
 }
 
-std::unique_ptr<Force> FabricLists::makeForce()
-{
-    return std::make_unique<FabricAirForce>();
-}
+std::unique_ptr<Force> FabricLists::makeForce() { return std::make_unique<FabricAirForce>(); }
 
 } // namespace ripstop

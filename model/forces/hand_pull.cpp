@@ -151,9 +151,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Force> HandLists::makeForce()
-{
-    return std::make_unique<HandPullForce>();
-}
+std::unique_ptr<Force> HandLists::makeForce() { return std::make_unique<HandPullForce>(); }
 
 } // namespace ripstop

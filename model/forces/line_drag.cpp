@@ -105,9 +105,6 @@ void fillLineDrags(const System& system, const State& state, ThreadPool& pool,
     });
 }
 
-std::unique_ptr<Force> LineLists::makeForce()
-{
-    return std::make_unique<LineDragForce>();
-}
+std::unique_ptr<Force> LineLists::makeForce() { return std::make_unique<LineDragForce>(); }
 
 } // namespace ripstop

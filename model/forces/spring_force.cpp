@@ -172,9 +172,6 @@ void SpringForce::addStiffness(const System& system, std::span<double> stiffness
         }
 }
 
-std::unique_ptr<Force> SpringLists::makeForce()
-{
-    return std::make_unique<SpringForce>();
-}
+std::unique_ptr<Force> SpringLists::makeForce() { return std::make_unique<SpringForce>(); }
 
 } // namespace ripstop

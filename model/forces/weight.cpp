@@ -24,9 +24,6 @@ public:
 
 } // namespace
 
-std::unique_ptr<Force> WeightLists::makeForce()
-{
-    return std::make_unique<WeightForce>();
-}
+std::unique_ptr<Force> WeightLists::makeForce() { return std::make_unique<WeightForce>(); }
 
 } // namespace ripstop

@@ -1,5 +1,7 @@
 #include "step/accuracy.h"
 
+#include "forces/spring_force.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,19 +9,6 @@ namespace ripstop {
 namespace {
 
 constexpr double unseen = 1e-5; // strain
-
-double allowed(Resists resists, double pull)
-{
-    switch (resists) {
-    case Resists::Tension:
-        return std::max(pull, 0.0);
-    case Resists::Compression:
-        return std::min(pull, 0.0);
-    case Resists::Both:
-        break;
-    }
-    return pull;
-}
 
 } // namespace
 
@@ -47,7 +36,7 @@ StepAccuracy accuracyOf(const System& system, const State& state,
             continue;
         const double length =
             (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm();
-        const double stretch = allowed(rod.resists, length - rest);
+        const double stretch = isSlack(rod.resists, length - rest) ? 0.0 : length - rest;
         if (rod.compliance > 0.0) {
             const double given = state.rodTension[r];
             const double wrong = stretch / rod.compliance - given;

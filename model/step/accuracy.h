@@ -4,10 +4,9 @@
 // Both are the same where the solver has converged. Sweeps that have not leave rods longer than
 // their tension explains: the design is softer then than what was typed, however still it hangs.
 //
-//   - Rods with a compliance c: the error is the root of  sum c (law - given)^2  over  sum c
-//   given^2,
-//     the energy of what is off over that of the pulls. Pulls that strain a rod by less than
-//     1e-5 do not count.
+//   - Rods with a compliance c: the error is the root of sum c (law - given)^2 / sum c given^2, the
+//     energy of what is off over that of the pulls. Pulls that strain a rod by less than 1e-5 do
+//     not count.
 //   - Rods without one have no law but their length: their strain stands for the error, against the
 //     strain that is wanted.
 //

@@ -1,8 +1,8 @@
 // Which forces there are, and what each derives from the rest of a System.
 //
 // The type of what a force derives stands for that force: its makeForce(), which the source of the
-// force defines, gives the force itself, and a program that lacks one does not link. What the author's own arrays say
-// already (springs, panels, weights) is not repeated here.
+// force defines, gives the force itself, and a program that lacks one does not link. What the
+// author's own arrays say already (springs, panels, weights) is not repeated here.
 //
 // Whoever changes a finished system in place has the lists filled anew by listForces()
 // (forces/forces.h).

@@ -279,6 +279,40 @@ private slots:
         QVERIFY(count.others >= 1);
     }
 
+    // Large enough for coarser networks, of threads with a real stiffness.
+    void largeSheet()
+    {
+        constexpr int side = 40;
+        System system = heavySystem(0.01);
+        system.solver = Solver::Auto;
+        for (int i = 0; i < side * side; ++i) {
+            const Vec3 place(0.02 * (i % side), -0.02 * (i / side), 0.0);
+            if (i < side)
+                addPin(system, place);
+            else
+                addParticle(system, place, 2e-5);
+        }
+        const auto rod = [&](int a, int b) {
+            addRod(system, a, b, distance(system, a, b)).compliance = 2.5e-5;
+        };
+        for (int i = 0; i < side * side; ++i) {
+            if (i % side + 1 < side)
+                rod(i, i + 1);
+            if (i + side < side * side)
+                rod(i, i + side);
+        }
+        finish(system);
+        Stepper stepper;
+        State state = system.start;
+        for (int i = 0; i < warmUp; ++i)
+            stepper.step(system, state);
+        report(allocationsOf([&] {
+            for (int i = 0; i < counted; ++i)
+                stepper.step(system, state);
+        }));
+        QVERIFY(stepper.choice(system).english().find("together") != std::string::npos);
+    }
+
     void solvers_data()
     {
         QTest::addColumn<Integrator>("integrator");

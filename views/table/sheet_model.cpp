@@ -177,7 +177,7 @@ QVariant SheetModel::data(const QModelIndex& index, int role) const
     case Qt::DecorationRole:
         return property.meaning == Meaning::Color ? QVariant(
                    QColor(QString::fromStdString(cellText(m_document.scene(), *thing, column))))
-                                                      : QVariant();
+                                                  : QVariant();
     default:
         return {};
     }

@@ -1,7 +1,7 @@
 // The bar that runs the simulation: back to the design, one step, play and pause, speed; and where
 // the run stands: the mode, the simulated time, s, how it keeps up with the clock, the
-// substeps, and how true it is. It keeps no state: buttons call the Player, and everything shown is read from the
-// player and its newest frame. Only the window's thread uses it.
+// substeps, and how true it is. It keeps no state: buttons call the Player, and everything shown is
+// read from the player and its newest frame. Only the window's thread uses it.
 #pragma once
 
 #include <QWidget>
