@@ -200,8 +200,6 @@ Coarsening coarsened(const NetworkGraph& graph)
             coarse.anchors.emplace_back(i, anchor);
     sortUnique(coarse.anchors);
 
-    // Diagonals of the next level are targets after its blocks.
-
     eachPair([&](std::uint32_t i, std::uint32_t j) {
         result.target.push_back(
             i == j ? std::uint32_t(coarse.pairs.size() + i)

@@ -11,17 +11,13 @@
 namespace ripstop {
 namespace {
 
-constexpr std::size_t smallEnough = 48; // nodes, of the coarsest level
-constexpr double nothing = 1e-5;        // of the energy's root
-constexpr double usualFall = 0.02;      // of the square of the error, in an iteration
+constexpr std::size_t smallEnough = 48;      // nodes, of the coarsest level
+constexpr std::size_t mostFactorised = 2000; // nodes, where a network has no coarser one
+constexpr double nothing = 1e-5;             // of the energy's root
+constexpr double usualFall = 0.02;           // of the square of the error, in an iteration
 constexpr double toSpare = 3.0;
 
 using Block = BlockCholesky::Block;
-
-RIPSTOP_INLINE double dot3(const double* a, const double* b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 RIPSTOP_INLINE Pack times(const Block& block, const Row& x)
 {
@@ -94,6 +90,11 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
         level.target = std::move(next.target);
         graph = std::move(next.graph);
     }
+    m_factorises = graph.nodes <= mostFactorised;
+    if (!m_factorises) {
+        m_levels.back().inverse.assign(graph.nodes, Block{});
+        graph = {};
+    }
     std::vector<std::pair<int, int>> last;
     for (const auto& [a, b] : graph.pairs)
         last.emplace_back(int(a), int(b));
@@ -115,7 +116,9 @@ bool Multigrid::factorize()
             return false;
         makeCoarser(m_levels[l], m_levels[l + 1]);
     }
-    const Level& last = m_levels.back();
+    Level& last = m_levels.back();
+    if (!m_factorises)
+        return invert(last);
     m_coarsest.setZero();
     for (std::size_t i = 0; i < last.diagonal.size(); ++i)
         m_coarsest.diagonal(i) = last.diagonal[i];
@@ -268,6 +271,11 @@ void Multigrid::prolongFrom(Level& fine, const Level& coarse)
 void Multigrid::cycle(std::size_t l)
 {
     Level& level = m_levels[l];
+    if (l + 1 == m_levels.size() && !m_factorises) {
+        forward(level);
+        backward(level);
+        return;
+    }
     if (l + 1 == m_levels.size()) {
         std::copy(level.b.begin(), level.b.end(), level.x.begin());
         m_coarsest.solve(level.x);

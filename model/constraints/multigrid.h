@@ -9,11 +9,12 @@
 //
 //   - A level keeps about one node of four on sheets, one of two on lines; the others move as these
 //     tell (coarsening.h).
-//   - The coarse matrix is P^T A P (Galerkin). As P has one number for each pair of nodes, its
-//   blocks
-//     stay symmetric.
+//   - The coarse matrix is P^T A P (Galerkin). P has one number for each pair of nodes, so that its
+//     blocks stay symmetric.
 //   - A cycle is one sweep of block Gauss-Seidel forth before the coarser level and one back after
 //     it; the coarsest level is factorised. Being symmetric it suits conjugate gradients.
+//   - A large network whose nodes are all tied to what is held has no coarser one and needs none:
+//     sweeps alone are quick there.
 //
 // The pattern, the weights and the order of all sums are those of analyze(): the same numbers give
 // the same bits. Nothing is kept from one solve() to the next.
@@ -85,6 +86,7 @@ private:
     std::vector<Level> m_levels;       // the finest first
     std::vector<std::uint32_t> m_pair; // [pairs] block of the finest level
     int m_iterations = 0;
+    bool m_factorises = true;            // the last level
     BlockCholesky m_coarsest;            // of the last level
     std::vector<Row> m_x, m_r, m_p, m_q; // [nodes] of conjugate gradients
 };

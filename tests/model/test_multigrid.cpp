@@ -195,6 +195,25 @@ private slots:
         QVERIFY(errorOf(problem, x) < 1e-4);
     }
 
+    // Every node is tied to something that is held: there is no coarser network, and none is
+    // needed.
+    void solvesWhatIsHeldAllOver()
+    {
+        Net net = sheet(60);
+        const auto anchor = net.anchors.front().second;
+        for (std::size_t i = 0; i < net.nodes; ++i)
+            net.anchors.emplace_back(int(i), anchor);
+        Problem problem;
+        fill(problem, net, 1e6);
+        QCOMPARE(problem.grid.levels(), std::size_t(1));
+        QVERIFY(problem.grid.factorize());
+        std::vector<Row> x = problem.right;
+        problem.grid.solve(x, 0.0, 400, nothingToKeep);
+        qInfo("%d iterations", problem.grid.iterations());
+        QVERIFY(problem.grid.iterations() < 400);
+        QVERIFY(errorOf(problem, x) < 1e-4);
+    }
+
     void stopsAtItsGoal()
     {
         Problem problem;
