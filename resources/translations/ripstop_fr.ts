@@ -5353,6 +5353,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
+        <source>%1. By now it is kept; a shorter time step may keep it throughout.</source>
+        <translation>%1. À présent elle est tenue ; un pas de temps plus court peut la tenir tout du long.</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
         <source>%1. Pulls in links are off by %2 % in the last one, where %3 % are wanted: the design is not as stiff as it says. Take a shorter time step, or the automatic solver.</source>
         <translation>%1. Au dernier, les tractions dans les liaisons s’écartent de %2 %, où %3 % sont voulus : le modèle n’est pas aussi raide qu’il le dit. Prendre un pas de temps plus court, ou le solveur automatique.</translation>
     </message>
