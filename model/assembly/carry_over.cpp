@@ -161,10 +161,11 @@ State carryOver(const System& from, const State& state, const System& to, State 
     followNeighbours(to, carried, placed);
     for (std::size_t j = 0; j < to.key.size(); ++j) {
         if (!placed[j]) // this particle has no previous step to remember
-            carried.drift[j] = carried.velocity[j];
+            carried.drift[j] = carried.velocityBefore[j] = carried.velocity[j];
         if (to.inverseMass[j] == 0.0) { // what has just been pinned stops, for the air as well
             carried.velocity[j].setZero();
             carried.drift[j].setZero();
+            carried.velocityBefore[j].setZero();
         }
     }
     for (const GuidedParticle& guided : to.guided)

@@ -6,10 +6,29 @@
 
 namespace ripstop {
 
-enum class Integrator { ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet };
+enum class Integrator {
+    ExplicitEuler,
+    SemiImplicitEuler,
+    Verlet,         // Verlet 1967
+    VelocityVerlet, // Swope, Andersen, Berens and Wilson 1982
+    Bdf2,           // backward differences of second order (Curtiss and Hirschfelder 1952)
+    RungeKutta4     // Kutta 1901
+};
 template <>
-inline constexpr std::array<std::string_view, 4> choiceNames<Integrator>{
-    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet"};
+inline constexpr std::array<std::string_view, 6> choiceNames<Integrator>{
+    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet", "bdf2", "rk4"};
+
+// Whether it goes on from State::drift instead of from the velocity.
+constexpr bool isVerlet(Integrator integrator)
+{
+    return integrator == Integrator::Verlet || integrator == Integrator::VelocityVerlet;
+}
+
+// Whether it looks back one substep, and so begins anew after one of another length.
+constexpr bool looksBack(Integrator integrator)
+{
+    return isVerlet(integrator) || integrator == Integrator::Bdf2;
+}
 
 enum class Solver {
     AveragedJacobi, // mass-split: conserves momentum (Tonge 2012)

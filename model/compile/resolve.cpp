@@ -145,6 +145,7 @@ void takeSettings(const Settings& settings, System& system)
     system.solver = settings.solver;
     system.accuracy = settings.accuracy / 100.0;
     system.strainGoal = settings.strainGoal / 100.0;
+    system.rampTime = settings.rampTime;
     system.tearsPerStep = settings.tearsPerStep;
     system.tearMesh = settings.tearMesh;
     system.gravity = settings.gravity;

@@ -56,6 +56,7 @@ void turnAlong(const GuidedParticle& guided, State& state)
     const auto p = std::size_t(guided.particle);
     state.velocity[p] = guided.freePart(state.velocity[p]);
     state.drift[p] = guided.freePart(state.drift[p]);
+    state.velocityBefore[p] = guided.freePart(state.velocityBefore[p]);
 }
 
 } // namespace ripstop

@@ -131,7 +131,8 @@ void resolveContact(const ContactWork& work, std::size_t i)
         const Rebound now = rebound(obstacle, state.velocity[i] - pace, n, restSpeed);
         const Rebound lag = rebound(obstacle, state.drift[i] - pace, n, restSpeed);
         state.velocity[i] = now.velocity + pace;
-        state.drift[i] = lag.velocity + pace;
+        if (isVerlet(system.integrator))
+            state.drift[i] = lag.velocity + pace;
 
         // What holds a particle also takes back the way it went along the surface in this
         // substep; otherwise whatever sticks to a slope would creep down by g h sin(slope).

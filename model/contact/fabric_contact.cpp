@@ -275,7 +275,8 @@ void FabricContact::resolve(const System& system, State& state) const
         const double missing = std::min(pair.thickness - distance, pair.thickness);
         meeting.push(system.inverseMass, missing * normal, state.position);
         stopClosing(meeting, system.inverseMass, normal, pair.friction, state.velocity);
-        stopClosing(meeting, system.inverseMass, normal, pair.friction, state.drift);
+        if (isVerlet(system.integrator))
+            stopClosing(meeting, system.inverseMass, normal, pair.friction, state.drift);
     }
 }
 

@@ -123,10 +123,9 @@ void HandWork::halt(RunState& run)
 void HandWork::stopMotion(RunState& run)
 {
     note(HandNote::Halt{}, run);
-    for (PaddedVec3& velocity : run.now.velocity)
-        velocity.setZero();
-    for (PaddedVec3& drift : run.now.drift)
-        drift.setZero();
+    for (auto* motion : {&run.now.velocity, &run.now.drift, &run.now.velocityBefore})
+        for (PaddedVec3& velocity : *motion)
+            velocity.setZero();
 }
 
 void HandWork::fill(Frame& frame, const System& system, const State& state, double h) const

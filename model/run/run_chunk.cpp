@@ -147,6 +147,9 @@ std::optional<RunChunk> chunkOf(std::string_view bytes)
     }
     if (!reader.ok() || !reader.atEnd())
         return std::nullopt;
+    auto& velocityBefore = const_cast<State&>(*chunk.start).velocityBefore;
+    if (velocityBefore.empty()) // an older stretch, which has no integrator that looks at it
+        velocityBefore = chunk.start->velocity;
     return chunk;
 }
 

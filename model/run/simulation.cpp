@@ -12,6 +12,7 @@
 #include "run/derived_system.h"
 #include "run/hand_work.h"
 #include "run/probe_reader.h"
+#include "run/ramps.h"
 #include "step/stepper.h"
 #include "step/watchdog.h"
 #include "system/moment.h"
@@ -68,6 +69,10 @@ public:
     std::optional<Trouble> trouble;
 
 private:
+    std::optional<NotedLinks> linksBeforeEdit() const;
+    void rampFrom(const std::optional<NotedLinks>& noted);
+    std::shared_ptr<const System> endRamps();
+    void followRamps(double time);
     void noteAccuracy();
     void startOver();
     void resetTo(const Patch& patch);
@@ -76,6 +81,40 @@ private:
 };
 
 // --- loading ---------------------------------------------------------------------------------
+
+// Before the first step nothing pulls yet, and edits count at once.
+std::optional<NotedLinks> Simulation::Private::linksBeforeEdit() const
+{
+    if (run.now.step == 0)
+        return std::nullopt;
+    return NotedLinks(*derived.compiled(), run.now.ramps, run.now.time);
+}
+
+// After the compiled system was edited, and before anything is derived from it.
+void Simulation::Private::rampFrom(const std::optional<NotedLinks>& noted)
+{
+    if (noted)
+        run.now.ramps = noted->rampsTo(*derived.compiled());
+    if (!run.now.ramps.empty())
+        derived.apply(rampsAt(*derived.compiled(), run.now.ramps, run.now.time));
+}
+
+// Makes the compiled system what it was compiled to. Returns what was derived of it and is no more.
+std::shared_ptr<const System> Simulation::Private::endRamps()
+{
+    if (run.now.ramps.empty())
+        return nullptr;
+    return derived.apply(endsOf(*derived.compiled(), run.now.ramps));
+}
+
+void Simulation::Private::followRamps(double time)
+{
+    if (run.now.ramps.empty())
+        return;
+    if (const auto before = derived.apply(rampsAt(*derived.compiled(), run.now.ramps, time)))
+        derived.carryOn(*before, run);
+    dropEnded(run.now.ramps, time);
+}
 
 // A new run, from the start of the compiled system.
 void Simulation::Private::startOver()
@@ -90,11 +129,13 @@ void Simulation::Private::load(std::shared_ptr<const System> system)
 {
     accuracy = {};
     const bool again = system->run != derived.compiled()->run;
+    const auto noted = linksBeforeEdit();
     const std::shared_ptr<const System> before = derived.replace(std::move(system));
     if (again) {
         startOver();
     } else {
         run.atStart = false;
+        rampFrom(noted);
         derived.carryOn(*before, run);
     }
     trouble.reset(); // the edit may have cured it
@@ -104,12 +145,16 @@ void Simulation::Private::apply(const Patch& patch)
 {
     accuracy = {};
     const bool again = patch.run != derived.compiled()->run;
-    const std::shared_ptr<const System> before = derived.apply(patch);
+    const auto noted = linksBeforeEdit();
+    std::shared_ptr<const System> before = endRamps();
+    if (auto derivedBefore = derived.apply(patch))
+        before = std::move(derivedBefore);
     trouble.reset();
     if (before && again)
         return startOver();
     if (again)
         return resetTo(patch);
+    rampFrom(noted);
     if (before) { // what tears have split is made anew from what was patched
         run.atStart = false;
         return derived.carryOn(*before, run);
@@ -121,6 +166,7 @@ void Simulation::Private::apply(const Patch& patch)
         if (row.pinned) {
             run.now.velocity[std::size_t(i)].setZero();
             run.now.drift[std::size_t(i)].setZero();
+            run.now.velocityBefore[std::size_t(i)].setZero();
         }
         turnAlong(guidedOf(row, i), run.now);
     }
@@ -147,12 +193,20 @@ void Simulation::Private::resume(const Moment& moment)
     hands.forget();
     run.atStart = false;
     trouble.reset();
+    endRamps();
     derived.goOnFrom(moment, run);
+    const NotedLinks noted(*moment.system, moment.state.ramps, moment.state.time);
+    run.now.ramps = noted.rampsTo(*derived.compiled());
+    followRamps(run.now.time);
 }
 
 void Simulation::Private::place(State state)
 {
-    if (state.splits != run.now.splits || state.hands.pins != run.now.hands.pins)
+    const bool hasRamps = !run.now.ramps.empty() || !state.ramps.empty();
+    endRamps();
+    if (hasRamps)
+        derived.apply(rampsAt(*derived.compiled(), state.ramps, state.time));
+    if (hasRamps || state.splits != run.now.splits || state.hands.pins != run.now.hands.pins)
         derived.derive(state);
     run.now = std::move(state);
 }
@@ -164,9 +218,13 @@ bool Simulation::Private::step()
     if (trouble)
         return false;
     run.atStart = false;
+    const bool keepsLedger = wantsLedger(system());
+    const double energy = keepsLedger ? energies(system(), run.now).total() : 0.0;
+    followRamps(run.now.time + system().timeStep);
+    if (keepsLedger) // what a ramp brings is the work of the hand that typed
+        run.now.work.hands += energies(system(), run.now).total() - energy;
     run.lastGood = run.now;
     const std::size_t tears = run.now.tears.size();
-    const bool keepsLedger = wantsLedger(system());
     stepper.watch(keepsLedger ? &ledger : nullptr);
     if (keepsLedger)
         ledger.begin(system(), run.now, substep());

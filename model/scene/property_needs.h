@@ -45,6 +45,7 @@ using Around = Circumstances;
 // clang-format off
 
 // the solver and what it works on
+inline constexpr Need someLink = need([](const Around& a) { return a.all.links() > 0; }, "there are no links");
 inline constexpr Need someRod = need([](const Around& a) { return a.all.rods > 0; }, "no link is a rod, and springs need no solver");
 inline constexpr Need aimsAtStrain = need([](const Settings& s, const Around&) { return s.solver == Solver::Auto; }, "only the automatic solver aims at a strain");
 inline constexpr Need sweeps = need([](const Settings& s, const Around&) { return s.solver != Solver::SmallSteps && s.solver != Solver::Auto; }, "this solver makes one sweep in each substep; give it more substeps");

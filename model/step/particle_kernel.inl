@@ -3,7 +3,24 @@
 RIPSTOP_INLINE void stop(const ParticleMotion& m, std::size_t i) // a pinned particle
 {
     pack(m.before[i]) = pack(m.position[i]);
-    pack(m.velocity[i]) = pack(m.drift[i]) = Pack{};
+    pack(m.velocity[i]) = pack(m.drift[i]) = pack(m.velocityBefore[i]) = Pack{};
+}
+
+// Forces are at the end of the substep, as far as the last two tell where that is. Places are told
+// to first order alone, which what oscillates on a stiff spring stays stable by.
+RIPSTOP_INLINE void foresee(const ParticleMotion& m, std::size_t first, std::size_t last)
+{
+    const Pack h = all(m.h);
+    for (std::size_t i = first; i < last; ++i) {
+        const Pack x = pack(m.position[i]);
+        const Pack v = pack(m.velocity[i]);
+        pack(m.before[i]) = x;
+        pack(m.scratch[i]) = v;
+        if (m.inverseMass[i] == 0.0 || !m.drifts)
+            continue;
+        pack(m.position[i]) = x + h * v;
+        pack(m.velocity[i]) = 2.0 * v - pack(m.velocityBefore[i]);
+    }
 }
 
 // Moves particles to where they would be without rods.
@@ -16,8 +33,9 @@ RIPSTOP_INLINE void predict(const ParticleMotion& m, std::size_t first, std::siz
             stop(m, i);
             continue;
         }
-        Pack x = pack(m.position[i]);
-        Pack v = pack(m.velocity[i]);
+        constexpr bool foreseen = integrator == Integrator::Bdf2;
+        Pack x = foreseen ? pack(m.before[i]) : pack(m.position[i]);
+        Pack v = foreseen ? pack(m.scratch[i]) : pack(m.velocity[i]);
         const Pack a = pack(m.acceleration[i]);
         pack(m.before[i]) = x;
         if constexpr (integrator == Integrator::ExplicitEuler) {
@@ -26,6 +44,22 @@ RIPSTOP_INLINE void predict(const ParticleMotion& m, std::size_t first, std::siz
         } else if constexpr (integrator == Integrator::SemiImplicitEuler) {
             v += h * a;
             x += h * v;
+        } else if constexpr (integrator == Integrator::RungeKutta4) {
+            v += h * a; // the means that Stepper::takeMeans() has found
+            x += h * pack(m.scratch[i]);
+        } else if constexpr (integrator == Integrator::Bdf2) {
+            // 3 v' - 4 v + v'' = 2 h a and 3 x' - 4 x + x'' = 2 h v', which rods then go on with:
+            // their pulls are those of the end of the substep. The first is one of implicit Euler.
+            const Pack now = v;
+            if (m.drifts) {
+                v = (4.0 * v - pack(m.velocityBefore[i])) * all(1.0 / 3.0) + all(m.reach) * a;
+                x += h * all(1.0 / 3.0) * pack(m.drift[i]) + all(m.reach) * v;
+            } else {
+                v += h * a;
+                x += h * v;
+            }
+            pack(m.velocityBefore[i]) = now;
+            pack(m.scratch[i]) = x;
         } else {
             // x' = 2 x - previous + a h^2, Verlet 1967, with (x - previous) / h remembered instead
             // of the previous position, which would lose digits far from the origin. The start
@@ -41,7 +75,7 @@ RIPSTOP_INLINE void predict(const ParticleMotion& m, std::size_t first, std::siz
         pack(m.position[i]) = x;
         pack(m.velocity[i]) = v;
         if constexpr (integrator == Integrator::ExplicitEuler)
-            pack(m.predicted[i]) = x;
+            pack(m.scratch[i]) = x;
     }
 }
 
@@ -51,8 +85,10 @@ RIPSTOP_INLINE bool isZero(Pack v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] =
 template <Integrator integrator>
 RIPSTOP_INLINE Pack predicted(const ParticleMotion& m, std::size_t i)
 {
-    if constexpr (integrator == Integrator::ExplicitEuler)
-        return pack(m.predicted[i]);
+    if constexpr (integrator == Integrator::ExplicitEuler || integrator == Integrator::Bdf2)
+        return pack(m.scratch[i]);
+    else if constexpr (integrator == Integrator::RungeKutta4)
+        return pack(m.before[i]) + all(m.h) * pack(m.scratch[i]);
     else if constexpr (integrator == Integrator::SemiImplicitEuler)
         return pack(m.before[i]) + all(m.h) * pack(m.velocity[i]);
     else
@@ -63,15 +99,13 @@ RIPSTOP_INLINE Pack predicted(const ParticleMotion& m, std::size_t i)
 template <Integrator integrator>
 RIPSTOP_INLINE void followRods(const ParticleMotion& m, std::size_t first, std::size_t last)
 {
-    constexpr bool verlet =
-        integrator == Integrator::Verlet || integrator == Integrator::VelocityVerlet;
-    const Pack perStep = all(1.0 / m.h);
+    const Pack perStep = all(1.0 / m.reach);
     const Pack keep = all(m.keep);
     for (std::size_t i = first; i < last; ++i) {
         if (m.inverseMass[i] == 0.0)
             continue;
         const Pack correction = pack(m.position[i]) - predicted<integrator>(m, i);
-        if constexpr (verlet) {
+        if constexpr (isVerlet(integrator)) {
             // The half step of acceleration that turns the drift into the velocity of now is right
             // for free motion only: at rest in a rod it would read as a fall.
             const Pack drift = pack(m.drift[i]) + correction * perStep;
@@ -80,9 +114,28 @@ RIPSTOP_INLINE void followRods(const ParticleMotion& m, std::size_t first, std::
                 v += 0.5 * all(m.h) * pack(m.acceleration[i]);
             pack(m.velocity[i]) = v * keep;
             pack(m.drift[i]) = drift * keep;
+        } else if constexpr (integrator == Integrator::Bdf2) {
+            const Pack v = pack(m.velocity[i]) + correction * perStep;
+            const Pack drift =
+                m.drifts ? Pack(all(1.0 / 3.0) * pack(m.drift[i]) + all(2.0 / 3.0) * v) : v;
+            pack(m.velocity[i]) = pack(m.scratch[i]) = v * keep;
+            pack(m.drift[i]) = drift * keep;
+            pack(m.velocityBefore[i]) *= keep;
         } else {
             pack(m.velocity[i]) = (pack(m.velocity[i]) + correction * perStep) * keep;
         }
+    }
+}
+
+// As if the particle had always come the way that contact has sent it.
+RIPSTOP_INLINE void followContact(const ParticleMotion& m, std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i) {
+        const Pack change = pack(m.velocity[i]) - pack(m.scratch[i]);
+        if (m.inverseMass[i] == 0.0 || isZero(change))
+            continue;
+        pack(m.drift[i]) += change;
+        pack(m.velocityBefore[i]) += change;
     }
 }
 
@@ -107,6 +160,10 @@ RIPSTOP_INLINE void runWith(ParticlePass pass, const ParticleMotion& m, std::siz
         predict<integrator>(m, first, last);
     else if (pass == ParticlePass::FollowRods)
         followRods<integrator>(m, first, last);
+    else if (pass == ParticlePass::Foresee)
+        foresee(m, first, last);
+    else if (pass == ParticlePass::FollowContact)
+        followContact(m, first, last);
     else
         foreseeVelocities<integrator>(m, first, last);
 }
@@ -123,5 +180,9 @@ void run(ParticlePass pass, Integrator integrator, const ParticleMotion& m, std:
         return runWith<Integrator::Verlet>(pass, m, first, last);
     case Integrator::VelocityVerlet:
         return runWith<Integrator::VelocityVerlet>(pass, m, first, last);
+    case Integrator::Bdf2:
+        return runWith<Integrator::Bdf2>(pass, m, first, last);
+    case Integrator::RungeKutta4:
+        return runWith<Integrator::RungeKutta4>(pass, m, first, last);
     }
 }

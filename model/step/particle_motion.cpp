@@ -5,6 +5,11 @@
 
 namespace ripstop {
 
+double reachOf(Integrator integrator, double h, bool drifts)
+{
+    return integrator == Integrator::Bdf2 && drifts ? 2.0 / 3.0 * h : h;
+}
+
 void runPass(ParticlePass pass, Integrator integrator, const ParticleMotion& motion,
              std::size_t first, std::size_t last)
 {

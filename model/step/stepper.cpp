@@ -62,7 +62,7 @@ int Stepper::step(const System& system, State& state)
         task.note = m_tearsByForce || s + meanOver >= substeps;
         task.shifted = s == 0;
         m_judgesLinks = system.tearMesh == TearMesh::Vanish || s + 1 == substeps;
-        substep(task, state);
+        substep(task, state, h);
         ++state.substep;
     }
     m_rods.takeTensions(rodTask(system, state, h), m_pool, state.rodTension);
@@ -83,7 +83,7 @@ void Stepper::prepare(const System& system, State& state)
     m_touches.assign(system.obstacles.empty() ? 0 : state.position.size(), 0);
     m_acceleration.resize(state.position.size());
     m_before.resize(state.position.size());
-    m_predicted.resize(state.position.size());
+    m_scratch.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size());
@@ -142,17 +142,17 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
             automatic ? m_plan.direct : system.direct,
             state.rodTorn,
             m_restLength,
-            h,
+            reachOf(system.integrator, h, state.driftSubstep == h),
             std::uint64_t(state.substep),
             state.position,
             m_before,
             m_acceleration};
 }
 
-void Stepper::substep(RodTask& task, State& state)
+void Stepper::substep(RodTask& task, State& state, double h)
 {
     const System& system = task.system;
-    const double h = task.h;
+    const bool isBdf2 = system.integrator == Integrator::Bdf2;
     beginMoves(system, state, state.time - h, m_placed);
     moveCarried(state, h);
     if (moveInputs(system, state, h)) {
@@ -165,7 +165,11 @@ void Stepper::substep(RodTask& task, State& state)
         force->advance(system, state, h);
         m_clock.lap(stageOf(force->kind()));
     }
+    if (isBdf2)
+        move(ParticlePass::Foresee, system, state, h);
     fillAccelerations(system, state, h);
+    if (system.integrator == Integrator::RungeKutta4)
+        takeMeans(system, state, h);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
     noteRodLengths(system, state);
@@ -187,14 +191,14 @@ void Stepper::substep(RodTask& task, State& state)
     if (m_watch)
         m_watch->afterContact(system, state);
     keepOnGuides(system, m_before, state);
+    if (isBdf2)
+        move(ParticlePass::FollowContact, system, state, h);
     m_clock.lap(StepStage::Contact);
     if (m_judgesLinks)
         tearLinks(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
                   m_overloads);
     m_clock.lap(StepStage::Tearing);
-    const bool drifts =
-        system.integrator == Integrator::Verlet || system.integrator == Integrator::VelocityVerlet;
-    state.driftSubstep = drifts ? h : 0.0;
+    state.driftSubstep = looksBack(system.integrator) ? h : 0.0;
     if (m_watch) {
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
@@ -235,18 +239,51 @@ void Stepper::fillAccelerations(const System& system, const State& state, double
     m_clock.lap(StepStage::Sum);
 }
 
+// The classical Runge-Kutta method of fourth order, for all but the rods: leaves the mean
+// acceleration of the substep in m_acceleration and the mean velocity in m_scratch. The first of
+// the four has been filled.
+void Stepper::takeMeans(const System& system, State& state, double h)
+{
+    auto& [startVelocity, sumOfVelocities, sumOfAccelerations] = m_stage;
+    m_before = state.position;
+    startVelocity = sumOfVelocities = state.velocity;
+    sumOfAccelerations = m_acceleration;
+    for (int stage = 1; stage <= 3; ++stage) {
+        const double way = stage < 3 ? 0.5 * h : h;
+        const double weight = stage < 3 ? 2.0 : 1.0;
+        for (std::size_t i = 0; i < state.position.size(); ++i)
+            if (system.inverseMass[i] > 0.0) {
+                state.position[i] = m_before[i] + way * state.velocity[i];
+                state.velocity[i] = startVelocity[i] + way * m_acceleration[i];
+                sumOfVelocities[i] += weight * state.velocity[i];
+            }
+        fillAccelerations(system, state, h);
+        for (std::size_t i = 0; i < state.position.size(); ++i)
+            sumOfAccelerations[i] += weight * m_acceleration[i];
+    }
+    state.position = m_before;
+    state.velocity = startVelocity;
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+        m_acceleration[i] = sumOfAccelerations[i] / 6.0;
+        m_scratch[i] = sumOfVelocities[i] / 6.0;
+    }
+}
+
 void Stepper::move(ParticlePass pass, const System& system, State& state, double h)
 {
+    const bool drifts = state.driftSubstep == h;
     const ParticleMotion motion{state.position.data(),
                                 state.velocity.data(),
                                 state.drift.data(),
+                                state.velocityBefore.data(),
                                 m_before.data(),
-                                m_predicted.data(),
+                                m_scratch.data(),
                                 m_acceleration.data(),
                                 system.inverseMass.data(),
                                 h,
+                                reachOf(system.integrator, h, drifts),
                                 m_keep,
-                                state.driftSubstep == h};
+                                drifts};
     m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
         runPass(pass, system.integrator, motion, first, last);
     });

@@ -66,11 +66,12 @@ public:
 
 private:
     void prepare(const System& system, State& state);
-    void substep(RodTask& task, State& state);
+    void substep(RodTask& task, State& state, double h);
     RodTask rodTask(const System& system, State& state, double h) const;
     void adapt(const System& system, State& state, int substeps);
     int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
+    void takeMeans(const System& system, State& state, double h);
     bool isSteady(const System& system, const State& state) const;
     void move(ParticlePass pass, const System& system, State& state, double h);
     void noteRodLengths(const System& system, const State& state);
@@ -88,7 +89,8 @@ private:
     std::vector<Lane> m_lanes;              // of the forces that act now
     std::vector<PaddedVec3> m_acceleration; // [particles] m/s^2, of forces, not of rods or contact
     std::vector<PaddedVec3> m_before;       // [particles] m, at the start of the substep
-    std::vector<PaddedVec3> m_predicted;    // [particles] m, before projection
+    std::vector<PaddedVec3> m_scratch;      // [particles] of particle_motion.h
+    std::vector<PaddedVec3> m_stage[3];     // [particles] of takeMeans(), or empty
     std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
     std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now

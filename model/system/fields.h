@@ -72,6 +72,15 @@ inline constexpr auto fieldsOf<State::Tear> =
            &State::Tear::strain, &State::Tear::force, &State::Tear::place, &State::Tear::energy>;
 
 template <>
+inline constexpr auto fieldsOf<Ramp::Numbers> =
+    fields<Ramp::Numbers, &Ramp::Numbers::restLength, &Ramp::Numbers::stiffness,
+           &Ramp::Numbers::damping, &Ramp::Numbers::limit>;
+
+template <>
+inline constexpr auto fieldsOf<Ramp> =
+    fields<Ramp, &Ramp::link, &Ramp::began, &Ramp::lasts, &Ramp::from, &Ramp::to>;
+
+template <>
 inline constexpr auto fieldsOf<Work> = fields<Work, &Work::air, &Work::hands, &Work::damping,
                                               &Work::contact, &Work::tearing, &Work::residual>;
 
@@ -87,6 +96,7 @@ inline constexpr auto fieldsOf<State> = fields<State,
     field<&State::position, Per::Particle, Hash::In>,
     field<&State::velocity, Per::Particle, Hash::In>,
     field<&State::drift, Per::Particle>,
+    field<&State::velocityBefore, Per::Particle, Since{4}>,
     field<&State::inputCommand, Per::Input>,
     field<&State::inputValue, Per::Input, Hash::In>,
     &State::hands,
@@ -100,27 +110,27 @@ inline constexpr auto fieldsOf<State> = fields<State,
     &State::tears,
     &State::splits,
     &State::tearHolds, // name links by their places, which carryOver() finds again
-    field<&State::work, Since{3}>>;
+    field<&State::work, Since{3}>,
+    field<&State::ramps, Since{4}>>;
 // clang-format on
 
 // The serials and what goes with them say when a solver looks again: two systems may be equal
 // without them.
 template <>
-inline constexpr auto fieldsOf<System> =
-    fields<System, &System::generation, &System::run, field<&System::serial, Compared::No>,
-           field<&System::valuesSerial, Compared::No>, field<&System::touched, Compared::No>,
-           &System::timeStep, &System::substeps, &System::sweeps, &System::integrator,
-           &System::solver, &System::accuracy, &System::strainGoal, &System::tearsPerStep,
-           &System::tearMesh, &System::gravity, &System::airDensity, &System::wind,
-           &System::airflows, &System::gusts, &System::viscosity, &System::speedLimit, &System::key,
-           &System::parts, &System::mass, &System::inverseMass, &System::guided, &System::springs,
-           &System::rods, &System::colorStart, &System::chunkStart, &System::chunkClass,
-           &System::chunkReach, &System::direct, &System::materialAir, &System::bending,
-           &System::forces, &System::panels, &System::panelKey, &System::links, &System::linkStuff,
-           &System::springLink, &System::rodLink, &System::tearableSprings, &System::tearableRods,
-           &System::springsAt, &System::rodsAt, &System::panelsAt, &System::panelsBeside,
-           &System::obstacles, &System::fabricLayer, &System::canopies, &System::inputs,
-           &System::shiftedRods, &System::probes, &System::start>;
+inline constexpr auto fieldsOf<System> = fields<
+    System, &System::generation, &System::run, field<&System::serial, Compared::No>,
+    field<&System::valuesSerial, Compared::No>, field<&System::touched, Compared::No>,
+    &System::timeStep, &System::substeps, &System::sweeps, &System::integrator, &System::solver,
+    &System::accuracy, &System::strainGoal, &System::rampTime, &System::tearsPerStep,
+    &System::tearMesh, &System::gravity, &System::airDensity, &System::wind, &System::airflows,
+    &System::gusts, &System::viscosity, &System::speedLimit, &System::key, &System::parts,
+    &System::mass, &System::inverseMass, &System::guided, &System::springs, &System::rods,
+    &System::colorStart, &System::chunkStart, &System::chunkClass, &System::chunkReach,
+    &System::direct, &System::materialAir, &System::bending, &System::forces, &System::panels,
+    &System::panelKey, &System::links, &System::linkStuff, &System::springLink, &System::rodLink,
+    &System::tearableSprings, &System::tearableRods, &System::springsAt, &System::rodsAt,
+    &System::panelsAt, &System::panelsBeside, &System::obstacles, &System::fabricLayer,
+    &System::canopies, &System::inputs, &System::shiftedRods, &System::probes, &System::start>;
 
 // Calls visit(array, the same array in the next state, ...) for each array that has an entry for
 // each of these.

@@ -63,17 +63,41 @@ struct Work
     friend bool operator==(const Work&, const Work&) = default;
 };
 
+// What an edit in flight changes of a link: these numbers go from what they were to what was typed
+// (run/ramps.h).
+struct Ramp
+{
+    struct Numbers
+    {
+        double restLength = 0.0; // m
+        double stiffness = 0.0;  // N/m of a spring; of a rod its compliance, m/N
+        double damping = 0.0;    // N s/m of a spring
+        double limit = 0.0;      // TearLimit::limit
+
+        friend bool operator==(const Numbers&, const Numbers&) = default;
+    };
+    Key link;
+    double began; // s
+    double lasts; // s
+    Numbers from;
+    Numbers to;
+
+    friend bool operator==(const Ramp&, const Ramp&) = default;
+};
+
 struct State
 {
     double time = 0.0;         // s
     std::int64_t step = 0;     // time steps since the start
     std::int64_t substep = 0;  // substeps since the start
     int substeps = 0;          // of the next step, where the solver chooses; 0 for its first choice
-    double driftSubstep = 0.0; // s, of the substep that `drift` is of; 0 when it is of none
+    double driftSubstep = 0.0; // s, of the substep that `drift` and `velocityBefore` are of; 0 when
+                               // they are of none
 
     std::vector<PaddedVec3> position; // [particles] m
     std::vector<PaddedVec3> velocity; // [particles] m/s
     std::vector<PaddedVec3> drift;    // [particles] m/s, (x - previous x) / h: Verlet's memory
+    std::vector<PaddedVec3> velocityBefore; // [particles] m/s, a substep ago: with drift, BDF2's
 
     std::vector<double> inputCommand; // [inputs] m, where the input is told to go
     std::vector<double> inputValue;   // [inputs] m, where it is
@@ -107,6 +131,7 @@ struct State
     std::vector<TearHold> tearHolds;
 
     Work work;
+    std::vector<Ramp> ramps; // in ascending order of key
 
     friend bool operator==(const State&, const State&) = default;
 };
