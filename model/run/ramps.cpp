@@ -1,6 +1,8 @@
 #include "run/ramps.h"
 
-#include "base/key_index.h"
+#include "forces/spring_force.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
@@ -9,11 +11,18 @@ namespace ripstop {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double calm = 10.0; // m/s, that an edit may set things moving with
 
 const TearLimit& tearOf(const System& system, const LinkPlace& link)
 {
     return link.kind == LinkKind::Rod ? system.rods[std::size_t(link.index)].tear
                                       : system.springs[std::size_t(link.index)].tear;
+}
+
+Resists resistsOf(const System& system, const LinkPlace& link)
+{
+    return link.kind == LinkKind::Rod ? system.rods[std::size_t(link.index)].resists
+                                      : system.springs[std::size_t(link.index)].resists;
 }
 
 Ramp::Numbers numbersOf(const System& system, const LinkPlace& link)
@@ -56,18 +65,51 @@ const Ramp* rampOf(std::span<const Ramp> ramps, Key link)
     return found != ramps.end() && found->link == link ? &*found : nullptr;
 }
 
+// By how much less it is stretched when it pulls as before, and what its length changes by, m.
+double wayOf(const Ramp& ramp, LinkKind kind, double stretch)
+{
+    const double before = kind == LinkKind::Rod ? ramp.from.stiffness : ramp.to.stiffness;
+    const double after = kind == LinkKind::Rod ? ramp.to.stiffness : ramp.from.stiffness;
+    const double less = before > after ? 1.0 - after / before : 0.0;
+    return std::abs(stretch) * less + std::abs(ramp.to.restLength - ramp.from.restLength);
+}
+
 } // namespace
 
-NotedLinks::NotedLinks(const System& system, std::span<const Ramp> underWay, double time)
-    : m_time(time)
-    , m_ramps(underWay.begin(), underWay.end())
+NotedLinks::NotedLinks(const System& system, const State& state)
+    : m_time(state.time)
+    , m_ramps(state.ramps)
 {
     m_links.reserve(system.links.size());
     for (const LinkPlace& link : system.links) {
         const Ramp* ramp = rampOf(m_ramps, link.key);
-        m_links.push_back({link.key, link.kind, tearOf(system, link).rule,
-                           ramp ? numbersAt(*ramp, link.kind, time) : numbersOf(system, link)});
+        m_links.push_back(
+            {link.key,
+             link.kind,
+             tearOf(system, link).rule,
+             resistsOf(system, link),
+             {state.position[std::size_t(link.a)], state.position[std::size_t(link.b)]},
+             ramp ? numbersAt(*ramp, link.kind, m_time) : numbersOf(system, link)});
     }
+}
+
+double NotedLinks::lastsFor(const System& edited, std::span<const Ramp> ramps,
+                            const KeyIndex& noted) const
+{
+    Eigen::AlignedBox3d box;
+    double strain = 0.0;
+    for (const Ramp& ramp : ramps) {
+        const Link& link = m_links[std::size_t(noted(ramp.link))];
+        box.extend(link.ends[0]);
+        box.extend(link.ends[1]);
+        const double length = (link.ends[1] - link.ends[0]).norm();
+        const double stretch = length - ramp.from.restLength;
+        if (length > 0.0)
+            strain = std::max(strain,
+                              wayOf(ramp, link.kind, isSlack(link.resists, stretch) ? 0.0 : stretch)
+                                  / length);
+    }
+    return std::max(edited.rampTime, ramps.empty() ? 0.0 : strain * box.diagonal().norm() / calm);
 }
 
 std::vector<Ramp> NotedLinks::rampsTo(const System& edited) const
@@ -75,7 +117,7 @@ std::vector<Ramp> NotedLinks::rampsTo(const System& edited) const
     KeyIndex index(m_links.size());
     for (std::size_t i = 0; i < m_links.size(); ++i)
         index.add(m_links[i].key, int(i));
-    std::vector<Ramp> ramps;
+    std::vector<Ramp> ramps, begun;
     for (const LinkPlace& link : edited.links) {
         const int place = index(link.key);
         if (place < 0 || m_links[std::size_t(place)].kind != link.kind)
@@ -90,8 +132,12 @@ std::vector<Ramp> NotedLinks::rampsTo(const System& edited) const
         if (noted.rule != tearOf(edited, link).rule) // a limit of something else
             from.limit = to.limit;
         if (from != to && edited.rampTime > 0.0)
-            ramps.push_back({link.key, m_time, edited.rampTime, from, to});
+            begun.push_back({link.key, m_time, 0.0, from, to});
     }
+    const double lasts = lastsFor(edited, begun, index);
+    for (Ramp& ramp : begun)
+        ramp.lasts = lasts;
+    ramps.insert(ramps.end(), begun.begin(), begun.end());
     std::ranges::sort(ramps, {}, &Ramp::link);
     return ramps;
 }

@@ -6,10 +6,15 @@
 // where one end is 0) go from what they were to what was typed as s^2 (3 - 2 s) does from 0 to 1, s
 // being the share of the time that has passed. A tear rule counts at once, with its own limit.
 //
+// A soft kite on a long line that is made stiff again has far to go: what its links have to shrink
+// by, at most, times the size of what is edited. Where that way asks for more than 10 m/s, which
+// the air would not take calmly, the ramps of the edit last longer.
+//
 // Ramps are a part of the State: a run from a checkpoint has the same bits. A system that runs has
 // the numbers of the moment; the ends of its ramps are what it was compiled to.
 #pragma once
 
+#include "base/key_index.h"
 #include "compile/patch.h"
 #include "system/system.h"
 
@@ -22,8 +27,8 @@ namespace ripstop {
 class NotedLinks
 {
 public:
-    // What is under way counts as far as it has come.
-    NotedLinks(const System& system, std::span<const Ramp> underWay, double time);
+    // What is under way in the state counts as far as it has come.
+    NotedLinks(const System& system, const State& state);
 
     // What is under way after the edit: new ramps to the numbers of `edited` where they are not
     // what they were, and old ones whose end it has left alone.
@@ -35,9 +40,12 @@ private:
         Key key;
         LinkKind kind;
         TearRule rule;
+        Resists resists;
+        Vec3 ends[2]; // m
         Ramp::Numbers numbers;
     };
 
+    double lastsFor(const System& edited, std::span<const Ramp> ramps, const KeyIndex& noted) const;
     double m_time;             // s
     std::vector<Link> m_links; // [links]
     std::vector<Ramp> m_ramps; // under way

@@ -87,7 +87,7 @@ std::optional<NotedLinks> Simulation::Private::linksBeforeEdit() const
 {
     if (run.now.step == 0)
         return std::nullopt;
-    return NotedLinks(*derived.compiled(), run.now.ramps, run.now.time);
+    return NotedLinks(*derived.compiled(), run.now);
 }
 
 // After the compiled system was edited, and before anything is derived from it.
@@ -195,7 +195,7 @@ void Simulation::Private::resume(const Moment& moment)
     trouble.reset();
     endRamps();
     derived.goOnFrom(moment, run);
-    const NotedLinks noted(*moment.system, moment.state.ramps, moment.state.time);
+    const NotedLinks noted(*moment.system, moment.state);
     run.now.ramps = noted.rampsTo(*derived.compiled());
     followRamps(run.now.time);
 }
