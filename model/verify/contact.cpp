@@ -14,12 +14,10 @@
 namespace ripstop {
 namespace {
 
-constexpr std::array integrators{Integrator::ExplicitEuler, Integrator::SemiImplicitEuler,
-                                 Integrator::Verlet, Integrator::VelocityVerlet};
 // Explicit Euler falls half a step late by itself, so that the step in which it touches may be the
 // next one.
 constexpr std::array falling{Integrator::SemiImplicitEuler, Integrator::Verlet,
-                             Integrator::VelocityVerlet};
+                             Integrator::VelocityVerlet, Integrator::Bdf2, Integrator::RungeKutta4};
 constexpr std::array responses{Response::Stop, Response::Slide, Response::Contact};
 
 Obstacle ground(Response response, double restitution = 0.0, double friction = 0.0)
@@ -141,7 +139,7 @@ void addFalls(std::vector<Case>& cases)
 double restlessness(Response response) // m, the largest way in any direction, of all integrators
 {
     double most = 0.0;
-    for (const Integrator integrator : integrators) {
+    for (const Integrator integrator : allIntegrators) {
         System system = heavySystem(0.01, integrator);
         system.obstacles = {ground(response, 0.3, 0.5)};
         addParticle(system, {0.3, 0.0, -0.2}, 1.0);
@@ -200,7 +198,7 @@ Slide slideToStop(Integrator integrator) // the way, and as speed the time at wh
 
 void addSlopes(std::vector<Case>& cases)
 {
-    for (const Integrator integrator : integrators) {
+    for (const Integrator integrator : allIntegrators) {
         const std::string by = ", " + nameOf(integrator);
         cases.push_back({"T-B3", "slope of 30 degrees, mu 0.3, way in 2 s" + by, 2.0 * 2.355483,
                          relative(0.01), "m", "a t^2/2, a = g (sin - mu cos)",

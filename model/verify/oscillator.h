@@ -14,10 +14,18 @@ namespace ripstop {
 inline constexpr double omega = 2.0 * std::numbers::pi; // 1/s
 
 // NaiveVerlet is Verlet whose previous position is x0 - v0 dt.
-enum class Scheme { ExplicitEuler, SemiImplicitEuler, Verlet, NaiveVerlet, VelocityVerlet };
+enum class Scheme {
+    ExplicitEuler,
+    SemiImplicitEuler,
+    Verlet,
+    NaiveVerlet,
+    VelocityVerlet,
+    RungeKutta4
+};
 
-inline constexpr std::array allSchemes{Scheme::ExplicitEuler, Scheme::SemiImplicitEuler,
-                                       Scheme::Verlet, Scheme::NaiveVerlet, Scheme::VelocityVerlet};
+inline constexpr std::array allSchemes{Scheme::ExplicitEuler,  Scheme::SemiImplicitEuler,
+                                       Scheme::Verlet,         Scheme::NaiveVerlet,
+                                       Scheme::VelocityVerlet, Scheme::RungeKutta4};
 
 Integrator integratorOf(Scheme scheme);
 std::string nameOf(Scheme scheme);

@@ -204,8 +204,7 @@ double degenerateMotion(Solver solver)
         if (!(size <= most) && most == most)
             most = size;
     };
-    for (const Integrator integrator : {Integrator::ExplicitEuler, Integrator::SemiImplicitEuler,
-                                        Integrator::Verlet, Integrator::VelocityVerlet}) {
+    for (const Integrator integrator : allIntegrators) {
         system.integrator = integrator;
         const State after = run(system, 20);
         for (std::size_t i = 0; i < after.position.size(); ++i) {

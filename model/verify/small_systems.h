@@ -13,6 +13,13 @@ namespace ripstop {
 
 inline constexpr double standardGravity = 9.80665; // m/s^2
 
+inline constexpr std::array allIntegrators = [] {
+    std::array<Integrator, choiceNames<Integrator>.size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = Integrator(i);
+    return all;
+}();
+
 // One substep of `timeStep` seconds, no gravity, calm air; the rest as a System starts.
 inline System emptySystem(double timeStep, Integrator integrator = Integrator::SemiImplicitEuler)
 {

@@ -104,6 +104,8 @@ QString englishLabel(std::string_view choice)
         const QString proper = QString(QLatin1String(name));
         text.replace(proper, proper.at(0).toUpper() + proper.mid(1));
     }
+    for (const char* name : {"bdf2", "rk4"})
+        text.replace(QLatin1String(name), QString(QLatin1String(name)).toUpper());
     if (!text.isEmpty())
         text[0] = text.at(0).toUpper();
     return text;
