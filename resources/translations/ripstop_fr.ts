@@ -7253,6 +7253,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>BDF2</source>
+        <translation>BDF2</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Balance</source>
         <translation>Bilan</translation>
     </message>
@@ -9853,6 +9858,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>RK4</source>
+        <translation>RK4</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Radius</source>
         <translation>Rayon</translation>
     </message>
@@ -9875,6 +9885,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Rail</source>
         <translation>Rail</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ramp of edits</source>
+        <translation>Rampe des modifications</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10093,8 +10108,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Rule that turns forces into motion.</source>
-        <translation>Règle qui change les forces en mouvement.</translation>
+        <source>Rule that turns forces into motion; bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
+        <translation>Règle qui change les forces en mouvement ; bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10735,6 +10750,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Time in which links take over a stiffness, damping, rest length or tear limit that is edited in flight, and longer where that would throw what they hold; 0 takes it over at once.</source>
+        <translation>Temps que mettent les liaisons à prendre une raideur, un amortissement, une longueur au repos ou une limite de déchirure modifiés en vol, et plus long là où cela projetterait ce qu’elles tiennent ; 0 les prend aussitôt.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11520,6 +11540,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>the whole scene</source>
         <translation>toute la scène</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>there are no links</source>
+        <translation>il n’y a pas de liaisons</translation>
     </message>
     <message>
         <location filename="tables"/>
