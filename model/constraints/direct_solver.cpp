@@ -71,7 +71,7 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
         bar.rest = task.restLength[r];
-        bar.multiplier = bar.torn ? 0.0 : multiplier[r];
+        bar.multiplier = bar.atStart = bar.torn ? 0.0 : multiplier[r];
     }
 }
 
@@ -116,15 +116,31 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     for (std::size_t i = 0; i < nodes(); ++i)
         task.position[std::size_t(m_particle[i])] =
             Vec3(m_position[i].v[0], m_position[i].v[1], m_position[i].v[2]);
-    for (const Bar& bar : m_bars) {
-        double& held = multiplier[std::size_t(bar.rod)];
-        held = bar.multiplier;
-        if (bar.resists == Resists::Tension)
-            held = std::max(held, 0.0);
-        if (bar.resists == Resists::Compression)
-            held = std::min(held, 0.0);
-    }
+    for (const Bar& bar : m_bars)
+        multiplier[std::size_t(bar.rod)] = pullOf(bar);
     return taken;
+}
+
+// kg m
+double DirectSolver::pullOf(const Bar& bar)
+{
+    switch (bar.resists) {
+    case Resists::Tension:
+        return std::max(bar.multiplier, 0.0);
+    case Resists::Compression:
+        return std::min(bar.multiplier, 0.0);
+    case Resists::Both:
+        break;
+    }
+    return bar.multiplier;
+}
+
+bool DirectSolver::hasImpact() const
+{
+    return std::ranges::any_of(m_bars, [](const Bar& bar) {
+        return bar.resists != Resists::Both
+               && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
+    });
 }
 
 BlockCholesky::Block& DirectSolver::diagonal(std::size_t node)

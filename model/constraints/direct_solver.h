@@ -71,6 +71,10 @@ public:
     // What the last project() has left unsolved, as an error of the pulls, 1; that of iterations.
     double residual() const { return m_residual; }
 
+    // Whether a line or a strut met its load in the last project(): one that resists one way only
+    // pulls more than twice as hard as before.
+    bool hasImpact() const;
+
     std::span<const int> rods() const { return m_rods; }         // as given to prepare()
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
     std::size_t products() const { return m_factor.products(); } // of blocks, in an iteration
@@ -96,6 +100,7 @@ private:
         double stretch = 0.0;    // m
         double multiplier = 0.0; // kg m, that the linear system gave
         double before = 0.0;     // kg m, of the iteration before
+        double atStart = 0.0;    // kg m, of the substep before
     };
 
     void takeBars(const System& system, std::span<const std::uint32_t> row);
@@ -120,6 +125,7 @@ private:
     void keepCenters();
     void addOnGuides(const Bar& bar);
     void moveAlongGuides();
+    static double pullOf(const Bar& bar);
     void moveAlongGuide(std::size_t row, Row& move) const;
     static bool acts(const Bar& bar);
     static double excess(const Bar& bar);

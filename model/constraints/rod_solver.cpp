@@ -72,7 +72,7 @@ void RodSolver::projectDirect(const RodTask& task, int iterations)
     for (const int rod : m_direct.rods())
         m_multiplier[std::size_t(rod)] = m_tension[std::size_t(rod)] * (task.h * task.h);
     m_direct.start(task, m_multiplier);
-    m_direct.project(task, m_multiplier, iterations);
+    m_direct.project(task, m_multiplier, iterations, task.tolerance);
     for (const int rod : m_direct.rods())
         m_tension[std::size_t(rod)] = m_multiplier[std::size_t(rod)] / (task.h * task.h);
 }

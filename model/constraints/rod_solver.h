@@ -29,6 +29,7 @@ struct RodTask
     std::span<PaddedVec3> position;       // [particles] m, corrected in place
     std::span<const PaddedVec3> before = {};       // [particles] m, at the start of the substep
     std::span<const PaddedVec3> acceleration = {}; // [particles] m/s^2, of forces
+    double tolerance = 3e-4; // 1, of lengths, where iterations of the direct solver may end
     bool note = true;                              // this substep counts for takeTensions()
     bool shifted = true; // rest lengths of shifted rods may differ from the substep before
 };
@@ -51,6 +52,9 @@ public:
 
     // What the global solve of the last substep has left unsolved, as an error of its pulls, 1.
     double residual() const { return m_direct.rods().empty() ? 0.0 : m_direct.residual(); }
+
+    // Whether a line that is solved directly met its load in the last substep (direct_solver.h).
+    bool hasImpact() const { return m_direct.hasImpact(); }
 
 private:
     void average(const RodTask& task, ThreadPool& pool);

@@ -397,10 +397,16 @@ private:
 
     void stability()
     {
+        const Settings& settings = m_scene.settings;
+        if (settings.integrator == Integrator::Bdf2 && settings.solver == Solver::SmallSteps)
+            add("integrator", Severity::Warning,
+                Message("bdf2 makes what single sweeps leave over grow, so that rods swing up: "
+                        "choose the automatic solver, or another integrator."),
+                noId);
         const std::optional<StepLimit> limit = limitOf(m_scene, m_index);
-        if (!limit || !exceeds(m_scene.settings, *limit))
+        if (!limit || !exceeds(settings, *limit))
             return;
-        const double h = m_scene.settings.timeStep / m_scene.settings.substeps;
+        const double h = settings.timeStep / settings.substeps;
         add("step", Severity::Warning,
             Message(
                 "The substep of %1 s is above the %2 s that springs and bending at particle %3 "

@@ -79,6 +79,20 @@ RIPSTOP_INLINE void predict(const ParticleMotion& m, std::size_t first, std::siz
     }
 }
 
+// From where predict() began, as its first substep goes.
+RIPSTOP_INLINE void predictAnew(const ParticleMotion& m, std::size_t first, std::size_t last)
+{
+    const Pack h = all(m.h);
+    for (std::size_t i = first; i < last; ++i) {
+        if (m.inverseMass[i] == 0.0)
+            continue;
+        const Pack v = pack(m.velocityBefore[i]) + h * pack(m.acceleration[i]);
+        const Pack x = pack(m.before[i]) + h * v;
+        pack(m.velocity[i]) = v;
+        pack(m.position[i]) = pack(m.scratch[i]) = x;
+    }
+}
+
 RIPSTOP_INLINE bool isZero(Pack v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; }
 
 // Where predict() put a particle: what it did is done once more, since memory costs more.
@@ -162,6 +176,8 @@ RIPSTOP_INLINE void runWith(ParticlePass pass, const ParticleMotion& m, std::siz
         followRods<integrator>(m, first, last);
     else if (pass == ParticlePass::Foresee)
         foresee(m, first, last);
+    else if (pass == ParticlePass::PredictAnew)
+        predictAnew(m, first, last);
     else if (pass == ParticlePass::FollowContact)
         followContact(m, first, last);
     else
@@ -184,5 +200,7 @@ void run(ParticlePass pass, Integrator integrator, const ParticleMotion& m, std:
         return runWith<Integrator::Bdf2>(pass, m, first, last);
     case Integrator::RungeKutta4:
         return runWith<Integrator::RungeKutta4>(pass, m, first, last);
+    case Integrator::Auto: // the stepper has made its choice
+        break;
     }
 }

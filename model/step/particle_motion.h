@@ -27,6 +27,7 @@ struct ParticleMotion // arrays of [particles]
 enum class ParticlePass {
     Foresee,          // BDF2: the motion that forces see; `before` and `scratch` keep that of now
     Predict,          // where particles would be without rods
+    PredictAnew,      // BDF2: the same as its first substep, after Predict
     FollowRods,       // velocities that take over what the rods did
     FollowContact,    // BDF2: what contact does, done to what it looks back to as well
     ForeseeVelocities // velocity Verlet: the velocities that forces at the end of the step see

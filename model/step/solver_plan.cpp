@@ -23,6 +23,7 @@ namespace ripstop {
 namespace {
 
 constexpr int mostSubsteps = 2000;
+constexpr int substepsOfBdf2 = 4; // of Euler, that one of BDF2 is as true as
 constexpr double safety = 1.5;
 constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
 constexpr double manySubsteps = 100.0;    // in 10 ms
@@ -179,32 +180,71 @@ public:
 
     const std::vector<std::uint8_t>& direct() const { return m_direct; }
 
-    SolverPlan plan(int least, double substeps) const
+    //   stiff  substeps that forces need
+    SolverPlan plan(int stiff, double substeps) const
     {
         SolverPlan plan;
-        plan.least = least;
-        plan.substeps = std::max(
-            {int(std::ceil(std::min(substeps, double(mostSubsteps)))), m_system.substeps, least});
+        plan.integrator = integrator();
+        plan.least = std::max(stiff, wantedOf(plan.integrator));
+        plan.substeps =
+            std::max(int(std::ceil(std::min(substeps, double(mostSubsteps)))), plan.least);
         if (!m_given.empty())
             plan.direct = m_direct;
         if (m_system.rods.empty())
             plan.reason = Message("there are no rods");
         else if (!m_given.empty() && substeps <= 1.0)
-            plan.reason = Message("%1 substeps", plan.substeps);
+            plan.reason = substepsBy(plan.integrator, plan.substeps);
         else
             plan.reason =
                 Message("small steps: %1 substeps of one sweep to begin with, for a "
                         "strain of %2 %",
                         plan.substeps, Message::number("%.3g", 100.0 * m_system.strainGoal));
-        if (least > 1)
+        if (stiff > 1)
             plan.reason = Message("%1; %2 needs at least %3", std::move(plan.reason),
-                                  boundingForces(m_system), least);
+                                  boundingForces(m_system), stiff);
         for (auto given = m_given.rbegin(); given != m_given.rend(); ++given)
             plan.reason = given->why(given->count, plan.reason);
         return plan;
     }
 
 private:
+    bool givesAll() const
+    {
+        for (std::size_t r = 0; r < m_direct.size(); ++r) {
+            const Rod& rod = m_system.rods[r];
+            const bool moves = m_system.inverseMass[std::size_t(rod.a)] > 0.0
+                               || m_system.inverseMass[std::size_t(rod.b)] > 0.0;
+            if (moves && !m_direct[r])
+                return false;
+        }
+        return !m_given.empty();
+    }
+
+    Integrator integrator() const
+    {
+        if (m_system.integrator != Integrator::Auto)
+            return m_system.integrator;
+        return givesAll() && std::isinf(stiffStepLimit(m_system))
+                   ? Integrator::Bdf2
+                   : Integrator::SemiImplicitEuler;
+    }
+
+    // Substeps that the author wants at least.
+    int wantedOf(Integrator integrator) const
+    {
+        return integrator == Integrator::Bdf2 && m_system.integrator == Integrator::Auto
+                   ? (m_system.substeps + substepsOfBdf2 - 1) / substepsOfBdf2
+                   : m_system.substeps;
+    }
+
+    static Message substepsBy(Integrator integrator, int substeps)
+    {
+        if (integrator != Integrator::Bdf2)
+            return Message("%1 substeps", substeps);
+        return substeps == 1 ? Message("1 substep of bdf2")
+                             : Message("%1 substeps of bdf2", substeps);
+    }
+
     struct Given
     {
         std::size_t count; // of rods
@@ -228,6 +268,11 @@ SolverPlan planFor(const System& system)
     const double tooMany = tooManySubsteps * system.timeStep / 0.01;
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
 
+    const auto isAny = [](const Rod&) { return true; };
+    if (system.integrator == Integrator::Bdf2)
+        planner.give(planner.networksOf(isAny), [](std::size_t count, const Message& rest) {
+            return Message("%1 rods are solved together, as bdf2 needs it; %2", count, rest);
+        });
     const auto isTooStiff = [&](const Rod& rod) {
         return rod.compliance > 0.0 && substepsForPull(system, rod) > manyForPull;
     };
@@ -269,13 +314,16 @@ SolverPlan planFor(const System& system)
                         std::max(worst.substeps, substepsForPulls(system, planner.direct())));
 }
 
-int substepsForDamping(const System& system, const State& state, std::vector<double>& scratch)
+// BDF2 with forces at the velocity that it foresees is stable for 4/3 where Euler is for 2.
+int substepsForDamping(const System& system, Integrator integrator, const State& state,
+                       std::vector<double>& scratch)
 {
-    return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch), 1.5);
+    const double spare = integrator == Integrator::Bdf2 ? 1.5 * 1.5 : 1.5;
+    return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch), spare);
 }
 
 // The strain falls with about the 1.5th power of the number of substeps.
-int adaptedSubsteps(const System& system, int substeps, double ratio)
+int adaptedSubsteps(int substeps, int least, double ratio)
 {
     double next = substeps;
     if (ratio > 1.0)
@@ -284,8 +332,7 @@ int adaptedSubsteps(const System& system, int substeps, double ratio)
             std::ceil(substeps * (ratio < 2.8 ? portableExp(portableLog(ratio) / 1.5) : 2.0)));
     else if (ratio < 0.4)
         next = std::floor(substeps * 0.9);
-    return int(
-        std::clamp(next, double(system.substeps), double(std::max(mostSubsteps, system.substeps))));
+    return int(std::clamp(next, double(least), double(std::max(mostSubsteps, least))));
 }
 
 } // namespace ripstop

@@ -19,6 +19,11 @@
 //
 // Stiff forces, as bends, bound the substep themselves (forces/forces.h).
 //
+// Where that leaves none to sweeps and nothing is stiff beside them, the automatic integrator takes
+// BDF2, one substep of which is as true as four of Euler's: a quarter of System::substeps are enough
+// for it. BDF2 that the author wants gets all rods solved together, since it makes what a single
+// sweep leaves over grow.
+//
 // That is the start. While a system runs, the strain is looked at every few steps and the number of
 // substeps follows it (adaptedSubsteps): wind and swings load rods as well.
 #pragma once
@@ -33,8 +38,9 @@ namespace ripstop {
 
 struct SolverPlan
 {
-    int substeps = 1;                 // to begin with, and never fewer than System::substeps
-    int least = 1;                    // that stiff forces allow, with all beside them
+    Integrator integrator = Integrator::SemiImplicitEuler; // any but Auto
+    int substeps = 1;                 // to begin with
+    int least = 1;                    // that the author wants, and that stiff forces allow
     std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
     Message reason;                   // what was chosen and why, for people; one sentence
 };
@@ -52,6 +58,7 @@ public:
         , m_accuracy(system.accuracy)
         , m_gravity(system.gravity.norm())
         , m_substeps(system.substeps)
+        , m_integrator(system.integrator)
     {}
     bool isOf(const System& system) const { return *this == PlanFor(system); }
 
@@ -65,6 +72,7 @@ private:
     double m_accuracy = 0.0;
     double m_gravity = 0.0;
     int m_substeps = 0;
+    Integrator m_integrator = Integrator::Auto;
 };
 
 // The system must be finished.
@@ -73,10 +81,11 @@ SolverPlan planFor(const System& system);
 // Fewest substeps for what forces, air above all, take from the motion that is in `state`, with a
 // half to spare for what they do in the next few steps. Rods that are solved directly say nothing
 // of it by their strain.
-int substepsForDamping(const System& system, const State& state, std::vector<double>& scratch);
+int substepsForDamping(const System& system, Integrator integrator, const State& state,
+                       std::vector<double>& scratch);
 
-// Substeps of the next step, given those of the last and how often the error that they left is as
-// large as it may be (StepAccuracy::ratio()).
-int adaptedSubsteps(const System& system, int substeps, double ratio);
+// Substeps of the next step, no fewer than `least`, given those of the last and how often the error
+// that they left is as large as it may be (StepAccuracy::ratio()).
+int adaptedSubsteps(int substeps, int least, double ratio);
 
 } // namespace ripstop

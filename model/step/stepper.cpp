@@ -36,6 +36,17 @@ StepStage stageOf(ForceKind kind)
     return StepStage::Sum;
 }
 
+// How near the ends of rods have to come to where they belong, 1, as a share of lengths. BDF2 goes
+// on from the differences of three places, of which the errors are a larger part the shorter the
+// substep is; what an iteration leaves, which is of second order, shrinks as this does.
+double toleranceFor(Integrator integrator, double h)
+{
+    constexpr double enough = 3e-4;
+    constexpr double usualSubstep = 1.0 / 240.0; // s
+    const double share = h / usualSubstep;
+    return integrator == Integrator::Bdf2 ? enough * std::min(1.0, share * share) : enough;
+}
+
 } // namespace
 
 int Stepper::step(const System& system, State& state)
@@ -55,6 +66,7 @@ int Stepper::step(const System& system, State& state)
     for (int s = 0; s < substeps; ++s) {
         state.time = startTime + (s + 1) * h;
         RodTask task = rodTask(system, state, h);
+        task.tolerance = toleranceFor(m_integrator, h);
         if (s == 0) {
             m_rods.start(task, state.rodTension);
             m_clock.lap(StepStage::Rods);
@@ -102,6 +114,10 @@ void Stepper::prepare(const System& system, State& state)
         m_plan = planFor(system);
         m_planFor = PlanFor(system);
     }
+    m_integrator = system.integrator;
+    if (m_integrator == Integrator::Auto)
+        m_integrator = system.solver == Solver::Auto ? m_plan.integrator
+                                                     : Integrator::SemiImplicitEuler;
     m_tearsByForce =
         std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
             return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
@@ -112,8 +128,7 @@ int Stepper::substepsOf(const System& system, const State& state) const
 {
     if (system.solver != Solver::Auto)
         return system.substeps;
-    const int least =
-        m_planFor.isOf(system) ? std::max(m_plan.least, system.substeps) : system.substeps;
+    const int least = m_planFor.isOf(system) ? m_plan.least : system.substeps;
     if (state.substeps > 0)
         return std::max(state.substeps, least);
     return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForDamping(system, state))
@@ -123,13 +138,14 @@ int Stepper::substepsOf(const System& system, const State& state) const
 // Sweeps show by their strain when the air asks for more substeps.
 int Stepper::substepsForDamping(const System& system, const State& state) const
 {
-    return m_plan.direct.empty() ? 1 : ripstop::substepsForDamping(system, state, m_dampingRate);
+    return m_plan.direct.empty() ? 1 : ripstop::substepsForDamping(system, m_plan.integrator, state,
+                                                                        m_dampingRate);
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
-    state.substeps = std::max({adaptedSubsteps(system, substeps, m_accuracy.ratio(system)),
-                               m_plan.least, substepsForDamping(system, state)});
+    state.substeps = std::max(adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system)),
+                              substepsForDamping(system, state));
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -142,7 +158,7 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
             automatic ? m_plan.direct : system.direct,
             state.rodTorn,
             m_restLength,
-            reachOf(system.integrator, h, state.driftSubstep == h),
+            reachOf(m_integrator, h, state.driftSubstep == h),
             std::uint64_t(state.substep),
             state.position,
             m_before,
@@ -152,7 +168,7 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
 void Stepper::substep(RodTask& task, State& state, double h)
 {
     const System& system = task.system;
-    const bool isBdf2 = system.integrator == Integrator::Bdf2;
+    const bool isBdf2 = m_integrator == Integrator::Bdf2;
     beginMoves(system, state, state.time - h, m_placed);
     moveCarried(state, h);
     if (moveInputs(system, state, h)) {
@@ -168,7 +184,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (isBdf2)
         move(ParticlePass::Foresee, system, state, h);
     fillAccelerations(system, state, h);
-    if (system.integrator == Integrator::RungeKutta4)
+    if (m_integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
@@ -176,7 +192,10 @@ void Stepper::substep(RodTask& task, State& state, double h)
     m_clock.lap(StepStage::Tearing);
     project(task, state);
     m_clock.lap(StepStage::Rods);
-    if (system.integrator == Integrator::VelocityVerlet) {
+    const bool impact = isBdf2 && m_rods.hasImpact();
+    if (impact && state.driftSubstep == h)
+        beginAnew(task, state, h);
+    if (m_integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
         m_clock.lap(StepStage::Motion);
         fillAccelerations(system, state, h);
@@ -198,7 +217,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
         tearLinks(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
                   m_overloads);
     m_clock.lap(StepStage::Tearing);
-    state.driftSubstep = looksBack(system.integrator) ? h : 0.0;
+    state.driftSubstep = looksBack(m_integrator) && !impact ? h : 0.0;
     if (m_watch) {
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
@@ -281,12 +300,25 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
                                 m_acceleration.data(),
                                 system.inverseMass.data(),
                                 h,
-                                reachOf(system.integrator, h, drifts),
+                                reachOf(m_integrator, h, drifts),
                                 m_keep,
                                 drifts};
     m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
-        runPass(pass, system.integrator, motion, first, last);
+        runPass(pass, m_integrator, motion, first, last);
     });
+}
+
+// A line that gets tight stops what it holds within a substep. BDF2 goes on from how things moved
+// before, which throws them back with half of their speed, and lines that do so again and again give
+// more than they took: such a substep is done again as the first one, which is of implicit Euler,
+// and so is the next.
+void Stepper::beginAnew(RodTask& task, State& state, double h)
+{
+    state.driftSubstep = 0.0;
+    task.h = h;
+    move(ParticlePass::PredictAnew, task.system, state, h);
+    project(task, state);
+    m_clock.lap(StepStage::Rods);
 }
 
 void Stepper::noteRodLengths(const System& system, const State& state)

@@ -71,6 +71,7 @@ private:
     void adapt(const System& system, State& state, int substeps);
     int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
+    void beginAnew(RodTask& task, State& state, double h);
     void takeMeans(const System& system, State& state, double h);
     bool isSteady(const System& system, const State& state) const;
     void move(ParticlePass pass, const System& system, State& state, double h);
@@ -83,6 +84,7 @@ private:
     RodSolver m_rods;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
+    Integrator m_integrator = Integrator::SemiImplicitEuler; // of this step; any but Auto
     StepAccuracy m_accuracy;
     FabricContact m_fabric;
     Forces m_forces;

@@ -289,12 +289,12 @@ private slots:
     {
         System system = emptySystem(0.01);
         system.substeps = 4;
-        QVERIFY(adaptedSubsteps(system, 10, 2.0) > 10);
-        QCOMPARE(adaptedSubsteps(system, 10, 0.8), 10);
-        QVERIFY(adaptedSubsteps(system, 10, 0.1) < 10);
-        QCOMPARE(adaptedSubsteps(system, 4, 0.0), 4);    // never below the author's
-        QVERIFY(adaptedSubsteps(system, 10, 1e9) <= 20); // in bounds, however wrong
-        QVERIFY(adaptedSubsteps(system, 100000, 1e9) <= 100000);
+        QVERIFY(adaptedSubsteps(10, 4, 2.0) > 10);
+        QCOMPARE(adaptedSubsteps(10, 4, 0.8), 10);
+        QVERIFY(adaptedSubsteps(10, 4, 0.1) < 10);
+        QCOMPARE(adaptedSubsteps(4, 4, 0.0), 4);    // never below the author's
+        QVERIFY(adaptedSubsteps(10, 4, 1e9) <= 20); // in bounds, however wrong
+        QVERIFY(adaptedSubsteps(100000, 4, 1e9) <= 100000);
     }
 
     // Small steps make one sweep, whatever `sweeps` says.

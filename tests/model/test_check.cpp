@@ -85,6 +85,10 @@ private slots:
 
         row("empty scene", warning, 0, "no particles", [](Scene& s) { s.items.clear(); });
 
+        row("bdf2 on single sweeps", warning, 0, "choose the automatic solver", [](Scene& s) {
+            s.settings.integrator = Integrator::Bdf2;
+            s.settings.solver = Solver::SmallSteps;
+        });
         row("link to nothing", error, 21, "from points at 99, which does not exist",
             [](Scene& s) { part(s).links[0].from = Id{99}; });
         row("link to a panel", error, 22, "to points at 31, which is a panel",

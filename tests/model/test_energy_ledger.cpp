@@ -292,12 +292,17 @@ private slots:
         QCOMPARE(read->start->work.air, 1.5);
         QCOMPARE(stateOf(*read, *read->frames[1]).work.residual, -0.5);
 
+        // frames have no fields since version 4; a start has arrays of velocities and of ramps
+        const std::size_t after = sizeof(std::uint64_t) + 2 * sizeof(std::uint64_t);
         const std::size_t ledger = sizeof(std::uint64_t) + 3 * sizeof(Work);
-        const auto old = chunkOf(std::string_view(bytes).substr(0, bytes.size() - ledger));
+        const auto third = chunkOf(std::string_view(bytes).substr(0, bytes.size() - after));
+        QVERIFY(third);
+        QCOMPARE(third->start->work.air, 1.5);
+        const auto old = chunkOf(std::string_view(bytes).substr(0, bytes.size() - after - ledger));
         QVERIFY(old);
         QCOMPARE(old->start->work, Work());
         QCOMPARE(old->frames[1]->step, std::int64_t(2));
-        QVERIFY(!chunkOf(std::string_view(bytes).substr(0, bytes.size() - sizeof(Work))));
+        QVERIFY(!chunkOf(std::string_view(bytes).substr(0, bytes.size() - after - sizeof(Work))));
     }
 };
 

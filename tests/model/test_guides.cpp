@@ -306,9 +306,12 @@ void TestGuides::nothingLeavesItsGuide_data()
     QTest::addColumn<Solver>("solver");
     QTest::addColumn<Integrator>("integrator");
     for (const Solver solver : everySolver)
-        for (std::size_t i = 0; i < choiceNames<Integrator>.size(); ++i)
+        for (std::size_t i = 0; i < choiceNames<Integrator>.size(); ++i) {
+            if (solver == Solver::SmallSteps && Integrator(i) == Integrator::Bdf2)
+                continue; // they do not go together, of which problemsOf() warns
             QTest::addRow("%s, %s", nameOf(solver).data(), choiceNames<Integrator>[i].data())
                 << solver << Integrator(i);
+        }
 }
 
 void TestGuides::nothingLeavesItsGuide()
