@@ -10,6 +10,7 @@ namespace ripstop {
 
 // 24 bytes without padding, so that the viewport can show an array of them in place.
 using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 

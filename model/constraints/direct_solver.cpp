@@ -36,6 +36,8 @@ RIPSTOP_INLINE double dot(const Row& a, const Row& b)
 // Rods move no centre of mass. Stiff ones next to light particles would do so by rounding errors.
 void DirectSolver::keepCenters()
 {
+    if (!m_drag.empty())
+        return keepDraggedCenters();
     std::fill(m_drift.begin(), m_drift.end(), Row{});
     for (std::size_t i = 0; i < m_island.size(); ++i)
         if (m_island[i] >= 0)
@@ -46,6 +48,39 @@ void DirectSolver::keepCenters()
             const auto island = std::size_t(m_island[i]);
             pack(m_position[i].v) -= pack(m_drift[island].v) / m_islandMass[island];
         }
+}
+
+// With forces that fall as rods move things the sum of M (x - y) is what stays 0.
+void DirectSolver::keepDraggedCenters()
+{
+    std::fill(m_drift.begin(), m_drift.end(), Row{});
+    m_islandDrag.assign(m_drift.size(), Mat3::Zero());
+    const auto vec = [](const Row& row) { return Vec3(row.v[0], row.v[1], row.v[2]); };
+    const auto add = [](Row& row, const Vec3& value) {
+        for (int c = 0; c < 3; ++c)
+            row.v[c] += value[c];
+    };
+    for (std::size_t i = 0; i < m_island.size(); ++i)
+        if (m_island[i] >= 0) {
+            const auto island = std::size_t(m_island[i]);
+            const Mat3 inertia = m_mass[i] * Mat3::Identity() + m_drag[i];
+            m_islandDrag[island] += inertia;
+            add(m_drift[island], inertia * (vec(m_position[i]) - vec(m_guess[i])));
+        }
+    for (std::size_t k = 0; k < m_drift.size(); ++k) {
+        const Vec3 off = m_islandDrag[k].inverse() * vec(m_drift[k]);
+        m_drift[k] = {{off.x(), off.y(), off.z(), 0.0}};
+    }
+    for (std::size_t i = 0; i < m_island.size(); ++i)
+        if (m_island[i] >= 0)
+            pack(m_position[i].v) -= pack(m_drift[std::size_t(m_island[i])].v);
+}
+
+void DirectSolver::takeDamping(const RodTask& task)
+{
+    m_drag.resize(task.damping.empty() ? 0 : nodes());
+    for (std::size_t i = 0; i < m_drag.size(); ++i)
+        m_drag[i] = task.h * task.damping[std::size_t(m_particle[i])];
 }
 
 void DirectSolver::soften(const System& system, double h)
@@ -67,6 +102,7 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
     if (task.h != m_h)
         soften(task.system, task.h);
     m_accuracy = task.system.accuracy;
+    takeDamping(task);
     for (Bar& bar : m_bars) {
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
@@ -262,6 +298,15 @@ void DirectSolver::assemble()
             block.column[c][c] = mass;
         pack(m_move[i].v) = mass * (pack(m_guess[i].v) - pack(m_position[i].v));
     }
+    for (std::size_t i = 0; i < m_drag.size(); ++i) {
+        BlockCholesky::Block& block = diagonal(i);
+        const Pack way = pack(m_guess[i].v) - pack(m_position[i].v);
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r) {
+                block.column[c][r] += m_drag[i](r, c);
+                m_move[i].v[r] += m_drag[i](r, c) * way[c];
+            }
+    }
     for (Bar& bar : m_bars) {
         bar.active = acts(bar);
         const bool apart = bar.guided && !m_iterates; // iterations keep to guides by themselves
@@ -402,6 +447,10 @@ double DirectSolver::merit() const
         Row way;
         pack(way.v) = pack(m_position[i].v) - pack(m_guess[i].v);
         twice += m_mass[i] * dot(way, way);
+        if (!m_drag.empty()) {
+            const Vec3 w(way.v[0], way.v[1], way.v[2]);
+            twice += w.dot(m_drag[i] * w);
+        }
     }
     for (const Bar& bar : m_bars) {
         const double c = bar.active ? bar.stretch : excess(bar);

@@ -2,11 +2,12 @@
 //
 // In a substep it looks for the positions x that minimise
 //
-//     sum of 1/2 m |x - y|^2  +  sum of C^2 / (2 s),      C = |d| - L,
+//     sum of 1/2 (x - y)^T M (x - y)  +  sum of C^2 / (2 s),      C = |d| - L,
 //
 // y being where the particles are without these rods: implicit Euler for what the rods do (Baraff
 // and Witkin 1998), and XPBD's functional (Macklin, Mueller and Chentanez 2016) solved at once
-// instead of rod by rod. A rod's block of the matrix is (n n^T + g s (1 - n n^T)) / s, n along the
+// instead of rod by rod. M is the mass m, and where forces take from motion m + h D, D being what
+// they fall by for each m/s: so air on light cloth bounds no step. A rod's block of the matrix is (n n^T + g s (1 - n n^T)) / s, n along the
 // rod; g = multiplier / length is the stiffness that its pull gives it across. The multiplier in g
 // is the one that the linear system gave before, at first that of the substep before: taken from
 // the stretch of the guess it would freeze all swinging, and without g a heavy load on a light line
@@ -123,6 +124,8 @@ private:
     double error() const;
     void findIslands();
     void keepCenters();
+    void keepDraggedCenters();
+    void takeDamping(const RodTask& task);
     void addOnGuides(const Bar& bar);
     void moveAlongGuides();
     static double pullOf(const Bar& bar);
@@ -141,10 +144,12 @@ private:
     std::vector<Bar> m_bars;
     std::vector<int> m_particle;          // [rows] particle; nodes first, then pins
     std::vector<double> m_mass;           // [nodes] kg
+    std::vector<Mat3> m_drag;             // [nodes] kg, h D above, or empty
     std::vector<GuidedParticle> m_guides; // [rows] by row instead of particle; empty without any
     std::vector<int> m_island;            // [nodes] what rods join, or -1 when a pin is among it
     std::vector<double> m_islandMass;     // [islands] kg
     std::vector<Row> m_drift;             // [islands] kg m
+    std::vector<Mat3> m_islandDrag;       // [islands] kg
     std::vector<Row> m_position;          // [rows] m
     std::vector<Row> m_guess;             // [nodes] m, y above
     std::vector<Row> m_from;              // [nodes] m, before the iteration

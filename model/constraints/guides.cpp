@@ -41,6 +41,17 @@ void dropAcrossGuides(const System& system, std::span<PaddedVec3> vector)
     }
 }
 
+void dropAcrossGuides(const System& system, std::span<Mat3> matrix)
+{
+    for (const GuidedParticle& guided : system.guided) {
+        Mat3& own = matrix[std::size_t(guided.particle)];
+        for (int c = 0; c < 3; ++c)
+            own.col(c) = guided.freePart(own.col(c));
+        for (int r = 0; r < 3; ++r)
+            own.row(r) = guided.freePart(own.row(r).transpose()).transpose();
+    }
+}
+
 void keepOnGuides(const System& system, std::span<const PaddedVec3> before, State& state)
 {
     for (const GuidedParticle& guided : system.guided) {

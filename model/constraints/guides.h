@@ -23,6 +23,10 @@ void setGuides(System& system, std::vector<GuidedParticle> guides);
 //   vector  [particles]
 void dropAcrossGuides(const System& system, std::span<PaddedVec3> vector);
 
+// The same for matrices that give forces for motions, on either side.
+//   matrix  [particles]
+void dropAcrossGuides(const System& system, std::span<Mat3> matrix);
+
 // Takes back what a substep has moved particles across their guides, and what is left of velocities
 // there.
 //   before  [particles]  m, at the start of the substep

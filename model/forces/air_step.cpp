@@ -13,9 +13,9 @@ namespace {
 constexpr double nudge = 0.01;     // of the apparent wind
 constexpr double leastWind = 0.01; // m/s
 
-// Damping of a panel, N s/m, by a difference of loads. It is at least 0: past the stall the load
+// Damping of a panel's mean, by a difference of loads. It is at least 0: past the stall the load
 // falls as the panel meets the air faster, and damps nothing.
-double dampingOf(const System& system, const State& state, const FabricPanel& panel)
+Mat3 dampingOf(const System& system, const State& state, const FabricPanel& panel)
 {
     const auto place = [&](int corner) -> const Vec3& {
         return state.position[std::size_t(panel.corner[std::size_t(corner)])];
@@ -33,20 +33,20 @@ double dampingOf(const System& system, const State& state, const FabricPanel& pa
             .dot(normal);
     };
     const double slope = loadAt(wind + step * normal) - loadAt(wind - step * normal);
-    return std::max(0.0, slope / (2.0 * step));
+    return std::max(0.0, slope / (2.0 * step)) * normal * normal.transpose();
 }
 
 } // namespace
 
-void addAirDampingRates(const System& system, const State& state, std::span<double> rate)
+void addAirDamping(const System& system, const State& state, std::span<Mat3> damping)
 {
     for (std::size_t i = 0; i < system.panels.size(); ++i) {
         if (state.panelGone[i])
             continue;
         const FabricPanel& panel = system.panels[i];
-        const double damping = dampingOf(system, state, panel);
+        const Mat3 third = dampingOf(system, state, panel) / 3.0;
         for (const int corner : panel.corner)
-            rate[std::size_t(corner)] += damping / 3.0 * system.inverseMass[std::size_t(corner)];
+            damping[std::size_t(corner)] += third;
     }
 }
 

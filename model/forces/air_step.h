@@ -1,8 +1,9 @@
-// How fast the air takes motion from fabric, which bounds the substep.
+// What the air takes from the motion of fabric: it bounds the substep, or joins the masses where all
+// rods are solved together.
 //
-// The load on a panel falls by c (N s/m) for each m/s that its mean moves along its normal. A
-// corner has a third of the load and makes a third of the mean, so that the rate of damping at a
-// particle of mass m is at most the sum of c / (3 m) over its panels (Gershgorin).
+// The load on a panel falls by c (N s/m) for each m/s that its mean moves along its normal n. A
+// corner has a third of the load and makes a third of the mean: the damping between two corners is
+// c / 9 n n^T, and all of it is at most c / 3 n n^T at each corner alone (Gershgorin).
 #pragma once
 
 #include "system/system.h"
@@ -11,9 +12,8 @@
 
 namespace ripstop {
 
-// Adds the rate of each particle that is a corner of a panel. It computes two loads for each panel,
-// and is meant for the choice of substeps and not for each of them.
-//   rate  [particles]  1/s, added to
-void addAirDampingRates(const System& system, const State& state, std::span<double> rate);
+// Adds that at each particle that is a corner of a panel. It computes two loads for each panel.
+//   damping  [particles]  N s/m, added to
+void addAirDamping(const System& system, const State& state, std::span<Mat3> damping);
 
 } // namespace ripstop

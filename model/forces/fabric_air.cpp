@@ -35,10 +35,10 @@ public:
         fillFabricLoads(system, state, pool, m_wings, m_load);
         return {.load = m_load.data(), .at = &system.panelsAt, .parts = 3.0};
     }
-    void addDampingRates(const System& system, const State& state,
-                         std::span<double> rate) const override
+    void addDamping(const System& system, const State& state,
+                    std::span<Mat3> damping) const override
     {
-        addAirDampingRates(system, state, rate);
+        addAirDamping(system, state, damping);
     }
 
 private:

@@ -113,10 +113,10 @@ public:
     //   stiffness, damping  [particles]  N/m, N s/m
     virtual void addStiffness(const System&, std::span<double>, std::span<double>) const {}
 
-    // Adds the rate at which it damps the motion of each particle, as that is in a state; explicit
-    // steps are stable for less than 2 in each.
-    //   rate  [particles]  1/s
-    virtual void addDampingRates(const System&, const State&, std::span<double>) const {}
+    // Adds by how much it falls for each m/s that a particle moves faster, as things are in a state:
+    // symmetric, and never less than 0 in any direction.
+    //   damping  [particles]  N s/m
+    virtual void addDamping(const System&, const State&, std::span<Mat3>) const {}
 
     // No solver asks for the stiffness between particles; an implicit one would ask for it here.
 };

@@ -87,12 +87,20 @@ Message boundingForces(const System& system)
     return names;
 }
 
-double dampingStepLimit(const System& system, const State& state, std::vector<double>& rate)
+void fillDamping(const System& system, const State& state, std::vector<Mat3>& damping)
 {
-    rate.assign(state.position.size(), 0.0);
+    damping.assign(state.position.size(), Mat3::Zero());
     for (const auto& force : knownForces())
-        force->addDampingRates(system, state, rate);
-    const double largest = rate.empty() ? 0.0 : *std::ranges::max_element(rate);
+        force->addDamping(system, state, damping);
+}
+
+// The trace is at least the largest rate.
+double dampingStepLimit(const System& system, const State& state, std::vector<Mat3>& damping)
+{
+    fillDamping(system, state, damping);
+    double largest = 0.0; // 1/s
+    for (std::size_t i = 0; i < damping.size(); ++i)
+        largest = std::max(largest, damping[i].trace() * system.inverseMass[i]);
     return largest > 0.0 ? 2.0 / largest : std::numeric_limits<double>::infinity();
 }
 

@@ -52,7 +52,11 @@ Message boundingForces(const System& system);
 
 // The longest substep, s, that is sure to be stable for what forces take from motion, as that is in
 // `state`; infinite where they take nothing.
-//   rate  scratch
-double dampingStepLimit(const System& system, const State& state, std::vector<double>& rate);
+//   damping  scratch
+double dampingStepLimit(const System& system, const State& state, std::vector<Mat3>& damping);
+
+// Fills in what all forces take from motion, as that is in `state`.
+//   damping  [particles]  N s/m, symmetric
+void fillDamping(const System& system, const State& state, std::vector<Mat3>& damping);
 
 } // namespace ripstop

@@ -184,7 +184,8 @@ public:
     SolverPlan plan(int stiff, double substeps) const
     {
         SolverPlan plan;
-        plan.integrator = integrator();
+        plan.together = givesAll();
+        plan.integrator = integratorOf(plan.together);
         plan.least = std::max(stiff, wantedOf(plan.integrator));
         plan.substeps =
             std::max(int(std::ceil(std::min(substeps, double(mostSubsteps)))), plan.least);
@@ -220,11 +221,11 @@ private:
         return !m_given.empty();
     }
 
-    Integrator integrator() const
+    Integrator integratorOf(bool together) const
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        return givesAll() && std::isinf(stiffStepLimit(m_system))
+        return together && std::isinf(stiffStepLimit(m_system))
                    ? Integrator::Bdf2
                    : Integrator::SemiImplicitEuler;
     }
@@ -314,12 +315,9 @@ SolverPlan planFor(const System& system)
                         std::max(worst.substeps, substepsForPulls(system, planner.direct())));
 }
 
-// BDF2 with forces at the velocity that it foresees is stable for 4/3 where Euler is for 2.
-int substepsForDamping(const System& system, Integrator integrator, const State& state,
-                       std::vector<double>& scratch)
+int substepsForDamping(const System& system, const State& state, std::vector<Mat3>& scratch)
 {
-    const double spare = integrator == Integrator::Bdf2 ? 1.5 * 1.5 : 1.5;
-    return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch), spare);
+    return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch), 1.5);
 }
 
 // The strain falls with about the 1.5th power of the number of substeps.

@@ -42,6 +42,7 @@ struct SolverPlan
     int substeps = 1;                 // to begin with
     int least = 1;                    // that the author wants, and that stiff forces allow
     std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
+    bool together = false;            // these are all rods that can move
     Message reason;                   // what was chosen and why, for people; one sentence
 };
 
@@ -81,8 +82,7 @@ SolverPlan planFor(const System& system);
 // Fewest substeps for what forces, air above all, take from the motion that is in `state`, with a
 // half to spare for what they do in the next few steps. Rods that are solved directly say nothing
 // of it by their strain.
-int substepsForDamping(const System& system, Integrator integrator, const State& state,
-                       std::vector<double>& scratch);
+int substepsForDamping(const System& system, const State& state, std::vector<Mat3>& scratch);
 
 // Substeps of the next step, no fewer than `least`, given those of the last and how often the error
 // that they left is as large as it may be (StepAccuracy::ratio()).

@@ -138,8 +138,15 @@ int Stepper::substepsOf(const System& system, const State& state) const
 // Sweeps show by their strain when the air asks for more substeps.
 int Stepper::substepsForDamping(const System& system, const State& state) const
 {
-    return m_plan.direct.empty() ? 1 : ripstop::substepsForDamping(system, m_plan.integrator, state,
-                                                                        m_dampingRate);
+    return m_plan.direct.empty() || dampsImplicitly(system)
+               ? 1
+               : ripstop::substepsForDamping(system, state, m_damping);
+}
+
+// Whether what forces take from motion joins the masses (dampImplicitly()).
+bool Stepper::dampsImplicitly(const System& system) const
+{
+    return system.solver == Solver::Auto && m_plan.together && m_integrator == Integrator::Bdf2;
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
@@ -162,7 +169,7 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
             std::uint64_t(state.substep),
             state.position,
             m_before,
-            m_acceleration};
+            dampsImplicitly(system) ? m_implicit : m_acceleration};
 }
 
 void Stepper::substep(RodTask& task, State& state, double h)
@@ -184,6 +191,14 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (isBdf2)
         move(ParticlePass::Foresee, system, state, h);
     fillAccelerations(system, state, h);
+    if (dampsImplicitly(system)) {
+        m_foreseen = state.velocity;
+        fillDamping(system, state, m_damping);
+        dropAcrossGuides(system, m_damping);
+        task.damping = m_damping;
+        dampImplicitly(system, state, task.h, m_scratch, state.driftSubstep == h);
+        m_clock.lap(StepStage::Air);
+    }
     if (m_integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
     move(ParticlePass::Predict, system, state, h);
@@ -258,6 +273,26 @@ void Stepper::fillAccelerations(const System& system, const State& state, double
     m_clock.lap(StepStage::Sum);
 }
 
+// Forces F that fall by D for each m/s are not those of the velocity v* that was foreseen but of the
+// one, v, that they lead to: (m + k D) v = m v0 + k (F + D v*), k being the reach and v0 what BDF2
+// begins with. Without that, light cloth in a wind would need many substeps.
+//   now  [particles]  m/s, at the start of the substep
+void Stepper::dampImplicitly(const System& system, const State& state, double reach,
+                             std::span<const PaddedVec3> now, bool drifts)
+{
+    m_implicit = m_acceleration;
+    for (std::size_t i = 0; i < m_implicit.size(); ++i) {
+        const Mat3& damping = m_damping[i];
+        if (system.inverseMass[i] == 0.0 || damping.isZero(0.0))
+            continue;
+        const Vec3 begin =
+            drifts ? Vec3((4.0 * now[i] - state.velocityBefore[i]) / 3.0) : Vec3(now[i]);
+        const Mat3 inertia = Mat3::Identity() / system.inverseMass[i] + reach * damping;
+        m_implicit[i] += inertia.inverse()
+                         * (damping * (m_foreseen[i] - begin - reach * m_acceleration[i]));
+    }
+}
+
 // The classical Runge-Kutta method of fourth order, for all but the rods: leaves the mean
 // acceleration of the substep in m_acceleration and the mean velocity in m_scratch. The first of
 // the four has been filled.
@@ -297,7 +332,7 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
                                 state.velocityBefore.data(),
                                 m_before.data(),
                                 m_scratch.data(),
-                                m_acceleration.data(),
+                                (dampsImplicitly(system) ? m_implicit : m_acceleration).data(),
                                 system.inverseMass.data(),
                                 h,
                                 reachOf(m_integrator, h, drifts),
@@ -316,6 +351,8 @@ void Stepper::beginAnew(RodTask& task, State& state, double h)
 {
     state.driftSubstep = 0.0;
     task.h = h;
+    if (!task.damping.empty())
+        dampImplicitly(task.system, state, h, state.velocityBefore, false);
     move(ParticlePass::PredictAnew, task.system, state, h);
     project(task, state);
     m_clock.lap(StepStage::Rods);

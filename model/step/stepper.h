@@ -71,6 +71,9 @@ private:
     void adapt(const System& system, State& state, int substeps);
     int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
+    bool dampsImplicitly(const System& system) const;
+    void dampImplicitly(const System& system, const State& state, double reach,
+                        std::span<const PaddedVec3> now, bool drifts);
     void beginAnew(RodTask& task, State& state, double h);
     void takeMeans(const System& system, State& state, double h);
     bool isSteady(const System& system, const State& state) const;
@@ -97,7 +100,9 @@ private:
     std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;        // [rods] m, before projection
-    mutable std::vector<double> m_dampingRate; // scratch of substepsForDamping()
+    mutable std::vector<Mat3> m_damping;    // [particles] N s/m, of forces, or scratch
+    std::vector<PaddedVec3> m_foreseen;     // [particles] m/s, that BDF2's forces are of, or empty
+    std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
     std::size_t m_tears = 0;           // before this time step
     std::uint64_t m_serial = 0;        // of the system that m_restLength is of
