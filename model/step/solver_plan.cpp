@@ -25,6 +25,7 @@ namespace {
 constexpr int mostSubsteps = 2000;
 constexpr int substepsOfBdf2 = 4; // of Euler, that one of BDF2 is as true as
 constexpr double safety = 1.5;
+constexpr double spareForTurning = 0.6; // kites of 10 ms a substep flutter above about 0.4
 constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
 constexpr double manySubsteps = 100.0;    // in 10 ms
 constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network
@@ -315,9 +316,11 @@ SolverPlan planFor(const System& system)
                         std::max(worst.substeps, substepsForPulls(system, planner.direct())));
 }
 
-int substepsForDamping(const System& system, const State& state, std::vector<Mat3>& scratch)
+int substepsForDamping(const System& system, const State& state, bool joinsMasses,
+                       std::vector<Mat3>& scratch)
 {
-    return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch), 1.5);
+    return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch),
+                          joinsMasses ? spareForTurning : 1.5);
 }
 
 // The strain falls with about the 1.5th power of the number of substeps.

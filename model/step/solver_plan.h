@@ -81,8 +81,9 @@ SolverPlan planFor(const System& system);
 
 // Fewest substeps for what forces, air above all, take from the motion that is in `state`, with a
 // half to spare for what they do in the next few steps. Rods that are solved directly say nothing
-// of it by their strain.
-int substepsForDamping(const System& system, const State& state, std::vector<Mat3>& scratch);
+// of it by their strain. Where that joins the masses, what is left is how loads turn with the cloth.
+int substepsForDamping(const System& system, const State& state, bool joinsMasses,
+                       std::vector<Mat3>& scratch);
 
 // Substeps of the next step, no fewer than `least`, given those of the last and how often the error
 // that they left is as large as it may be (StepAccuracy::ratio()).

@@ -138,9 +138,9 @@ int Stepper::substepsOf(const System& system, const State& state) const
 // Sweeps show by their strain when the air asks for more substeps.
 int Stepper::substepsForDamping(const System& system, const State& state) const
 {
-    return m_plan.direct.empty() || dampsImplicitly(system)
-               ? 1
-               : ripstop::substepsForDamping(system, state, m_damping);
+    return m_plan.direct.empty() ? 1
+                                 : ripstop::substepsForDamping(
+                                       system, state, dampsImplicitly(system), m_damping);
 }
 
 // Whether what forces take from motion joins the masses (dampImplicitly()).
@@ -151,7 +151,10 @@ bool Stepper::dampsImplicitly(const System& system) const
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
-    state.substeps = std::max(adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system)),
+    // After an impact implicit Euler goes on, which needs the author's substeps.
+    const bool impact = m_integrator == Integrator::Bdf2 && state.driftSubstep == 0.0;
+    const int least = impact ? std::max(m_plan.least, system.substeps) : m_plan.least;
+    state.substeps = std::max(adaptedSubsteps(substeps, least, m_accuracy.ratio(system)),
                               substepsForDamping(system, state));
 }
 
