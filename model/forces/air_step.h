@@ -6,14 +6,12 @@
 // c / 9 n n^T, and all of it is at most c / 3 n n^T at each corner alone (Gershgorin).
 #pragma once
 
-#include "system/system.h"
+#include "forces/force.h"
 
-#include <span>
 
 namespace ripstop {
 
 // Adds that at each particle that is a corner of a panel. It computes two loads for each panel.
-//   damping  [particles]  N s/m, added to
-void addAirDamping(const System& system, const State& state, std::span<Mat3> damping);
+void addAirDamping(const System& system, const State& state, Damping& damping);
 
 } // namespace ripstop

@@ -35,8 +35,7 @@ public:
         fillFabricLoads(system, state, pool, m_wings, m_load);
         return {.load = m_load.data(), .at = &system.panelsAt, .parts = 3.0};
     }
-    void addDamping(const System& system, const State& state,
-                    std::span<Mat3> damping) const override
+    void addDamping(const System& system, const State& state, Damping& damping) const override
     {
         addAirDamping(system, state, damping);
     }

@@ -22,8 +22,16 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace ripstop {
+
+// By how much forces fall for each m/s that a particle moves faster, as things are in a state.
+struct Damping
+{
+    std::vector<Mat3> at; // [particles] N s/m, symmetric, and never less than 0 in any direction
+    std::vector<PaddedVec3> more, less; // scratch
+};
 
 // Where the work of a force goes, which the energy ledger, the energies and the clock of a step
 // sort by.
@@ -113,10 +121,8 @@ public:
     //   stiffness, damping  [particles]  N/m, N s/m
     virtual void addStiffness(const System&, std::span<double>, std::span<double>) const {}
 
-    // Adds by how much it falls for each m/s that a particle moves faster, as things are in a state:
-    // symmetric, and never less than 0 in any direction.
-    //   damping  [particles]  N s/m
-    virtual void addDamping(const System&, const State&, std::span<Mat3>) const {}
+    // Adds what it takes from the motion that is in a state.
+    virtual void addDamping(const System&, const State&, Damping&) const {}
 
     // No solver asks for the stiffness between particles; an implicit one would ask for it here.
 };

@@ -87,20 +87,20 @@ Message boundingForces(const System& system)
     return names;
 }
 
-void fillDamping(const System& system, const State& state, std::vector<Mat3>& damping)
+void fillDamping(const System& system, const State& state, Damping& damping)
 {
-    damping.assign(state.position.size(), Mat3::Zero());
+    damping.at.assign(state.position.size(), Mat3::Zero());
     for (const auto& force : knownForces())
         force->addDamping(system, state, damping);
 }
 
 // The trace is at least the largest rate.
-double dampingStepLimit(const System& system, const State& state, std::vector<Mat3>& damping)
+double dampingStepLimit(const System& system, const State& state, Damping& damping)
 {
     fillDamping(system, state, damping);
     double largest = 0.0; // 1/s
-    for (std::size_t i = 0; i < damping.size(); ++i)
-        largest = std::max(largest, damping[i].trace() * system.inverseMass[i]);
+    for (std::size_t i = 0; i < damping.at.size(); ++i)
+        largest = std::max(largest, damping.at[i].trace() * system.inverseMass[i]);
     return largest > 0.0 ? 2.0 / largest : std::numeric_limits<double>::infinity();
 }
 

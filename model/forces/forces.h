@@ -53,10 +53,9 @@ Message boundingForces(const System& system);
 // The longest substep, s, that is sure to be stable for what forces take from motion, as that is in
 // `state`; infinite where they take nothing.
 //   damping  scratch
-double dampingStepLimit(const System& system, const State& state, std::vector<Mat3>& damping);
+double dampingStepLimit(const System& system, const State& state, Damping& damping);
 
 // Fills in what all forces take from motion, as that is in `state`.
-//   damping  [particles]  N s/m, symmetric
-void fillDamping(const System& system, const State& state, std::vector<Mat3>& damping);
+void fillDamping(const System& system, const State& state, Damping& damping);
 
 } // namespace ripstop

@@ -193,6 +193,13 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
         wind = {wind.x + local.x, wind.y + local.y, wind.z + local.z};
     }
 
+    const Coordinates normal = cross(ab, ac);
+    if (work.nudge != 0.0) {
+        const Pack size = root(dot(normal, normal));
+        const Pack share = size > all(0.0) ? all(work.nudge) / size : all(0.0);
+        wind = {wind.x + share * normal.x, wind.y + share * normal.y, wind.z + share * normal.z};
+    }
+
     FourAirs air = fourAirs(work.airs, p0.air, p1.air, p2.air, p3.air);
     const std::uint8_t g0 = work.gone[i0], g1 = work.gone[i1];
     const std::uint8_t g2 = work.gone[i2], g3 = work.gone[i3];
@@ -204,7 +211,6 @@ RIPSTOP_INLINE void fillFour(const PanelWork& work, std::size_t i0, std::size_t 
         air.coefficient = byTable ? all(0.0) : air.coefficient;
 
     const Pack quarterDensity = all(0.25 * work.airDensity);
-    const Coordinates normal = cross(ab, ac);
     store(panelLoads(normal, wind, air, quarterDensity), work.load[i0], work.load[i1],
           work.load[i2], work.load[i3]);
     if (someByTable) {

@@ -21,6 +21,7 @@ struct PanelWork
     const State* state;
     double airDensity; // kg/m^3
     PaddedVec3* load;  // [panels] N
+    double nudge = 0.0; // m/s, added to the wind along the normal
 };
 
 } // namespace
@@ -30,6 +31,24 @@ struct PanelWork
 #include "parallel/for_each_machine.inl"
 
 namespace ripstop {
+
+namespace {
+
+PanelWork workOf(const System& system, const State& state, std::span<PaddedVec3> load)
+{
+    return {system.panels.data(),
+            system.materialAir.data(),
+            state.panelGone.data(),
+            state.position.data(),
+            state.velocity.data(),
+            commonWind(system, state),
+            hasLocalWind(system, state) ? &system : nullptr,
+            &state,
+            system.airDensity,
+            load.data()};
+}
+
+} // namespace
 
 Vec3 panelLoad(const MaterialAir& air, const Vec3& a, const Vec3& b, const Vec3& c,
                const Vec3& apparentWind, double airDensity)
@@ -51,19 +70,18 @@ void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,
     fillPanelLoads(system, state, pool, load, wideMachine);
 }
 
+void fillNudgedPanelLoads(const System& system, const State& state, double nudge,
+                          std::span<PaddedVec3> load)
+{
+    PanelWork work = workOf(system, state, load);
+    work.nudge = nudge;
+    (wideMachine ? wide::fillPanels : anywhere::fillPanels)(work, 0, system.panels.size());
+}
+
 void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,
                     std::span<PaddedVec3> load, bool asWide)
 {
-    const PanelWork work = {system.panels.data(),
-                            system.materialAir.data(),
-                            state.panelGone.data(),
-                            state.position.data(),
-                            state.velocity.data(),
-                            commonWind(system, state),
-                            hasLocalWind(system, state) ? &system : nullptr,
-                            &state,
-                            system.airDensity,
-                            load.data()};
+    const PanelWork work = workOf(system, state, load);
     pool.parallelFor(system.panels.size(), [&](std::size_t first, std::size_t last) {
         (asWide ? wide::fillPanels : anywhere::fillPanels)(work, first, last);
     });

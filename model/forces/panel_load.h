@@ -41,6 +41,10 @@ Vec3 panelLoad(const MaterialAir& air, const Vec3& a, const Vec3& b, const Vec3&
 void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,
                     std::span<PaddedVec3> load);
 
+// The same in an apparent wind that is faster by `nudge`, m/s, along the normal of each panel.
+void fillNudgedPanelLoads(const System& system, const State& state, double nudge,
+                          std::span<PaddedVec3> load);
+
 // fillPanelLoads() that is told whether to use the kernel for wide machines (simd_pack.h), which
 // must not be asked of another machine. Both ways give the same bits, which tests compare.
 void fillPanelLoads(const System& system, const State& state, ThreadPool& pool,

@@ -317,7 +317,7 @@ SolverPlan planFor(const System& system)
 }
 
 int substepsForDamping(const System& system, const State& state, bool joinsMasses,
-                       std::vector<Mat3>& scratch)
+                       Damping& scratch)
 {
     return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch),
                           joinsMasses ? spareForTurning : 1.5);

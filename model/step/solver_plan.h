@@ -29,6 +29,7 @@
 #pragma once
 
 #include "base/message.h"
+#include "forces/force.h"
 #include "system/system.h"
 
 #include <span>
@@ -83,7 +84,7 @@ SolverPlan planFor(const System& system);
 // half to spare for what they do in the next few steps. Rods that are solved directly say nothing
 // of it by their strain. Where that joins the masses, what is left is how loads turn with the cloth.
 int substepsForDamping(const System& system, const State& state, bool joinsMasses,
-                       std::vector<Mat3>& scratch);
+                       Damping& scratch);
 
 // Substeps of the next step, no fewer than `least`, given those of the last and how often the error
 // that they left is as large as it may be (StepAccuracy::ratio()).

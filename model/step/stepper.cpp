@@ -20,6 +20,9 @@ namespace ripstop {
 namespace {
 
 constexpr int meanOver = 8;  // substeps, the last of a step, that tensions are the mean of
+constexpr int restless = 16; // State::unrest, from which on the automatic integrator takes Euler
+constexpr int unrestOfImpact = 5;
+constexpr int mostUnrest = 48;
 constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses the substeps
 
 StepStage stageOf(ForceKind kind)
@@ -83,8 +86,11 @@ int Stepper::step(const System& system, State& state)
     m_accuracy = accuracyOf(system, state, m_restLength);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
-    if (system.solver == Solver::Auto && state.step % lookEvery == 0)
-        adapt(system, state, substeps);
+    if (system.solver == Solver::Auto) {
+        if (state.step % lookEvery == 0)
+            adapt(system, state, substeps);
+        noteUnrest(system, state);
+    }
     m_clock.lap(StepStage::Plan);
     return substeps;
 }
@@ -116,8 +122,9 @@ void Stepper::prepare(const System& system, State& state)
     }
     m_integrator = system.integrator;
     if (m_integrator == Integrator::Auto)
-        m_integrator = system.solver == Solver::Auto ? m_plan.integrator
-                                                     : Integrator::SemiImplicitEuler;
+        m_integrator = system.solver == Solver::Auto && state.unrest < restless
+                           ? m_plan.integrator
+                           : Integrator::SemiImplicitEuler;
     m_tearsByForce =
         std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
             return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
@@ -128,11 +135,34 @@ int Stepper::substepsOf(const System& system, const State& state) const
 {
     if (system.solver != Solver::Auto)
         return system.substeps;
-    const int least = m_planFor.isOf(system) ? m_plan.least : system.substeps;
+    const int least = m_planFor.isOf(system) ? leastSubsteps(system) : system.substeps;
     if (state.substeps > 0)
         return std::max(state.substeps, least);
     return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForDamping(system, state))
                                   : system.substeps;
+}
+
+int Stepper::leastSubsteps(const System& system) const
+{
+    return m_integrator == m_plan.integrator ? m_plan.least
+                                             : std::max(m_plan.least, system.substeps);
+}
+
+// Lines that meet their load again and again make BDF2 begin anew all the time, and then Euler with
+// the author's substeps is truer: each such step adds to the unrest and each other one takes from
+// it.
+void Stepper::noteUnrest(const System& system, State& state)
+{
+    if (system.integrator != Integrator::Auto || m_plan.integrator != Integrator::Bdf2)
+        return;
+    const bool wasCalm = state.unrest < restless;
+    state.unrest = std::clamp(state.unrest + (m_impact ? unrestOfImpact : -1), 0, mostUnrest);
+    if (!wasCalm || state.unrest < restless)
+        return;
+    state.unrest = mostUnrest;
+    m_integrator = Integrator::SemiImplicitEuler;
+    state.substeps = std::max({state.substeps, leastSubsteps(system),
+                               substepsForDamping(system, state)});
 }
 
 // Sweeps show by their strain when the air asks for more substeps.
@@ -151,11 +181,9 @@ bool Stepper::dampsImplicitly(const System& system) const
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
-    // After an impact implicit Euler goes on, which needs the author's substeps.
-    const bool impact = m_integrator == Integrator::Bdf2 && state.driftSubstep == 0.0;
-    const int least = impact ? std::max(m_plan.least, system.substeps) : m_plan.least;
-    state.substeps = std::max(adaptedSubsteps(substeps, least, m_accuracy.ratio(system)),
-                              substepsForDamping(system, state));
+    state.substeps =
+        std::max(adaptedSubsteps(substeps, leastSubsteps(system), m_accuracy.ratio(system)),
+                 substepsForDamping(system, state));
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -197,8 +225,8 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (dampsImplicitly(system)) {
         m_foreseen = state.velocity;
         fillDamping(system, state, m_damping);
-        dropAcrossGuides(system, m_damping);
-        task.damping = m_damping;
+        dropAcrossGuides(system, m_damping.at);
+        task.damping = m_damping.at;
         dampImplicitly(system, state, task.h, m_scratch, state.driftSubstep == h);
         m_clock.lap(StepStage::Air);
     }
@@ -210,8 +238,8 @@ void Stepper::substep(RodTask& task, State& state, double h)
     m_clock.lap(StepStage::Tearing);
     project(task, state);
     m_clock.lap(StepStage::Rods);
-    const bool impact = isBdf2 && m_rods.hasImpact();
-    if (impact && state.driftSubstep == h)
+    m_impact = m_rods.hasImpact();
+    if (m_impact && state.driftSubstep == h && isBdf2)
         beginAnew(task, state, h);
     if (m_integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
@@ -235,7 +263,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
         tearLinks(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
                   m_overloads);
     m_clock.lap(StepStage::Tearing);
-    state.driftSubstep = looksBack(m_integrator) && !impact ? h : 0.0;
+    state.driftSubstep = looksBack(m_integrator) && !(isBdf2 && m_impact) ? h : 0.0;
     if (m_watch) {
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
@@ -285,7 +313,7 @@ void Stepper::dampImplicitly(const System& system, const State& state, double re
 {
     m_implicit = m_acceleration;
     for (std::size_t i = 0; i < m_implicit.size(); ++i) {
-        const Mat3& damping = m_damping[i];
+        const Mat3& damping = m_damping.at[i];
         if (system.inverseMass[i] == 0.0 || damping.isZero(0.0))
             continue;
         const Vec3 begin =

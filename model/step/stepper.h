@@ -68,6 +68,8 @@ private:
     void prepare(const System& system, State& state);
     void substep(RodTask& task, State& state, double h);
     RodTask rodTask(const System& system, State& state, double h) const;
+    int leastSubsteps(const System& system) const;
+    void noteUnrest(const System& system, State& state);
     void adapt(const System& system, State& state, int substeps);
     int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
@@ -100,13 +102,14 @@ private:
     std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
     std::vector<double> m_rodLength;        // [rods] m, before projection
-    mutable std::vector<Mat3> m_damping;    // [particles] N s/m, of forces, or scratch
+    mutable Damping m_damping;              // of forces
     std::vector<PaddedVec3> m_foreseen;     // [particles] m/s, that BDF2's forces are of, or empty
     std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
     std::size_t m_tears = 0;           // before this time step
     std::uint64_t m_serial = 0;        // of the system that m_restLength is of
     std::uint64_t m_valuesSerial = 0;
+    bool m_impact = false;       // a line met its load in the last substep
     bool m_summed = false;       // accelerations were, in this step
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
     bool m_judgesLinks = true;   // in this substep, which of them break

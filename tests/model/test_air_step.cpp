@@ -14,7 +14,7 @@ namespace {
 
 double limitOf(const System& system, const State& state)
 {
-    std::vector<Mat3> scratch;
+    Damping scratch;
     return dampingStepLimit(system, state, scratch);
 }
 
