@@ -12,12 +12,11 @@ enum class Integrator {
     Verlet,         // Verlet 1967
     VelocityVerlet, // Swope, Andersen, Berens and Wilson 1982
     Bdf2,           // backward differences of second order (Curtiss and Hirschfelder 1952)
-    RungeKutta4,    // Kutta 1901
-    Auto            // BDF2 where all rods are solved together, and else semi-implicit Euler
+    RungeKutta4     // Kutta 1901
 };
 template <>
-inline constexpr std::array<std::string_view, 7> choiceNames<Integrator>{
-    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet", "bdf2", "rk4", "auto"};
+inline constexpr std::array<std::string_view, 6> choiceNames<Integrator>{
+    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet", "bdf2", "rk4"};
 
 // Whether it goes on from State::drift instead of from the velocity.
 constexpr bool isVerlet(Integrator integrator)

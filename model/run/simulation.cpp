@@ -373,6 +373,7 @@ bool Simulation::runUntil(double time)
     return true;
 }
 
+void Simulation::refine(int times) { d->stepper.refine(times); }
 void Simulation::keepTimes(StepTimes* times) { d->stepper.keepTimes(times); }
 
 const System& Simulation::system() const { return d->system(); }

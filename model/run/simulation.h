@@ -70,6 +70,9 @@ public:
     // Steps until `time`, s, is reached, as hasReached() has it.
     bool runUntil(double time);
 
+    // Cuts each substep, however long the solver makes it, in so many from now on (certificate.h).
+    void refine(int times);
+
     // Adds what each stage of the steps from now on takes; null stops that.
     void keepTimes(StepTimes* times);
 

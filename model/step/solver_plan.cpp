@@ -23,7 +23,6 @@ namespace ripstop {
 namespace {
 
 constexpr int mostSubsteps = 2000;
-constexpr int substepsOfBdf2 = 4; // of Euler, that one of BDF2 is as true as
 constexpr double safety = 1.5;
 constexpr double spareForTurning = 0.6; // kites of 10 ms a substep flutter above about 0.4
 constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
@@ -186,8 +185,7 @@ public:
     {
         SolverPlan plan;
         plan.together = givesAll();
-        plan.integrator = integratorOf(plan.together);
-        plan.least = std::max(stiff, wantedOf(plan.integrator));
+        plan.least = std::max(stiff, m_system.substeps);
         plan.substeps =
             std::max(int(std::ceil(std::min(substeps, double(mostSubsteps)))), plan.least);
         if (!m_given.empty())
@@ -195,7 +193,7 @@ public:
         if (m_system.rods.empty())
             plan.reason = Message("there are no rods");
         else if (!m_given.empty() && substeps <= 1.0)
-            plan.reason = substepsBy(plan.integrator, plan.substeps);
+            plan.reason = Message("%1 substeps", plan.substeps);
         else
             plan.reason =
                 Message("small steps: %1 substeps of one sweep to begin with, for a "
@@ -220,31 +218,6 @@ private:
                 return false;
         }
         return !m_given.empty();
-    }
-
-    Integrator integratorOf(bool together) const
-    {
-        if (m_system.integrator != Integrator::Auto)
-            return m_system.integrator;
-        return together && std::isinf(stiffStepLimit(m_system))
-                   ? Integrator::Bdf2
-                   : Integrator::SemiImplicitEuler;
-    }
-
-    // Substeps that the author wants at least.
-    int wantedOf(Integrator integrator) const
-    {
-        return integrator == Integrator::Bdf2 && m_system.integrator == Integrator::Auto
-                   ? (m_system.substeps + substepsOfBdf2 - 1) / substepsOfBdf2
-                   : m_system.substeps;
-    }
-
-    static Message substepsBy(Integrator integrator, int substeps)
-    {
-        if (integrator != Integrator::Bdf2)
-            return Message("%1 substeps", substeps);
-        return substeps == 1 ? Message("1 substep of bdf2")
-                             : Message("%1 substeps of bdf2", substeps);
     }
 
     struct Given

@@ -19,10 +19,7 @@
 //
 // Stiff forces, as bends, bound the substep themselves (forces/forces.h).
 //
-// Where that leaves none to sweeps and nothing is stiff beside them, the automatic integrator takes
-// BDF2, one substep of which is as true as four of Euler's: a quarter of System::substeps are enough
-// for it. BDF2 that the author wants gets all rods solved together, since it makes what a single
-// sweep leaves over grow.
+// BDF2 gets all rods solved together, since it makes what a single sweep leaves over grow.
 //
 // That is the start. While a system runs, the strain is looked at every few steps and the number of
 // substeps follows it (adaptedSubsteps): wind and swings load rods as well.
@@ -39,7 +36,6 @@ namespace ripstop {
 
 struct SolverPlan
 {
-    Integrator integrator = Integrator::SemiImplicitEuler; // any but Auto
     int substeps = 1;                 // to begin with
     int least = 1;                    // that the author wants, and that stiff forces allow
     std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
@@ -74,7 +70,7 @@ private:
     double m_accuracy = 0.0;
     double m_gravity = 0.0;
     int m_substeps = 0;
-    Integrator m_integrator = Integrator::Auto;
+    Integrator m_integrator = Integrator::SemiImplicitEuler;
 };
 
 // The system must be finished.

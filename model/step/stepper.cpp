@@ -20,9 +20,6 @@ namespace ripstop {
 namespace {
 
 constexpr int meanOver = 8;  // substeps, the last of a step, that tensions are the mean of
-constexpr int restless = 16; // State::unrest, from which on the automatic integrator takes Euler
-constexpr int unrestOfImpact = 5;
-constexpr int mostUnrest = 48;
 constexpr int lookEvery = 8; // steps, at the strain, where the solver chooses the substeps
 
 StepStage stageOf(ForceKind kind)
@@ -56,7 +53,8 @@ int Stepper::step(const System& system, State& state)
 {
     m_clock.start();
     prepare(system, state);
-    const int substeps = substepsOf(system, state);
+    const int chosen = chosenSubsteps(system, state);
+    const int substeps = chosen * m_refinement;
     const double h = system.timeStep / substeps;
     m_clock.lap(StepStage::Plan);
     if (!system.fabricLayer.empty()) {
@@ -69,7 +67,7 @@ int Stepper::step(const System& system, State& state)
     for (int s = 0; s < substeps; ++s) {
         state.time = startTime + (s + 1) * h;
         RodTask task = rodTask(system, state, h);
-        task.tolerance = toleranceFor(m_integrator, h);
+        task.tolerance = toleranceFor(system.integrator, h) / m_refinement;
         if (s == 0) {
             m_rods.start(task, state.rodTension);
             m_clock.lap(StepStage::Rods);
@@ -86,11 +84,8 @@ int Stepper::step(const System& system, State& state)
     m_accuracy = accuracyOf(system, state, m_restLength);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
-    if (system.solver == Solver::Auto) {
-        if (state.step % lookEvery == 0)
-            adapt(system, state, substeps);
-        noteUnrest(system, state);
-    }
+    if (system.solver == Solver::Auto && state.step % lookEvery == 0)
+        adapt(system, state, chosen);
     m_clock.lap(StepStage::Plan);
     return substeps;
 }
@@ -120,11 +115,6 @@ void Stepper::prepare(const System& system, State& state)
         m_plan = planFor(system);
         m_planFor = PlanFor(system);
     }
-    m_integrator = system.integrator;
-    if (m_integrator == Integrator::Auto)
-        m_integrator = system.solver == Solver::Auto && state.unrest < restless
-                           ? m_plan.integrator
-                           : Integrator::SemiImplicitEuler;
     m_tearsByForce =
         std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
             return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
@@ -133,36 +123,18 @@ void Stepper::prepare(const System& system, State& state)
 
 int Stepper::substepsOf(const System& system, const State& state) const
 {
+    return chosenSubsteps(system, state) * m_refinement;
+}
+
+int Stepper::chosenSubsteps(const System& system, const State& state) const
+{
     if (system.solver != Solver::Auto)
         return system.substeps;
-    const int least = m_planFor.isOf(system) ? leastSubsteps(system) : system.substeps;
+    const int least = m_planFor.isOf(system) ? m_plan.least : system.substeps;
     if (state.substeps > 0)
         return std::max(state.substeps, least);
     return m_planFor.isOf(system) ? std::max(m_plan.substeps, substepsForDamping(system, state))
                                   : system.substeps;
-}
-
-int Stepper::leastSubsteps(const System& system) const
-{
-    return m_integrator == m_plan.integrator ? m_plan.least
-                                             : std::max(m_plan.least, system.substeps);
-}
-
-// Lines that meet their load again and again make BDF2 begin anew all the time, and then Euler with
-// the author's substeps is truer: each such step adds to the unrest and each other one takes from
-// it.
-void Stepper::noteUnrest(const System& system, State& state)
-{
-    if (system.integrator != Integrator::Auto || m_plan.integrator != Integrator::Bdf2)
-        return;
-    const bool wasCalm = state.unrest < restless;
-    state.unrest = std::clamp(state.unrest + (m_impact ? unrestOfImpact : -1), 0, mostUnrest);
-    if (!wasCalm || state.unrest < restless)
-        return;
-    state.unrest = mostUnrest;
-    m_integrator = Integrator::SemiImplicitEuler;
-    state.substeps = std::max({state.substeps, leastSubsteps(system),
-                               substepsForDamping(system, state)});
 }
 
 // Sweeps show by their strain when the air asks for more substeps.
@@ -176,13 +148,13 @@ int Stepper::substepsForDamping(const System& system, const State& state) const
 // Whether what forces take from motion joins the masses (dampImplicitly()).
 bool Stepper::dampsImplicitly(const System& system) const
 {
-    return system.solver == Solver::Auto && m_plan.together && m_integrator == Integrator::Bdf2;
+    return system.solver == Solver::Auto && m_plan.together && system.integrator == Integrator::Bdf2;
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
     state.substeps =
-        std::max(adaptedSubsteps(substeps, leastSubsteps(system), m_accuracy.ratio(system)),
+        std::max(adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system)),
                  substepsForDamping(system, state));
 }
 
@@ -196,7 +168,7 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
             automatic ? m_plan.direct : system.direct,
             state.rodTorn,
             m_restLength,
-            reachOf(m_integrator, h, state.driftSubstep == h),
+            reachOf(system.integrator, h, state.driftSubstep == h),
             std::uint64_t(state.substep),
             state.position,
             m_before,
@@ -206,7 +178,7 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
 void Stepper::substep(RodTask& task, State& state, double h)
 {
     const System& system = task.system;
-    const bool isBdf2 = m_integrator == Integrator::Bdf2;
+    const bool isBdf2 = system.integrator == Integrator::Bdf2;
     beginMoves(system, state, state.time - h, m_placed);
     moveCarried(state, h);
     if (moveInputs(system, state, h)) {
@@ -230,7 +202,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
         dampImplicitly(system, state, task.h, m_scratch, state.driftSubstep == h);
         m_clock.lap(StepStage::Air);
     }
-    if (m_integrator == Integrator::RungeKutta4)
+    if (system.integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
@@ -238,10 +210,10 @@ void Stepper::substep(RodTask& task, State& state, double h)
     m_clock.lap(StepStage::Tearing);
     project(task, state);
     m_clock.lap(StepStage::Rods);
-    m_impact = m_rods.hasImpact();
-    if (m_impact && state.driftSubstep == h && isBdf2)
+    const bool impact = isBdf2 && m_rods.hasImpact();
+    if (impact && state.driftSubstep == h)
         beginAnew(task, state, h);
-    if (m_integrator == Integrator::VelocityVerlet) {
+    if (system.integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
         m_clock.lap(StepStage::Motion);
         fillAccelerations(system, state, h);
@@ -263,7 +235,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
         tearLinks(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
                   m_overloads);
     m_clock.lap(StepStage::Tearing);
-    state.driftSubstep = looksBack(m_integrator) && !(isBdf2 && m_impact) ? h : 0.0;
+    state.driftSubstep = looksBack(system.integrator) && !impact ? h : 0.0;
     if (m_watch) {
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
@@ -366,11 +338,11 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
                                 (dampsImplicitly(system) ? m_implicit : m_acceleration).data(),
                                 system.inverseMass.data(),
                                 h,
-                                reachOf(m_integrator, h, drifts),
+                                reachOf(system.integrator, h, drifts),
                                 m_keep,
                                 drifts};
     m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
-        runPass(pass, m_integrator, motion, first, last);
+        runPass(pass, system.integrator, motion, first, last);
     });
 }
 

@@ -45,6 +45,9 @@ public:
     // Adds what each stage of the steps from now on takes; null stops that.
     void keepTimes(StepTimes* times) { m_clock.giveTo(times); }
 
+    // Cuts each substep, however long it is chosen, in so many from now on.
+    void refine(int times) { m_refinement = times; }
+
     // Lets somebody look at the steps from now on; null stops that.
     void watch(SubstepWatch* watch) { m_watch = watch; }
 
@@ -68,8 +71,7 @@ private:
     void prepare(const System& system, State& state);
     void substep(RodTask& task, State& state, double h);
     RodTask rodTask(const System& system, State& state, double h) const;
-    int leastSubsteps(const System& system) const;
-    void noteUnrest(const System& system, State& state);
+    int chosenSubsteps(const System& system, const State& state) const;
     void adapt(const System& system, State& state, int substeps);
     int substepsForDamping(const System& system, const State& state) const;
     void fillAccelerations(const System& system, const State& state, double h);
@@ -89,7 +91,6 @@ private:
     RodSolver m_rods;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
-    Integrator m_integrator = Integrator::SemiImplicitEuler; // of this step; any but Auto
     StepAccuracy m_accuracy;
     FabricContact m_fabric;
     Forces m_forces;
@@ -106,10 +107,10 @@ private:
     std::vector<PaddedVec3> m_foreseen;     // [particles] m/s, that BDF2's forces are of, or empty
     std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
+    int m_refinement = 1;
     std::size_t m_tears = 0;           // before this time step
     std::uint64_t m_serial = 0;        // of the system that m_restLength is of
     std::uint64_t m_valuesSerial = 0;
-    bool m_impact = false;       // a line met its load in the last substep
     bool m_summed = false;       // accelerations were, in this step
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
     bool m_judgesLinks = true;   // in this substep, which of them break

@@ -111,8 +111,7 @@ inline constexpr auto fieldsOf<State> = fields<State,
     &State::splits,
     &State::tearHolds, // name links by their places, which carryOver() finds again
     field<&State::work, Since{3}>,
-    field<&State::ramps, Since{4}>,
-    field<&State::unrest, Since{4}>>;
+    field<&State::ramps, Since{4}>>;
 // clang-format on
 
 // The serials and what goes with them say when a solver looks again: two systems may be equal

@@ -132,7 +132,6 @@ struct State
 
     Work work;
     std::vector<Ramp> ramps; // in ascending order of key
-    int unrest = 0;          // how often lines have met their load of late (step/stepper.cpp)
 
     friend bool operator==(const State&, const State&) = default;
 };

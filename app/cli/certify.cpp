@@ -1,0 +1,153 @@
+// ripstop-cli certify: which digits of a run hold.
+//
+// The scene is flown three times (run/certificate.h); what each probe goes to is printed as a table
+// or as JSON, and --csv writes the bands of errors over time.
+#include "cli/commands.h"
+#include "cli/scene_input.h"
+#include "io/certificate_table.h"
+#include "io/control_track.h"
+#include "io/whole_file.h"
+#include "run/certificate.h"
+#include "terminal/terminal.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+namespace ripstop {
+namespace {
+
+struct Options
+{
+    SceneInput scene;
+    double seconds = 0.0; // s
+    std::string controls;
+    std::string csv;
+    int digits = 0; // fewer end in Inaccurate
+    bool json = false;
+};
+
+void printTable(const Certificate& certificate)
+{
+    std::printf("%-24s %14s %12s %7s %6s  %s\n", "probe", "value", "error", "digits", "order",
+                "judged by");
+    for (const CertifiedProbe& probe : certificate.probes) {
+        const Convergence& result = probe.result;
+        const std::string name =
+            probe.unit.empty() ? probe.name : probe.name + " (" + probe.unit + ")";
+        char order[16] = "-";
+        if (result.converges())
+            std::snprintf(order, sizeof order, "%.1f", result.order);
+        std::printf("%-24s %14.8g %12.2g %7d %6s  %s\n", name.c_str(), result.value[0],
+                    result.error, result.digits, order,
+                    probe.ofMean ? "the mean of the second half" : "the last value");
+    }
+    std::fflush(stdout);
+}
+
+Json jsonOf(const Certificate& certificate)
+{
+    Json probes = Json::array();
+    for (const CertifiedProbe& probe : certificate.probes) {
+        const Convergence& result = probe.result;
+        probes.push_back({{"name", probe.name},
+                          {"unit", probe.unit},
+                          {"of_mean", probe.ofMean},
+                          {"value", result.value[0]},
+                          {"half", result.value[1]},
+                          {"quarter", result.value[2]},
+                          {"limit", result.limit},
+                          {"error", result.error},
+                          {"order", result.order},
+                          {"digits", result.digits}});
+    }
+    return {{"seconds", certificate.seconds}, {"probes", std::move(probes)}};
+}
+
+int certify(const Options& options)
+{
+    SceneOutcome loaded = loadScene(options.scene);
+    if (!loaded.scene)
+        return loaded.exitCode;
+    if (!options.csv.empty())
+        if (const auto failure = unwritable(options.csv))
+            return fail(BadInput, failure->message);
+    std::function<Pilot()> newPilot;
+    if (!options.controls.empty()) {
+        auto track = readControlTrack(options.controls, *loaded.scene);
+        if (!track)
+            return fail(BadInput, track.message());
+        newPilot = [track = *track] {
+            return [player = std::make_shared<ControlPlayer>(track)](Simulation& simulation) {
+                player->giveTo(simulation);
+            };
+        };
+    }
+    catchInterrupt();
+    Result<Certificate> certificate = Failure("nothing was flown");
+    {
+        ProgressLine progress("certifying " + options.scene.file);
+        certificate =
+            ripstop::certify(*loaded.scene, options.seconds, newPilot, [&](double share) {
+                progress.show(share);
+                return !interrupted();
+            });
+    }
+    if (interrupted())
+        return fail(Interrupted, "Interrupted; nothing is certified.");
+    if (!certificate)
+        return fail(BadInput, Message("%1: %2", options.scene.file, certificate.message()));
+    if (!options.csv.empty())
+        if (const auto failure =
+                replaceFile(options.csv, certificateTable(*certificate), Flush::Now))
+            return fail(BadInput, failure->message);
+    if (options.json)
+        print(jsonOf(*certificate));
+    else
+        printTable(*certificate);
+    const auto worst = std::ranges::min_element(
+        certificate->probes, {}, [](const CertifiedProbe& probe) { return probe.result.digits; });
+    if (worst->result.digits >= options.digits)
+        return Done;
+    return fail(Inaccurate, Message("%1 digits of \"%2\" hold, and %3 are wanted.",
+                                    worst->result.digits, worst->name, options.digits));
+}
+
+} // namespace
+
+void addCertify(CLI::App& app, Command& chosen)
+{
+    CLI::App* command = app.add_subcommand(
+        "certify", "Tell which digits of the probes hold, by flying a scene three times.");
+    const auto options = std::make_shared<Options>();
+    addSceneOption(*command, options->scene);
+    command->add_option("--seconds", options->seconds, "Simulated time, s")
+        ->required()
+        ->check(numberBetween(1e-9, 1e9))
+        ->type_name("T");
+    command
+        ->add_option("--controls", options->controls,
+                     "What pilot and hands do: a control track, as of run --controls")
+        ->type_name("FILE");
+    command
+        ->add_option("--csv", options->csv,
+                     "Write the values of the probes and their errors over time")
+        ->type_name("FILE");
+    command
+        ->add_option("--digits", options->digits, "End with code 5 where fewer digits hold")
+        ->check(CLI::Range(0, 15))
+        ->type_name("N");
+    command->add_flag("--json", options->json, "Print one JSON object");
+    command->footer(
+        "Example:\n"
+        "  ripstop-cli certify scenes/stretched_line.ripstop.json --seconds 2\n"
+        "\n"
+        "The scene is flown as it is, with each substep cut in two, and in four; its tolerances "
+        "are\ncut as well. What the last value of a probe goes to tells its order and its error "
+        "(Richardson);\nwhere it goes nowhere, as in motion that is chaotic, the mean over the "
+        "second half of the time\nis judged instead. It takes about four times as long as the "
+        "run.");
+    command->callback([options, &chosen] { chosen = [options] { return certify(*options); }; });
+}
+
+} // namespace ripstop

@@ -1,0 +1,75 @@
+// How true a run is: which digits of its probes hold.
+//
+// The scene runs three times, with its substeps as they are, cut in two and cut in four, and with
+// its tolerances as they are, half and a quarter of them. Time steps stay, so that all three hear
+// the same pilots and meet the same gusts and their probes are read at the same moments. With q1,
+// q2 and q4 the values of a probe, coarse to fine (Richardson 1911; Roache 1994, "Perspective: a
+// method for uniform reporting of grid refinement studies"):
+//
+//     order        p  = log2((q1 - q2) / (q2 - q4))
+//     limit        q  = q4 + (q4 - q2) / (2^p - 1)
+//     error of q1  Fs |q1 - q|, Fs = 1.25
+//
+// Where the differences do not shrink with one sign, no order shows, and the error is three times
+// the largest of them. Motion that is chaotic has no values that converge, but its means may: of a
+// probe whose last values do not come nearer to each other the mean over the second half of the
+// time is judged instead.
+#pragma once
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace ripstop {
+
+// Of one number that was found three times.
+struct Convergence
+{
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    std::array<double, 3> value{}; // coarse to fine
+    double order = none;           // that shows, or none
+    double limit = none;           // what the values go to, or none
+    double error = none;           // of the coarse one
+    int digits = 0;                // of the coarse one that hold, 15 at most
+
+    bool converges() const { return order == order; }
+};
+
+Convergence convergenceOf(const std::array<double, 3>& value);
+
+class Simulation;
+
+// Does to a simulation what a pilot did, called before each step.
+using Pilot = std::function<void(Simulation&)>;
+
+struct CertifiedProbe
+{
+    std::string name;
+    std::string unit;
+    bool ofMean = false; // over the second half, since single values do not converge
+    Convergence result;
+    std::vector<double> value; // [times] of the run as it is
+    std::vector<double> error; // [times] of these, as above
+};
+
+struct Certificate
+{
+    double seconds = 0.0;
+    std::vector<double> time; // [times] s, of every time step
+    std::vector<CertifiedProbe> probes;
+};
+
+// Fails with a sentence where the scene does not compile, has no probes, where one of the runs stops
+// early, or when `progress` says so. It takes two threads.
+//   newPilot  called once for each run; empty where nobody flies
+Result<Certificate> certify(const Scene& scene, double seconds,
+                            const std::function<Pilot()>& newPilot, const Progress& progress);
+
+} // namespace ripstop
