@@ -2,6 +2,7 @@
 
 #include "actions/keys_dialog.h"
 #include "actions/palette.h"
+#include "dialogs/certify_dialog.h"
 #include "dialogs/condition_dialog.h"
 #include "dialogs/polar_dialog.h"
 #include "dialogs/result_page.h"
@@ -67,6 +68,13 @@ void Dialogs::showPolar()
     else
         m_polar = new PolarDialog(m_document, material, &m_window); // deletes itself when closed
     bringUp(*m_polar);
+}
+
+void Dialogs::showCertify()
+{
+    if (!m_certify)
+        m_certify = new CertifyDialog(m_document, &m_window); // deletes itself when closed
+    bringUp(*m_certify);
 }
 
 void Dialogs::showCondition()

@@ -14,6 +14,7 @@ class QMainWindow;
 
 namespace ripstop {
 
+class CertifyDialog;
 class ConditionDialog;
 class Document;
 class KeyMap;
@@ -34,6 +35,7 @@ public:
     void showPalette();
     void showVerification(); // runs its cases when they have not been
     void showPolar();        // of the selected material
+    void showCertify();
     void showCondition();
     void showRigidity();
     void showSettle(Player& player, std::function<void()> adoptPose);
@@ -45,6 +47,7 @@ private:
     Viewport& m_viewport;
     QPointer<VerificationDialog> m_verification; // while it is open
     QPointer<PolarDialog> m_polar;               // while it is open
+    QPointer<CertifyDialog> m_certify;           // while it is open
     QPointer<SettleDialog> m_settle;             // while it is open
     ConditionDialog* m_condition = nullptr;      // once it has been asked for
     RigidityDialog* m_rigidity = nullptr;        // once it has been asked for

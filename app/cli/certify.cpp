@@ -87,11 +87,10 @@ int certify(const Options& options)
     Result<Certificate> certificate = Failure("nothing was flown");
     {
         ProgressLine progress("certifying " + options.scene.file);
-        certificate =
-            ripstop::certify(*loaded.scene, options.seconds, newPilot, [&](double share) {
-                progress.show(share);
-                return !interrupted();
-            });
+        certificate = ripstop::certify(*loaded.scene, options.seconds, newPilot, [&](double share) {
+            progress.show(share);
+            return !interrupted();
+        });
     }
     if (interrupted())
         return fail(Interrupted, "Interrupted; nothing is certified.");
@@ -99,7 +98,7 @@ int certify(const Options& options)
         return fail(BadInput, Message("%1: %2", options.scene.file, certificate.message()));
     if (!options.csv.empty())
         if (const auto failure =
-                replaceFile(options.csv, certificateTable(*certificate), Flush::Now))
+                replaceFile(options.csv, certificateTable(*certificate), Flush::ToDisk))
             return fail(BadInput, failure->message);
     if (options.json)
         print(jsonOf(*certificate));
@@ -121,6 +120,7 @@ void addCertify(CLI::App& app, Command& chosen)
         "certify", "Tell which digits of the probes hold, by flying a scene three times.");
     const auto options = std::make_shared<Options>();
     addSceneOption(*command, options->scene);
+    addSetOption(*command, options->scene.assignments);
     command->add_option("--seconds", options->seconds, "Simulated time, s")
         ->required()
         ->check(numberBetween(1e-9, 1e9))
@@ -133,8 +133,7 @@ void addCertify(CLI::App& app, Command& chosen)
         ->add_option("--csv", options->csv,
                      "Write the values of the probes and their errors over time")
         ->type_name("FILE");
-    command
-        ->add_option("--digits", options->digits, "End with code 5 where fewer digits hold")
+    command->add_option("--digits", options->digits, "End with code 5 where fewer digits hold")
         ->check(CLI::Range(0, 15))
         ->type_name("N");
     command->add_flag("--json", options->json, "Print one JSON object");

@@ -30,11 +30,6 @@ constexpr auto memoryKey = "recording/memory"; // MB
 constexpr int usualMemory = 512;               // MB
 constexpr int mostMemory = 64 * 1024;          // MB
 
-std::filesystem::path pathOf(const QString& file)
-{
-    return std::filesystem::path(file.toStdU16String());
-}
-
 QString filter() { return RunFiles::tr("Recordings (*.ripstop-run);;All files (*)"); }
 
 int keptMemory() { return QSettings().value(memoryKey, usualMemory).toInt(); }

@@ -174,8 +174,7 @@ double DirectSolver::pullOf(const Bar& bar)
 bool DirectSolver::hasImpact() const
 {
     return std::ranges::any_of(m_bars, [](const Bar& bar) {
-        return bar.resists != Resists::Both
-               && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
+        return bar.resists != Resists::Both && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
     });
 }
 

@@ -7,11 +7,12 @@
 // y being where the particles are without these rods: implicit Euler for what the rods do (Baraff
 // and Witkin 1998), and XPBD's functional (Macklin, Mueller and Chentanez 2016) solved at once
 // instead of rod by rod. M is the mass m, and where forces take from motion m + h D, D being what
-// they fall by for each m/s: so air on light cloth bounds no step. A rod's block of the matrix is (n n^T + g s (1 - n n^T)) / s, n along the
-// rod; g = multiplier / length is the stiffness that its pull gives it across. The multiplier in g
-// is the one that the linear system gave before, at first that of the substep before: taken from
-// the stretch of the guess it would freeze all swinging, and without g a heavy load on a light line
-// diverges. Pushing rods count as g = 0, which keeps the matrix positive definite.
+// they fall by for each m/s: so air on light cloth bounds no step. A rod's block of the matrix is
+// (n n^T + g s (1 - n n^T)) / s, n along the rod; g = multiplier / length is the stiffness that its
+// pull gives it across. The multiplier in g is the one that the linear system gave before, at first
+// that of the substep before: taken from the stretch of the guess it would freeze all swinging, and
+// without g a heavy load on a light line diverges. Pushing rods count as g = 0, which keeps the
+// matrix positive definite.
 //
 // s is the compliance of a rod over h^2. Rods without compliance get one that cannot be seen: ten
 // times the weight of the block stretches them by 1e-4. That much is needed where frames have more

@@ -29,11 +29,11 @@ struct RodTask
     std::span<PaddedVec3> position;       // [particles] m, corrected in place
     std::span<const PaddedVec3> before = {};       // [particles] m, at the start of the substep
     std::span<const PaddedVec3> acceleration = {}; // [particles] m/s^2, of forces
-    std::span<const Mat3> damping = {}; // [particles] N s/m, or empty: forces beside the rods fall by
-                                        // it as rods move things; the direct solver's alone
+    std::span<const Mat3> damping = {}; // [particles] N s/m, or empty: forces beside the rods fall
+                                        // by it as rods move things; the direct solver's alone
     double tolerance = 3e-4; // 1, of lengths, where iterations of the direct solver may end
-    bool note = true;                              // this substep counts for takeTensions()
-    bool shifted = true; // rest lengths of shifted rods may differ from the substep before
+    bool note = true;        // this substep counts for takeTensions()
+    bool shifted = true;     // rest lengths of shifted rods may differ from the substep before
 };
 
 class RodSolver

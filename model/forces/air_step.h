@@ -1,5 +1,5 @@
-// What the air takes from the motion of fabric: it bounds the substep, or joins the masses where all
-// rods are solved together.
+// What the air takes from the motion of fabric: it bounds the substep, or joins the masses where
+// all rods are solved together.
 //
 // The load on a panel falls by c (N s/m) for each m/s that its mean moves along its normal n. A
 // corner has a third of the load and makes a third of the mean: the damping between two corners is
@@ -7,7 +7,6 @@
 #pragma once
 
 #include "forces/force.h"
-
 
 namespace ripstop {
 

@@ -1,5 +1,5 @@
-// The list of forces, made from ForceLists, and what they ask together: what they derive anew after an
-// edit, how long a substep may be for what is stiff, and what they take from motion.
+// The list of forces, made from ForceLists, and what they ask together: what they derive anew after
+// an edit, how long a substep may be for what is stiff, and what they take from motion.
 #include "forces/forces.h"
 
 #include "base/step_limit.h"

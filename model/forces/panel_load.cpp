@@ -19,8 +19,8 @@ struct PanelWork
     Vec3 wind;                  // m/s, what is the same everywhere
     const System* system;       // whose other winds depend on the place, or null
     const State* state;
-    double airDensity; // kg/m^3
-    PaddedVec3* load;  // [panels] N
+    double airDensity;  // kg/m^3
+    PaddedVec3* load;   // [panels] N
     double nudge = 0.0; // m/s, added to the wind along the normal
 };
 

@@ -1,5 +1,5 @@
-// A certificate as CSV (csv.h): a row for each time step, and of each probe its value and its error,
-// the half of the band that it may be off by.
+// A certificate as CSV (csv.h): a row for each time step, and of each probe its value and its
+// error, the half of the band that it may be off by.
 #pragma once
 
 #include "run/certificate.h"

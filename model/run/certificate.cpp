@@ -1,5 +1,6 @@
-// Three runs on two threads: the finest, which takes longest, on that of the caller, who hears of its
-// progress, and the two others beside it. Then each probe is judged, at the end and at every step.
+// Three runs on two threads: the finest, which takes longest, on that of the caller, who hears of
+// its progress, and the two others beside it. Then each probe is judged, at the end and at every
+// step.
 #include "run/certificate.h"
 
 #include "compile/compile.h"
@@ -14,10 +15,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double safety = 1.25;      // Roache 1994, for three grids
+constexpr double safety = 1.25;       // Roache 1994, for three grids
 constexpr double safetyWithout = 3.0; // of an order
-constexpr double leastOrder = 0.5;   // that the limit is told by
-constexpr double roundOff = 1e-13;   // of a value
+constexpr double leastOrder = 0.5;    // that the limit is told by
+constexpr double roundOff = 1e-13;    // of a value
 constexpr int mostDigits = 15;
 
 struct Flight
@@ -72,8 +73,8 @@ Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Pro
         if (pilot)
             pilot(simulation);
         if (!simulation.step()) {
-            flight.failure = Failure("with %1 times as many substeps: %2", times,
-                                     simulation.trouble()->message);
+            flight.failure =
+                Failure("with %1 times as many substeps: %2", times, simulation.trouble()->message);
             return flight;
         }
         read();
@@ -113,9 +114,9 @@ CertifiedProbe judged(const Layout::Probe& probe, const std::array<Flight, 3>& f
     certified.ofMean = grow(last);
     certified.result = convergenceOf(certified.ofMean ? valuesBy(meanOf) : last);
     for (std::size_t k = 0; k < certified.value.size(); ++k)
-        certified.error.push_back(
-            convergenceOf(valuesBy([k](const std::vector<double>& values) { return values[k]; }))
-                .error);
+        certified.error.push_back(convergenceOf(valuesBy([k](const std::vector<double>& values) {
+                                      return values[k];
+                                  })).error);
     return certified;
 }
 
@@ -176,7 +177,7 @@ Result<Certificate> certify(const Scene& scene, double seconds,
         if (flight.failure)
             return *flight.failure;
     if (!isWanted)
-        return Failure("it was cancelled");
+        return Failure("Cancelled.");
 
     Certificate certificate{seconds, flights[0].time, {}};
     for (std::size_t i = 0; i < probes.size(); ++i)

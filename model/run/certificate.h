@@ -66,8 +66,8 @@ struct Certificate
     std::vector<CertifiedProbe> probes;
 };
 
-// Fails with a sentence where the scene does not compile, has no probes, where one of the runs stops
-// early, or when `progress` says so. It takes two threads.
+// Fails with a sentence where the scene does not compile, has no probes, where one of the runs
+// stops early, or when `progress` says so. It takes two threads.
 //   newPilot  called once for each run; empty where nobody flies
 Result<Certificate> certify(const Scene& scene, double seconds,
                             const std::function<Pilot()>& newPilot, const Progress& progress);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int mostSubsteps = 2000;
 constexpr double safety = 1.5;
-constexpr double spareForTurning = 0.6; // kites of 10 ms a substep flutter above about 0.4
+constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
 constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
 constexpr double manySubsteps = 100.0;    // in 10 ms
 constexpr double tooManySubsteps = 300.0; // in 10 ms, of any network
@@ -289,8 +289,7 @@ SolverPlan planFor(const System& system)
                         std::max(worst.substeps, substepsForPulls(system, planner.direct())));
 }
 
-int substepsForDamping(const System& system, const State& state, bool joinsMasses,
-                       Damping& scratch)
+int substepsForDamping(const System& system, const State& state, bool joinsMasses, Damping& scratch)
 {
     return substepsWithin(system.timeStep, dampingStepLimit(system, state, scratch),
                           joinsMasses ? spareForTurning : 1.5);

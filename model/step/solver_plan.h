@@ -78,7 +78,8 @@ SolverPlan planFor(const System& system);
 
 // Fewest substeps for what forces, air above all, take from the motion that is in `state`, with a
 // half to spare for what they do in the next few steps. Rods that are solved directly say nothing
-// of it by their strain. Where that joins the masses, what is left is how loads turn with the cloth.
+// of it by their strain. Where that joins the masses, what is left is how loads turn with the
+// cloth.
 int substepsForDamping(const System& system, const State& state, bool joinsMasses,
                        Damping& scratch);
 

@@ -140,22 +140,22 @@ int Stepper::chosenSubsteps(const System& system, const State& state) const
 // Sweeps show by their strain when the air asks for more substeps.
 int Stepper::substepsForDamping(const System& system, const State& state) const
 {
-    return m_plan.direct.empty() ? 1
-                                 : ripstop::substepsForDamping(
-                                       system, state, dampsImplicitly(system), m_damping);
+    return m_plan.direct.empty()
+               ? 1
+               : ripstop::substepsForDamping(system, state, dampsImplicitly(system), m_damping);
 }
 
 // Whether what forces take from motion joins the masses (dampImplicitly()).
 bool Stepper::dampsImplicitly(const System& system) const
 {
-    return system.solver == Solver::Auto && m_plan.together && system.integrator == Integrator::Bdf2;
+    return system.solver == Solver::Auto && m_plan.together
+           && system.integrator == Integrator::Bdf2;
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
 {
-    state.substeps =
-        std::max(adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system)),
-                 substepsForDamping(system, state));
+    state.substeps = std::max(adaptedSubsteps(substeps, m_plan.least, m_accuracy.ratio(system)),
+                              substepsForDamping(system, state));
 }
 
 RodTask Stepper::rodTask(const System& system, State& state, double h) const
@@ -276,9 +276,9 @@ void Stepper::fillAccelerations(const System& system, const State& state, double
     m_clock.lap(StepStage::Sum);
 }
 
-// Forces F that fall by D for each m/s are not those of the velocity v* that was foreseen but of the
-// one, v, that they lead to: (m + k D) v = m v0 + k (F + D v*), k being the reach and v0 what BDF2
-// begins with. Without that, light cloth in a wind would need many substeps.
+// Forces F that fall by D for each m/s are not those of the velocity v* that was foreseen but of
+// the one, v, that they lead to: (m + k D) v = m v0 + k (F + D v*), k being the reach and v0 what
+// BDF2 begins with. Without that, light cloth in a wind would need many substeps.
 //   now  [particles]  m/s, at the start of the substep
 void Stepper::dampImplicitly(const System& system, const State& state, double reach,
                              std::span<const PaddedVec3> now, bool drifts)
@@ -291,8 +291,8 @@ void Stepper::dampImplicitly(const System& system, const State& state, double re
         const Vec3 begin =
             drifts ? Vec3((4.0 * now[i] - state.velocityBefore[i]) / 3.0) : Vec3(now[i]);
         const Mat3 inertia = Mat3::Identity() / system.inverseMass[i] + reach * damping;
-        m_implicit[i] += inertia.inverse()
-                         * (damping * (m_foreseen[i] - begin - reach * m_acceleration[i]));
+        m_implicit[i] +=
+            inertia.inverse() * (damping * (m_foreseen[i] - begin - reach * m_acceleration[i]));
     }
 }
 
@@ -347,9 +347,9 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
 }
 
 // A line that gets tight stops what it holds within a substep. BDF2 goes on from how things moved
-// before, which throws them back with half of their speed, and lines that do so again and again give
-// more than they took: such a substep is done again as the first one, which is of implicit Euler,
-// and so is the next.
+// before, which throws them back with half of their speed, and lines that do so again and again
+// give more than they took: such a substep is done again as the first one, which is of implicit
+// Euler, and so is the next.
 void Stepper::beginAnew(RodTask& task, State& state, double h)
 {
     state.driftSubstep = 0.0;

@@ -10,14 +10,11 @@
 #include <QFileInfo>
 
 namespace ripstop {
-namespace {
 
 std::filesystem::path pathOf(const QString& file)
 {
     return std::filesystem::path(file.toStdU16String());
 }
-
-} // namespace
 
 Document::Document(QObject* parent)
     : QObject(parent)

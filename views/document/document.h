@@ -11,9 +11,12 @@
 #include <QString>
 #include <QUndoStack>
 
+#include <filesystem>
 #include <optional>
 
 namespace ripstop {
+
+std::filesystem::path pathOf(const QString& file); // as the model takes it
 
 class Document final : public QObject
 {

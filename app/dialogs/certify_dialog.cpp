@@ -1,0 +1,182 @@
+// Stages: the constructor lays out field, table and chart. start() flies the three runs on other
+// threads and keeps the certificate, or says why there is none; fill() writes the rows and draw()
+// the chart of the row that is selected. save() writes values and errors as CSV.
+#include "dialogs/certify_dialog.h"
+
+#include "dialogs/ask_file.h"
+#include "dialogs/work_dialog.h"
+#include "document/document.h"
+#include "document/words.h"
+#include "io/certificate_table.h"
+#include "io/whole_file.h"
+#include "plots/band_chart.h"
+#include "plots/chart_style.h"
+#include "start/parameter_field.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScreen>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace ripstop {
+namespace {
+
+const Parameter secondsParameter{"--seconds",
+                                 "s",
+                                 2.0,
+                                 1e-3,
+                                 1e6,
+                                 false,
+                                 "Simulated time; the longer, the less is left of the digits."};
+
+QString number(double value, int digits)
+{
+    return value == value ? QLocale().toString(value, 'g', digits) : QStringLiteral("–");
+}
+
+QString nameOf(const CertifiedProbe& probe)
+{
+    return withUnit(QString::fromStdString(probe.name), QString::fromStdString(probe.unit));
+}
+
+} // namespace
+
+CertifyDialog::CertifyDialog(const Document& document, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_seconds(new ParameterField(secondsParameter))
+    , m_start(new QPushButton(tr("&Certify")))
+    , m_save(new QPushButton(tr("&Save table…")))
+    , m_state(new QLabel)
+    , m_table(new QTableWidget)
+    , m_chart(new BandChart)
+{
+    setWindowTitle(tr("Certify"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    layOut();
+    connect(m_start, &QPushButton::clicked, this, &CertifyDialog::start);
+    connect(m_save, &QPushButton::clicked, this, &CertifyDialog::save);
+    connect(m_seconds, &ParameterField::changed, this,
+            [this] { m_start->setEnabled(m_seconds->isInRange()); });
+    connect(m_table, &QTableWidget::currentCellChanged, this, &CertifyDialog::draw);
+    fill();
+    resize(QSize(860, 620).boundedTo(screen()->availableSize() * 0.94));
+}
+
+void CertifyDialog::layOut()
+{
+    auto* help = new QLabel(
+        tr("Flies the design three times: as it is, with each substep cut in two, and in four. How "
+           "the values of the probes come nearer to each other tells how far they are from where "
+           "they go, and so which of their digits hold."));
+    help->setWordWrap(true);
+    help->setForegroundRole(QPalette::PlaceholderText);
+    m_seconds->setObjectName(QStringLiteral("seconds"));
+    m_start->setObjectName(QStringLiteral("start"));
+    m_start->setDefault(true);
+    auto* label = new QLabel(tr("S&imulated time"));
+    label->setBuddy(m_seconds);
+    auto* form = new QFormLayout;
+    form->addRow(label, m_seconds);
+
+    m_table->setObjectName(QStringLiteral("probes"));
+    m_table->setColumnCount(6);
+    m_table->setHorizontalHeaderLabels(
+        {tr("Probe"), tr("Value"), tr("Error"), tr("Digits"), tr("Order"), tr("Judged by")});
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_table->verticalHeader()->hide();
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_state->setObjectName(QStringLiteral("state"));
+    m_state->setWordWrap(true);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->addButton(m_start, QDialogButtonBox::ActionRole);
+    buttons->addButton(m_save, QDialogButtonBox::ActionRole);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(help);
+    layout->addLayout(form);
+    layout->addWidget(m_state);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_chart, 1);
+    layout->addWidget(buttons);
+    m_state->setText(tr("It takes about four times as long as the run."));
+}
+
+void CertifyDialog::start()
+{
+    const Scene scene = m_document.scene();
+    const double seconds = m_seconds->value();
+    std::optional<Result<Certificate>> made;
+    workWithProgress(this, tr("Certifying…"), [&](const Progress& progress) {
+        made.emplace(certify(scene, seconds, {}, progress));
+    });
+    if (!*made) {
+        if (made->message() != Message("Cancelled."))
+            m_state->setText(translated(made->message()));
+        return;
+    }
+    m_certificate = std::move(**made);
+    m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time.")
+                         .arg(number(seconds, 6)));
+    fill();
+}
+
+void CertifyDialog::fill()
+{
+    const bool some = m_certificate.has_value();
+    m_save->setEnabled(some);
+    m_table->setRowCount(some ? int(m_certificate->probes.size()) : 0);
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];
+        const Convergence& result = probe.result;
+        const QStringList cells{nameOf(probe),
+                                number(result.value[0], 8),
+                                number(result.error, 2),
+                                QLocale().toString(result.digits),
+                                result.converges() ? QLocale().toString(result.order, 'f', 1)
+                                                   : QStringLiteral("–"),
+                                probe.ofMean ? tr("mean of the second half") : tr("last value")};
+        for (int column = 0; column < cells.size(); ++column) {
+            auto* item = new QTableWidgetItem(cells[column]);
+            if (column > 0 && column < 5)
+                item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            m_table->setItem(row, column, item);
+        }
+    }
+    if (m_table->rowCount() > 0)
+        m_table->setCurrentCell(0, 0);
+    draw();
+}
+
+void CertifyDialog::draw()
+{
+    const int row = m_table->currentRow();
+    if (!m_certificate || row < 0)
+        return m_chart->clear();
+    const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];
+    m_chart->show(nameOf(probe), m_certificate->time, probe.value, probe.error);
+}
+
+void CertifyDialog::save()
+{
+    const QString file = askWhereToSave(this, tr("Save the values and their errors"),
+                                        QStringLiteral("certificate.csv"), tr("Tables (*.csv)"),
+                                        QStringLiteral("csv"));
+    if (file.isEmpty())
+        return;
+    if (const auto failure =
+            replaceFile(pathOf(file), certificateTable(*m_certificate), Flush::ToDisk))
+        QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
+}
+
+} // namespace ripstop

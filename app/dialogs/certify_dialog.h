@@ -1,0 +1,50 @@
+// Tells which digits of the probes hold (run/certificate.h): a table of them, and a chart of the
+// one that is selected, in a band of what it may be off by.
+//
+// It certifies the design as it is when the button is pressed, on threads of its own with a bar
+// that can be cancelled; what was found stays until then. It lives on the thread of the window and
+// deletes itself when it is closed. Dialogs::showCertify() opens it.
+#pragma once
+
+#include "run/certificate.h"
+
+#include <QDialog>
+
+#include <optional>
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace ripstop {
+
+class BandChart;
+class Document;
+class ParameterField;
+
+class CertifyDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    CertifyDialog(const Document& document, QWidget* parent);
+
+    void start();
+
+private:
+    void layOut();
+    void fill();
+    void draw();
+    void save();
+
+    const Document& m_document;
+    ParameterField* m_seconds;
+    QPushButton* m_start;
+    QPushButton* m_save;
+    QLabel* m_state;
+    QTableWidget* m_table;
+    BandChart* m_chart;
+    std::optional<Certificate> m_certificate;
+};
+
+} // namespace ripstop

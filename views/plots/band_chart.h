@@ -1,0 +1,40 @@
+// A curve over time in a band of what it may be off by. The dialog that certifies runs shows it. It
+// is a widget: only the window's thread uses it.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QCustomPlot;
+
+namespace ripstop {
+
+class BandChart final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit BandChart(QWidget* parent = nullptr);
+
+    // Replaces what was shown.
+    //   time   [times]  s
+    //   value  [times]  as `label` says, and so is its error, half of the width of the band
+    void show(const QString& label, const std::vector<double>& time,
+              const std::vector<double>& value, const std::vector<double>& error);
+    void clear();
+    using QWidget::show;
+
+    QSize sizeHint() const override { return {560, 260}; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void style();
+
+    QCustomPlot* m_plot;
+};
+
+} // namespace ripstop
