@@ -1,0 +1,123 @@
+// BDF2 where all rods are solved together: what goes on from two substeps must not bounce off
+// lines, gain by refining, or be blown away.
+#include "model/sample_scenes.h"
+#include "model/systems.h"
+
+#include "assembly/finish.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ripstop;
+
+namespace {
+
+System together(double timeStep, Integrator integrator = Integrator::Bdf2)
+{
+    System system = heavySystem(timeStep, integrator);
+    system.solver = Solver::Auto;
+    system.substeps = 1;
+    return system;
+}
+
+double afterASecond(const QString& name, Integrator integrator, int substeps,
+                    std::string_view wanted)
+{
+    Scene scene = sample(name);
+    scene.settings.integrator = integrator;
+    scene.settings.substeps = substeps;
+    Simulation simulation(*compile(scene));
+    if (!simulation.runUntil(1.0))
+        qFatal("%s", simulation.trouble()->message.english().c_str());
+    return probe(simulation, wanted);
+}
+
+} // namespace
+
+class TestBdf2 : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // A weight falls half a metre until its line gets tight, which takes its motion: a line holds
+    // and does not throw. Differences of second order alone would throw it back with half of its
+    // speed, an eighth of a metre high.
+    void linesDoNotThrow_data()
+    {
+        QTest::addColumn<double>("timeStep");
+        for (const double timeStep : {1e-2, 1e-3, 1e-4})
+            QTest::addRow("%g s", timeStep) << timeStep;
+    }
+    void linesDoNotThrow()
+    {
+        QFETCH(double, timeStep);
+        System system = together(timeStep);
+        addPin(system, Vec3::Zero());
+        addParticle(system, Vec3(0.0, -0.5, 0.0), 1.0);
+        addRod(system, 0, 1, 1.0);
+        system.rods.back().resists = Resists::Tension;
+        finish(system);
+        State state = system.start;
+        Stepper stepper;
+        bool isTight = false;
+        while (state.time < 1.0) {
+            stepper.step(system, state);
+            const double y = state.position[1].y();
+            isTight |= y < -0.999;
+            QVERIFY2(!isTight || y < -0.998, told(y, -1.0));
+        }
+        QVERIFY(isTight);
+        QVERIFY2(state.velocity[1].norm() < 1e-6, told(state.velocity[1].norm(), 0.0));
+    }
+
+    // Kites with lines that get slack and tight again: at any number of substeps the flight is the
+    // one of Euler with very many.
+    void refiningGainsNothing_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"delta_kite", "diamond_kite"})
+            QTest::newRow(name) << QString(name);
+    }
+    void refiningGainsNothing()
+    {
+        QFETCH(QString, name);
+        const double height = afterASecond(name, Integrator::SemiImplicitEuler, 64, "height");
+        for (const int substeps : {4, 16}) {
+            const double got = afterASecond(name, Integrator::Bdf2, substeps, "height");
+            QVERIFY2(isNear(got, height, 0.05), told(got, height));
+        }
+    }
+
+    // A triangle of a gram and 2 m^2 square to a wind of W: W - v = W / (1 + k W t), k = rho C A /
+    // (2 m), which explicit steps of 10 ms would blow up. It never overtakes the wind.
+    void lightClothGoesWithTheWind()
+    {
+        const double speed = 8.0, mass = 1e-3;
+        System system = together(0.01);
+        system.gravity = Vec3::Zero();
+        system.wind = Vec3(0.0, speed, 0.0);
+        for (const Vec3& place : {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 0, 2)})
+            addParticle(system, place, mass / 3.0);
+        for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)})
+            addRod(system, a, b,
+                   (system.start.position[std::size_t(a)] - system.start.position[std::size_t(b)])
+                       .norm());
+        addPanel(system, 0, 1, 2, AirLaw::LinearNormal, 2.0);
+        finish(system);
+        State state = system.start;
+        Stepper stepper;
+        const double k = system.airDensity * 2.0 * 2.0 / (2.0 * mass);
+        while (state.time < 0.5) {
+            stepper.step(system, state);
+            const double y = state.velocity[0].y();
+            QVERIFY2(y > 0.0 && y < speed * (1.0 + 1e-9), told(y, speed));
+        }
+        const double left = speed / (1.0 + k * speed * state.time);
+        QVERIFY2(isNear(speed - state.velocity[0].y(), left, 0.5 * left),
+                 told(speed - state.velocity[0].y(), left));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBdf2)
+#include "test_bdf2.moc"
