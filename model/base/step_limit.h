@@ -6,9 +6,12 @@
 //
 //     h < (sqrt(c^2 + 4 w^2) - c) / w^2,
 //
-// which is sqrt(2 m / K) without damping. The check of a scene, the watchdog and the choice of
-// substeps all ask here, so that they say the same.
+// which is sqrt(2 m / K) without damping. BDF2 with forces that are foreseen is stable for 0.72 to
+// 0.81 of that, depending on the damping (by the roots of its recurrence). The check of a scene,
+// the watchdog and the choice of substeps all ask here, so that they say the same.
 #pragma once
+
+#include "base/solver_laws.h"
 
 #include <cmath>
 #include <limits>
@@ -18,12 +21,14 @@ namespace ripstop {
 // The limit above for one particle, s; infinite where nothing bounds it. The formula is turned
 // around so that it holds for w = 0 too.
 //   mass, stiffness, damping  kg, N/m, N s/m
-inline double springStepLimit(double mass, double stiffness, double damping)
+inline double springStepLimit(double mass, double stiffness, double damping, Integrator integrator)
 {
+    constexpr double shareOfBdf2 = 0.7;
     const double w2 = 2.0 * stiffness / mass;
     const double c = 2.0 * damping / mass;
     const double sum = c + std::sqrt(c * c + 4.0 * w2);
-    return sum > 0.0 ? 4.0 / sum : std::numeric_limits<double>::infinity();
+    const double share = integrator == Integrator::Bdf2 ? shareOfBdf2 : 1.0;
+    return sum > 0.0 ? share * 4.0 / sum : std::numeric_limits<double>::infinity();
 }
 
 } // namespace ripstop

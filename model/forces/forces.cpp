@@ -75,8 +75,8 @@ double stiffStepLimit(const System& system)
     double limit = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; some && i < stiffness.size(); ++i)
         if (system.inverseMass[i] > 0.0)
-            limit = std::min(
-                limit, springStepLimit(1.0 / system.inverseMass[i], stiffness[i], damping[i]));
+            limit = std::min(limit, springStepLimit(1.0 / system.inverseMass[i], stiffness[i],
+                                                    damping[i], system.integrator));
     return limit;
 }
 

@@ -49,10 +49,11 @@ StepLimits stepLimitsOf(const Scene& scene, const ElementIndex& index)
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& particle : part.particles) {
             const Sums& sums = at[limits.timeStep.size()];
-            limits.timeStep.push_back(
-                particle.pinned || !sums.forces
-                    ? std::numeric_limits<double>::infinity()
-                    : springStepLimit(particle.mass, sums.stiffness, sums.damping));
+            limits.timeStep.push_back(particle.pinned || !sums.forces
+                                          ? std::numeric_limits<double>::infinity()
+                                          : springStepLimit(particle.mass, sums.stiffness,
+                                                            sums.damping,
+                                                            scene.settings.integrator));
         }
     });
     return limits;

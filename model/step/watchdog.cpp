@@ -14,7 +14,8 @@ namespace {
 double springLimitAt(const System& system, const State& state, std::size_t particle)
 {
     const auto [stiffness, damping] = springsAt(system, state, particle);
-    return springStepLimit(1.0 / system.inverseMass[particle], stiffness, damping);
+    return springStepLimit(1.0 / system.inverseMass[particle], stiffness, damping,
+                           system.integrator);
 }
 
 double largestMassRatio(const System& system, std::size_t particle)

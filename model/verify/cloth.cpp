@@ -233,7 +233,7 @@ double energyChange(Integrator integrator)
         addSpring(system, a, b, 0.9 * distance(system, a, b), 60.0 * share);
     });
     const double node = 0.2 / ((cells + 1) * (cells + 1));
-    system.timeStep = 0.5 * springStepLimit(node, 4.0 * 60.0 * 1.3, 0.0);
+    system.timeStep = 0.5 * springStepLimit(node, 4.0 * 60.0 * 1.3, 0.0, integrator);
     for (int j = 0; j <= cells; ++j)
         for (int i = 0; i <= cells; ++i) {
             const std::size_t here = std::size_t(j * (cells + 1) + i);

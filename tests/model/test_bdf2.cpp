@@ -4,6 +4,7 @@
 #include "model/systems.h"
 
 #include "assembly/finish.h"
+#include "base/step_limit.h"
 
 #include <QtTest>
 
@@ -87,6 +88,37 @@ private slots:
             const double got = afterASecond(name, Integrator::Bdf2, substeps, "height");
             QVERIFY2(isNear(got, height, 0.05), told(got, height));
         }
+    }
+
+    // A weight on a spring and a damper, hanging away from its balance, comes to rest within the
+    // limit of the step, from no damping to the aperiodic limit; a quarter beyond it an undamped
+    // one leaves.
+    void springsStayWithinTheLimit_data()
+    {
+        QTest::addColumn<double>("ratio"); // of the critical damping
+        for (const double ratio : {0.0, 0.1, 0.3, 1.0})
+            QTest::addRow("%g", ratio) << ratio;
+    }
+    void springsStayWithinTheLimit()
+    {
+        QFETCH(double, ratio);
+        const double mass = 0.1, stiffness = 40.0;
+        const double damping = 2.0 * ratio * std::sqrt(stiffness * mass);
+        const auto farthest = [&](double share) {
+            // both ends of a spring move in what the limit is made for; one is pinned here
+            const double limit =
+                springStepLimit(mass, 0.5 * stiffness, 0.5 * damping, Integrator::Bdf2);
+            System system = emptySystem(share * limit, Integrator::Bdf2);
+            addPin(system, Vec3::Zero());
+            addParticle(system, Vec3(1.1, 0.0, 0.0), mass);
+            addSpring(system, 0, 1, 1.0, stiffness, damping);
+            finish(system);
+            const State state = run(system, 400);
+            return std::abs(state.position[1].x() - 1.0);
+        };
+        QVERIFY2(farthest(0.99) <= 0.1, told(farthest(0.99), 0.1));
+        if (ratio == 0.0)
+            QVERIFY(farthest(1.25) > 1.0);
     }
 
     // A triangle of a gram and 2 m^2 square to a wind of W: W - v = W / (1 + k W t), k = rho C A /
