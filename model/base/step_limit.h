@@ -6,9 +6,9 @@
 //
 //     h < (sqrt(c^2 + 4 w^2) - c) / w^2,
 //
-// which is sqrt(2 m / K) without damping. BDF2 with forces that are foreseen is stable for 0.72 to
-// 0.81 of that, depending on the damping (by the roots of its recurrence). The check of a scene,
-// the watchdog and the choice of substeps all ask here, so that they say the same.
+// which is sqrt(2 m / K) without damping. BDF2 with forces that are foreseen is stable for at
+// least 0.72 of that, by its recurrence. The check of a scene, the watchdog and the choice of
+// substeps all ask here, so that they say the same.
 #pragma once
 
 #include "base/solver_laws.h"
