@@ -49,6 +49,11 @@
         <translation>Le travail non enregistré n’est pas gardé : %1</translation>
     </message>
     <message>
+        <location filename="band_chart.cpp"/>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
         <location filename="bend_force.cpp"/>
         <source>bending</source>
         <translation>la flexion</translation>
@@ -204,6 +209,111 @@
         <translation>%1 kg</translation>
     </message>
     <message>
+        <location filename="certificate.cpp"/>
+        <source>the scene has no probe that could be judged: add one</source>
+        <translation>la scène n’a pas de sonde que l’on puisse juger : ajoutez-en une</translation>
+    </message>
+    <message>
+        <location filename="certificate.cpp"/>
+        <source>with %1 times as many substeps: %2</source>
+        <translation>avec %1 fois autant de sous-pas : %2</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>&amp;Certify</source>
+        <translation>&amp;Certifier</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>&amp;Save table…</source>
+        <translation>&amp;Enregistrer le tableau…</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>After %1 s. Select a probe to see how far it may be off over time.</source>
+        <translation>Après %1 s. Sélectionnez une sonde pour voir de combien elle peut être fausse au cours du temps.</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Cannot save the table</source>
+        <translation>Impossible d’enregistrer le tableau</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Certify</source>
+        <translation>Certifier</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Certifying…</source>
+        <translation>Certification…</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Digits</source>
+        <translation>Chiffres</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Flies the design three times: as it is, with each substep cut in two, and in four. How the values of the probes come nearer to each other tells how far they are from where they go, and so which of their digits hold.</source>
+        <translation>Fait voler le modèle trois fois : tel quel, avec chaque sous-pas coupé en deux, et en quatre. La façon dont les valeurs des sondes se rapprochent dit à quelle distance elles sont de leur limite, et donc lesquels de leurs chiffres sont justes.</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>It takes about four times as long as the run.</source>
+        <translation>Cela prend environ quatre fois le temps de la simulation.</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Judged by</source>
+        <translation>Jugée par</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>S&amp;imulated time</source>
+        <translation>Temps s&amp;imulé</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Save the values and their errors</source>
+        <translation>Enregistrer les valeurs et leurs erreurs</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>last value</source>
+        <translation>la dernière valeur</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>mean of the second half</source>
+        <translation>la moyenne de la seconde moitié</translation>
+    </message>
+    <message>
         <location filename="chart.cpp"/>
         <source>time (s)</source>
         <translation>temps (s)</translation>
@@ -297,6 +407,11 @@
         <location filename="check.cpp"/>
         <source>The id %1 is used twice; give one of the two another id.</source>
         <translation>L’id %1 sert deux fois ; donner un autre id à l’un des deux.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>The integrator bdf2 makes what single sweeps leave over grow, so that rods swing up: choose the automatic solver, or another integrator.</source>
+        <translation>L’intégrateur bdf2 fait croître ce que laissent des balayages uniques, si bien que les tiges s’agitent de plus en plus : choisissez le solveur automatique ou un autre intégrateur.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -5488,8 +5603,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_rows.cpp"/>
+        <source>Certif&amp;y…</source>
+        <translation>Certif&amp;ier…</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
         <source>Draw a stroke across links and fabric: they part where it runs.</source>
         <translation>Tracer un trait à travers liaisons et tissu : ils se séparent là où il passe.</translation>
+    </message>
+    <message>
+        <location filename="run_rows.cpp"/>
+        <source>Fly the design three times, to tell which digits of its probes hold.</source>
+        <translation>Faire voler le modèle trois fois, pour dire lesquels des chiffres de ses sondes sont justes.</translation>
     </message>
     <message>
         <location filename="run_rows.cpp"/>
@@ -6295,6 +6420,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved directly, since they hold fabric that is small enough for it; %2</source>
         <translation>%1 tiges sont résolues directement, car la voile qu’elles tiennent est assez petite pour cela ; %2</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved together, as bdf2 needs it; %2</source>
+        <translation>%1 tiges sont résolues ensemble, comme bdf2 le demande ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -13465,11 +13595,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="words.cpp"/>
         <source>Plots</source>
         <translation>Courbes</translation>
-    </message>
-    <message>
-        <location filename="words.cpp"/>
-        <source>Probe</source>
-        <translation>Sonde</translation>
     </message>
     <message>
         <location filename="words.cpp"/>
