@@ -1,3 +1,4 @@
+// Makes each dialog when it is first asked for. bringUp() shows it, or raises it where it is open.
 #include "actions/dialogs.h"
 
 #include "actions/keys_dialog.h"

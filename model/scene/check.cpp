@@ -399,7 +399,7 @@ private:
     {
         const Settings& settings = m_scene.settings;
         if (settings.integrator == Integrator::Bdf2 && settings.solver == Solver::SmallSteps)
-            add("sweeps", Severity::Warning,
+            add("single sweeps", Severity::Warning,
                 Message("The integrator bdf2 makes what single sweeps leave over grow, so that rods swing up: "
                         "choose the automatic solver, or another integrator."),
                 noId);

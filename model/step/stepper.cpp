@@ -235,7 +235,8 @@ void Stepper::substep(RodTask& task, State& state, double h)
         tearLinks(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
                   m_overloads);
     m_clock.lap(StepStage::Tearing);
-    state.driftSubstep = looksBack(system.integrator) && !impact ? h : 0.0;
+    const bool waits = isBdf2 && state.driftSubstep < 0.0; // for motion from after an impact alone
+    state.driftSubstep = impact ? -h : looksBack(system.integrator) && !waits ? h : 0.0;
     if (m_watch) {
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
@@ -349,7 +350,7 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
 // A line that gets tight stops what it holds within a substep. BDF2 goes on from how things moved
 // before, which throws them back with half of their speed, and lines that do so again and again
 // give more than they took: such a substep is done again as the first one, which is of implicit
-// Euler, and so is the next.
+// Euler, and so are the next two: what moved before the line held is then forgotten.
 void Stepper::beginAnew(RodTask& task, State& state, double h)
 {
     state.driftSubstep = 0.0;

@@ -92,7 +92,7 @@ struct State
     std::int64_t substep = 0;  // substeps since the start
     int substeps = 0;          // of the next step, where the solver chooses; 0 for its first choice
     double driftSubstep = 0.0; // s, of the substep that `drift` and `velocityBefore` are of; 0 when
-                               // they are of none
+                               // they are of none, negative right after an impact
 
     std::vector<PaddedVec3> position; // [particles] m
     std::vector<PaddedVec3> velocity; // [particles] m/s

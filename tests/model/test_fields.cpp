@@ -222,7 +222,7 @@ private slots:
         const std::string third = now.substr(0, now.size() - fourth.take().size());
         const std::optional<RunChunk> late = chunkOf(third);
         QVERIFY(late);
-        QCOMPARE(named(differingField(*late->start, state)), QString("velocityBefore"));
+        QCOMPARE(named(differingField(*late->start, state)), QString("ramps"));
         QVERIFY(late->start->velocityBefore == late->start->velocity);
         QVERIFY(late->start->ramps.empty());
 
