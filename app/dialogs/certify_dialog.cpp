@@ -91,6 +91,7 @@ void CertifyDialog::layOut()
         {tr("Probe"), tr("Value"), tr("Error"), tr("Digits"), tr("Order"), tr("Judged by")});
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_table->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->verticalHeader()->hide();
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -101,6 +102,8 @@ void CertifyDialog::layOut()
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(m_start, QDialogButtonBox::ActionRole);
     buttons->addButton(m_save, QDialogButtonBox::ActionRole);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
+    m_save->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(help);
@@ -134,6 +137,7 @@ void CertifyDialog::start()
 void CertifyDialog::fill()
 {
     const bool some = m_certificate.has_value();
+    m_chart->setVisible(some);
     m_save->setEnabled(some);
     m_table->setRowCount(some ? int(m_certificate->probes.size()) : 0);
     for (int row = 0; row < m_table->rowCount(); ++row) {
