@@ -19,6 +19,7 @@ constexpr double safety = 1.25;       // Roache 1994, for three grids
 constexpr double safetyWithout = 3.0; // of an order
 constexpr double leastOrder = 0.5;    // that the limit is told by
 constexpr double roundOff = 1e-13;    // of a value
+constexpr double nothing = 1e-12;     // m, N, ...: what rounding leaves of what is none
 constexpr int mostDigits = 15;
 
 struct Flight
@@ -73,8 +74,9 @@ Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Pro
         if (pilot)
             pilot(simulation);
         if (!simulation.step()) {
-            flight.failure =
-                Failure("with %1 times as many substeps: %2", times, simulation.trouble()->message);
+            const Message& why = simulation.trouble()->message;
+            flight.failure = times == 1 ? Failure(why)
+                                        : Failure("with %1 times as many substeps: %2", times, why);
             return flight;
         }
         read();
@@ -99,7 +101,7 @@ bool grow(const std::array<double, 3>& value)
 {
     const double first = std::abs(value[0] - value[1]);
     const double second = std::abs(value[1] - value[2]);
-    return second > roundOff * std::abs(value[2]) && second >= first;
+    return second > std::max(roundOff * std::abs(value[2]), nothing) && second >= first;
 }
 
 CertifiedProbe judged(const Layout::Probe& probe, const std::array<Flight, 3>& flights,
@@ -126,7 +128,7 @@ Convergence convergenceOf(const std::array<double, 3>& value)
 {
     Convergence result{.value = value};
     const auto [coarse, half, fine] = value;
-    const double least = roundOff * std::abs(fine);
+    const double least = std::max(roundOff * std::abs(fine), nothing);
     const double first = std::abs(coarse - half) > least ? coarse - half : 0.0;
     const double second = std::abs(half - fine) > least ? half - fine : 0.0;
     const double ratio = first / second;

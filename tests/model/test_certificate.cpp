@@ -92,6 +92,8 @@ private slots:
         const Convergence rests = convergenceOf({0.3, 0.3, 0.3});
         QCOMPARE(rests.error, 0.0);
         QCOMPARE(rests.digits, 15);
+        const Convergence noise = convergenceOf({1e-17, -2e-17, 5e-17}); // of rounding
+        QCOMPARE(noise.digits, 15);
         const Convergence nothing = convergenceOf({Convergence::none, 1.0, 1.0});
         QCOMPARE(nothing.digits, 0);
     }
