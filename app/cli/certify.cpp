@@ -6,6 +6,7 @@
 #include "cli/scene_input.h"
 #include "io/certificate_table.h"
 #include "io/control_track.h"
+#include "io/csv.h"
 #include "io/whole_file.h"
 #include "run/certificate.h"
 #include "terminal/terminal.h"
@@ -33,8 +34,7 @@ void printTable(const Certificate& certificate)
                 "judged by");
     for (const CertifiedProbe& probe : certificate.probes) {
         const Convergence& result = probe.result;
-        const std::string name =
-            probe.unit.empty() ? probe.name : probe.name + " (" + probe.unit + ")";
+        const std::string name = withUnit(probe.name, probe.unit);
         char order[16] = "-";
         if (result.converges())
             std::snprintf(order, sizeof order, "%.1f", result.order);
@@ -84,18 +84,19 @@ int certify(const Options& options)
         };
     }
     catchInterrupt();
-    Result<Certificate> certificate = Failure("nothing was flown");
-    {
+    const auto certificate = [&] {
         ProgressLine progress("certifying " + options.scene.file);
-        certificate = ripstop::certify(*loaded.scene, options.seconds, newPilot, [&](double share) {
+        return ripstop::certify(*loaded.scene, options.seconds, newPilot, [&](double share) {
             progress.show(share);
             return !interrupted();
         });
-    }
+    }();
     if (interrupted())
         return fail(Interrupted, "Interrupted; nothing is certified.");
     if (!certificate)
         return fail(BadInput, Message("%1: %2", options.scene.file, certificate.message()));
+    if (!certificate->stopped.empty())
+        return fail(Diverged, Message("%1: %2", options.scene.file, certificate->stopped));
     if (!options.csv.empty())
         if (const auto failure =
                 replaceFile(options.csv, certificateTable(*certificate), Flush::ToDisk))

@@ -39,7 +39,8 @@ int call(int argc, char** argv)
                "  ripstop-cli bundle small.ripstop.json -o small.zip --seconds 20\n"
                "\n"
                "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 the simulation diverged,\n"
-               "4 a replay or a comparison differs, 5 a strict run missed its accuracy.\n"
+               "4 a replay or a comparison differs, 5 a strict run missed its accuracy or a\n"
+               "certificate its digits.\n"
                "ripstop-cli COMMAND --help explains each command.");
 
     Command chosen;

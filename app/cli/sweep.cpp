@@ -180,9 +180,7 @@ std::string header(const Sweep& sweep, const std::vector<Layout::Probe>& probes)
     text += ",time (s),steps,hash,torn links,stopped";
     for (const Layout::Probe& probe : probes)
         for (const char* what : {" final", " mean", " min", " max"})
-            text +=
-                ','
-                + csvCell(probe.name + what + (probe.unit.empty() ? "" : " (" + probe.unit + ")"));
+            text += ',' + csvCell(withUnit(probe.name + what, probe.unit));
     return text + '\n';
 }
 

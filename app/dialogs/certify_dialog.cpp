@@ -24,6 +24,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 namespace ripstop {
 namespace {
 
@@ -37,7 +39,7 @@ const Parameter secondsParameter{"--seconds",
 
 QString number(double value, int digits)
 {
-    return value == value ? QLocale().toString(value, 'g', digits) : QStringLiteral("–");
+    return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : QStringLiteral("–");
 }
 
 QString nameOf(const CertifiedProbe& probe)
@@ -128,6 +130,8 @@ void CertifyDialog::start()
             m_state->setText(translated(made->message()));
         return;
     }
+    if (!(**made).stopped.empty())
+        return m_state->setText(translated((**made).stopped));
     m_certificate = std::move(**made);
     m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time.")
                          .arg(number(seconds, 6)));

@@ -9,6 +9,7 @@
 #include "export/curve_figure.h"
 
 #include "export/output_files.h"
+#include "io/csv.h"
 
 #include <algorithm>
 #include <array>
@@ -243,8 +244,7 @@ private:
         for (std::size_t i = 0; i < curves.size(); ++i) {
             const char* color = colors[i % colors.size()];
             const Layout::Probe& probe = curves[i]->probe;
-            const std::string name =
-                probe.unit.empty() ? probe.name : probe.name + " (" + probe.unit + ")";
+            const std::string name = withUnit(probe.name, probe.unit);
             svg += words(at, y0 - 8.0, "start", name, color);
             at += 7.0 * double(name.size()) + 16.0; // letters are not wider than that
             drawCurve(svg, curves[i]->values, color, x, y);

@@ -10,7 +10,7 @@ namespace ripstop {
 std::string certificateTable(const Certificate& certificate)
 {
     const auto heading = [](const std::string& name, const std::string& unit) {
-        return ',' + csvCell(unit.empty() ? name : name + " (" + unit + ")");
+        return ',' + csvCell(withUnit(name, unit));
     };
     std::string text = "time (s)";
     for (const CertifiedProbe& probe : certificate.probes)

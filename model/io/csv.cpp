@@ -39,6 +39,11 @@ std::string csvCell(const std::string& text, char separator)
     return quoted;
 }
 
+std::string withUnit(const std::string& name, const std::string& unit)
+{
+    return unit.empty() ? name : name + " (" + unit + ")";
+}
+
 std::string_view cellContent(std::string_view cell)
 {
     const auto first = cell.find_first_not_of(" \t\r\"");
@@ -63,7 +68,7 @@ std::string csvHeader(const Frame& first)
     std::string header = "# Ripstop " RIPSTOP_VERSION + stateOf(first) + "time (s)";
     for (const Layout::Probe& probe : first.layout->probes) {
         header += ',';
-        header += csvCell(probe.unit.empty() ? probe.name : probe.name + " (" + probe.unit + ")");
+        header += csvCell(withUnit(probe.name, probe.unit));
     }
     return header + '\n';
 }

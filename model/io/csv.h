@@ -16,6 +16,8 @@ namespace ripstop {
 // Quoted where RFC 4180 asks for it; tables for the clipboard have tabs between their cells.
 std::string csvCell(const std::string& text, char separator = ',');
 
+std::string withUnit(const std::string& name, const std::string& unit); // "height (m)"
+
 // What a cell holds, without blanks and quotation marks around it.
 std::string_view cellContent(std::string_view cell);
 

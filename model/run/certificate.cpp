@@ -24,10 +24,14 @@ constexpr int mostDigits = 15;
 
 struct Flight
 {
+    std::vector<Layout::Probe> probes;
     std::vector<double> time;               // [times] s
     std::vector<std::vector<double>> value; // [probes][times]
-    std::optional<Failure> failure;         // of its own
+    std::optional<Failure> failure;         // to begin
+    Message stopped;                        // why it ended early
 };
+
+bool hasFailed(const Flight& flight) { return flight.failure || !flight.stopped.empty(); }
 
 int digitsOf(double value, double error)
 {
@@ -60,11 +64,16 @@ Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Pro
     }
     Simulation simulation(*system);
     simulation.refine(times);
+    flight.probes = simulation.sample().layout->probes;
+    flight.value.resize(flight.probes.size());
+    if (flight.probes.empty()) {
+        flight.failure = Failure("the scene has no probe that could be judged: add one");
+        return flight;
+    }
     const auto read = [&] {
         const ProbeSample sample = simulation.sample();
         flight.time.push_back(sample.time);
-        flight.value.resize(sample.probe.size());
-        for (std::size_t i = 0; i < sample.probe.size(); ++i)
+        for (std::size_t i = 0; i < flight.value.size(); ++i)
             flight.value[i].push_back(sample.probe[i]);
     };
     read();
@@ -75,8 +84,8 @@ Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Pro
             pilot(simulation);
         if (!simulation.step()) {
             const Message& why = simulation.trouble()->message;
-            flight.failure = times == 1 ? Failure(why)
-                                        : Failure("with %1 times as many substeps: %2", times, why);
+            flight.stopped =
+                times == 1 ? why : Message("with %1 times as many substeps: %2", times, why);
             return flight;
         }
         read();
@@ -104,9 +113,9 @@ bool grow(const std::array<double, 3>& value)
     return second > std::max(roundOff * std::abs(value[2]), nothing) && second >= first;
 }
 
-CertifiedProbe judged(const Layout::Probe& probe, const std::array<Flight, 3>& flights,
-                      std::size_t i)
+CertifiedProbe judged(const std::array<Flight, 3>& flights, std::size_t i)
 {
+    const Layout::Probe& probe = flights[0].probes[i];
     CertifiedProbe certified{probe.name, probe.unit, false, {}, flights[0].value[i], {}};
     const auto valuesBy = [&](auto read) {
         return std::array{read(flights[0].value[i]), read(flights[1].value[i]),
@@ -149,13 +158,6 @@ Convergence convergenceOf(const std::array<double, 3>& value)
 Result<Certificate> certify(const Scene& scene, double seconds,
                             const std::function<Pilot()>& newPilot, const Progress& progress)
 {
-    const auto system = compile(scene);
-    if (!system)
-        return system.failure();
-    const std::vector<Layout::Probe> probes = Simulation(*system).sample().layout->probes;
-    if (probes.empty())
-        return Failure("the scene has no probe that could be judged: add one");
-
     std::array<Flight, 3> flights;
     std::atomic<bool> ends = false;
     const auto pilot = [&] { return newPilot ? newPilot() : Pilot(); };
@@ -165,7 +167,7 @@ Result<Certificate> certify(const Scene& scene, double seconds,
         for (const int i : {1, 0}) {
             flights[std::size_t(i)] =
                 fly(scene, seconds, 1 << i, pilots[std::size_t(i)], goesOnBeside);
-            ends = ends || flights[std::size_t(i)].failure;
+            ends = ends || hasFailed(flights[std::size_t(i)]);
         }
     });
     bool isWanted = true;
@@ -173,17 +175,19 @@ Result<Certificate> certify(const Scene& scene, double seconds,
         isWanted = goesOn(progress, share);
         return isWanted && !ends;
     });
-    ends = ends || !isWanted || flights[2].failure;
+    ends = ends || !isWanted || hasFailed(flights[2]);
     beside.join();
-    for (const Flight& flight : flights)
-        if (flight.failure)
-            return *flight.failure;
     if (!isWanted)
         return Failure("Cancelled.");
-
-    Certificate certificate{seconds, flights[0].time, {}};
-    for (std::size_t i = 0; i < probes.size(); ++i)
-        certificate.probes.push_back(judged(probes[i], flights, i));
+    Certificate certificate{seconds, flights[0].time, {}, {}};
+    for (const Flight& flight : flights) {
+        if (flight.failure)
+            return *flight.failure;
+        if (certificate.stopped.empty())
+            certificate.stopped = flight.stopped;
+    }
+    for (std::size_t i = 0; certificate.stopped.empty() && i < flights[0].probes.size(); ++i)
+        certificate.probes.push_back(judged(flights, i));
     return certificate;
 }
 

@@ -21,6 +21,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
@@ -39,7 +40,7 @@ struct Convergence
     double error = none;           // of the coarse one
     int digits = 0;                // of the coarse one that hold, 15 at most
 
-    bool converges() const { return order == order; }
+    bool converges() const { return !std::isnan(order); }
 };
 
 Convergence convergenceOf(const std::array<double, 3>& value);
@@ -64,10 +65,11 @@ struct Certificate
     double seconds = 0.0;
     std::vector<double> time; // [times] s, of every time step
     std::vector<CertifiedProbe> probes;
+    Message stopped; // why one of the runs ended early, so that nothing is certified; or empty
 };
 
-// Fails with a sentence where the scene does not compile, has no probes, where one of the runs
-// stops early, or when `progress` says so. It takes two threads.
+// Fails with a sentence where the scene does not compile, has no probes, or when `progress` says
+// so. It takes two threads.
 //   newPilot  called once for each run; empty where nobody flies
 Result<Certificate> certify(const Scene& scene, double seconds,
                             const std::function<Pilot()>& newPilot, const Progress& progress);

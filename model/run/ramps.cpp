@@ -1,7 +1,7 @@
-// Numbers of links are noted by their keys, since an edit may renumber them; those that differ after
-// it become ramps. How long they last follows from the largest change of strain that they bring.
-// rampsAt() makes of all ramps a patch for the system, as an author's edit would be, and dropEnded()
-// forgets those that have arrived.
+// Numbers of links are noted by their keys, since an edit may renumber them; those that differ
+// after it become ramps. How long they last follows from the largest change of strain that they
+// bring. rampsAt() makes of all ramps a patch for the system, as an author's edit would be, and
+// dropEnded() forgets those that have arrived.
 #include "run/ramps.h"
 
 #include "forces/spring_force.h"

@@ -400,7 +400,8 @@ private:
         const Settings& settings = m_scene.settings;
         if (settings.integrator == Integrator::Bdf2 && settings.solver == Solver::SmallSteps)
             add("single sweeps", Severity::Warning,
-                Message("The integrator bdf2 makes what single sweeps leave over grow, so that rods swing up: "
+                Message("The integrator bdf2 makes what single sweeps leave over grow, so that "
+                        "rods swing up: "
                         "choose the automatic solver, or another integrator."),
                 noId);
         const std::optional<StepLimit> limit = limitOf(m_scene, m_index);

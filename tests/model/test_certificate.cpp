@@ -185,8 +185,9 @@ private slots:
         Scene wild = fall(Integrator::SemiImplicitEuler);
         wild.settings.speedLimit = 1.0;
         const auto stopped = certify(wild, 1.0, {}, {});
-        QVERIFY(!stopped);
-        QVERIFY(QString::fromStdString(stopped.message().english()).contains("substeps: "));
+        QVERIFY(stopped);
+        QVERIFY(stopped->probes.empty());
+        QVERIFY(QString::fromStdString(stopped->stopped.english()).contains("above the limit"));
     }
 
     void theCommand()
@@ -202,6 +203,10 @@ private slots:
         QVERIFY(probes[0].toObject()["digits"].toInt() > 1);
         QVERIFY(QFile::exists(csv));
         QCOMPARE(call({"certify", pendulum, "--seconds", "1", "--digits", "9"}).exitCode, 5);
+        const Outcome wild =
+            call({"certify", pendulum, "--seconds", "1", "--set", "settings.speedLimit=0.01"});
+        QCOMPARE(wild.exitCode, 3);
+        QVERIFY2(wild.error.contains("above the limit"), qPrintable(wild.error));
         QCOMPARE(call({"certify", pendulum}).exitCode, 2);
         QCOMPARE(call({"certify", pendulum, "--seconds", "0"}).exitCode, 2);
         QCOMPARE(call({"certify", folder.filePath("no.json"), "--seconds", "1"}).exitCode, 1);
