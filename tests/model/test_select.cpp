@@ -421,8 +421,9 @@ private slots:
         QVERIFY(!unitFactor("g", "m") && !unitFactor("furlong", "m"));
     }
 
-    // On the cloth of 316 x 316 particles none takes 50 ms.
-    void largeSheetsAreFast()
+    // On the cloth of 316 x 316 particles: what two of them find, and how long each takes. The times
+    // are figures to read, not to judge by, as another machine is another figure.
+    void largeSheets()
     {
         const auto built =
             build(*findBuilder("cloth"), {{"columns", 315}, {"rows", 315}, {"sphere", 0}});
@@ -436,27 +437,27 @@ private slots:
             if (particle->position.x() < 0.0)
                 half.push_back(particle->id);
         const std::vector<Id> link{all.links[all.links.size() / 2]->id};
-        constexpr double limit = 0.05; // s
-        double worst = 0.0;
         const auto time = [&](const char* what, const auto& run) {
             double best = 1e9; // others on the machine make it longer and never shorter
-            for (int i = 0; i < 3 || (best >= limit && i < 30); ++i) {
+            for (int i = 0; i < 3; ++i) {
                 const double start = cpuSeconds();
                 run();
                 best = std::min(best, cpuSeconds() - start);
             }
             qInfo("%-28s %6.1f ms", what, 1e3 * best);
-            worst = std::max(worst, best);
         };
         qInfo("%zu particles, %zu links, %zu panels", all.particles.size(), all.links.size(),
               all.panels.size());
         time("grow half", [&] { (void)grown(scene, half); });
         time("grow all", [&] { (void)grown(scene, whole); });
         time("shrink half", [&] { (void)shrunk(scene, half); });
-        time("connected", [&] { (void)connected(scene, {half.front()}); });
+        std::size_t count = 0;
+        time("connected", [&] { count = connected(scene, {half.front()}).size(); });
+        QCOMPARE(count, whole.size());
         time("invert half", [&] { (void)inverted(scene, half); });
         time("loop", [&] { (void)loop(scene, link); });
-        time("boundary", [&] { (void)boundary(scene, {}); });
+        time("boundary", [&] { count = boundary(scene, {}).size(); });
+        QCOMPARE(count, std::size_t(2 * 4 * 315)); // particles and links
         time("turn half into panels", [&] { (void)turnedInto(Kind::Panel, scene, half); });
         time("same material", [&] { (void)similar(Alike::Material, scene, link); });
         time("same measure", [&] { (void)similar(Alike::Measure, scene, link); });
@@ -465,9 +466,6 @@ private slots:
              {"mass < 1 g", "restLength > 1 mm", "stiffness > 1", "kind = spring",
               "material = structural", "position.y > 1 and not pinned"})
             time(condition, [&] { (void)matching(scene, {}, condition); });
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-        QVERIFY2(worst < limit, qPrintable(QString("%1 ms").arg(1e3 * worst)));
-#endif
     }
 };
 
