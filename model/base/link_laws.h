@@ -25,6 +25,13 @@ template <>
 inline constexpr std::array<std::string_view, 3> choiceNames<Resists>{"both", "tension",
                                                                       "compression"};
 
+// Whether a link that resists so gives no force at this stretch, m.
+constexpr bool isSlack(Resists resists, double stretch)
+{
+    return (resists == Resists::Tension && stretch < 0.0)
+           || (resists == Resists::Compression && stretch > 0.0);
+}
+
 enum class TearRule { Never, Length, Strain, Force };
 template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", "length", "strain",

@@ -16,7 +16,7 @@ namespace {
 bool solvesLike(const Rod& a, const Rod& b)
 {
     return a.a == b.a && a.b == b.b && a.restLength == b.restLength && a.compliance == b.compliance
-           && a.resists == b.resists;
+           && a.resists == b.resists && a.dampingTime == b.dampingTime;
 }
 
 class Patcher

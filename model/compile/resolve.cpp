@@ -270,6 +270,7 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, Rod& rod)
 {
     if (!(stuff.own & OwnCompliance))
         rod.compliance = rodCompliance(material, stuff.role, stuff.width, rod.restLength);
+    rod.dampingTime = material.dampingTime;
     takeTear(material, stuff.own, rod.tear);
 }
 

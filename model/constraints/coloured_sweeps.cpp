@@ -12,6 +12,7 @@
 
 #include "base/split_mix.h"
 #include "constraints/guides.h"
+#include "constraints/rod_damping.h"
 #include "constraints/rod_solver.h"
 #include "parallel/simd_pack.h"
 
@@ -341,7 +342,7 @@ void ColouredSweeps::fill(const RodTask& task, std::size_t r)
             batch.rest[lane] = rest;
             batch.inverseMassA[lane] = wa;
             batch.inverseMassB[lane] = wb;
-            batch.softness[lane] = rod.compliance / (m_h * m_h);
+            batch.softness[lane] = complianceOver(rod, m_h) / (m_h * m_h);
             const double weight = wa + wb + batch.softness[lane];
             batch.inverseWeight[lane] = m_torn[r] || weight == 0.0 ? 0.0 : 1.0 / weight;
             batch.lowest[lane] = lowestOf(rod.resists);
@@ -370,7 +371,7 @@ void ColouredSweeps::fillGuided(const RodTask& task, std::size_t r)
     held.guideA = guideAt(rod.a);
     held.guideB = guideAt(rod.b);
     held.rest = task.restLength[r];
-    held.softness = rod.compliance / (m_h * m_h);
+    held.softness = complianceOver(rod, m_h) / (m_h * m_h);
     held.lowest = lowestOf(rod.resists);
     held.highest = highestOf(rod.resists);
     held.torn = m_torn[r] != 0;
@@ -419,7 +420,7 @@ void ColouredSweeps::soften(const RodTask& task)
             fill(task, r);
 }
 
-// What may change from substep to substep: shifted rest lengths and torn rods.
+// What may change from substep to substep: shifted and damped rest lengths, and torn rods.
 void ColouredSweeps::update(const RodTask& task)
 {
     if (!m_torn.empty() && std::memcmp(m_torn.data(), task.torn.data(), m_torn.size()) != 0)
@@ -431,6 +432,8 @@ void ColouredSweeps::update(const RodTask& task)
     for (const ShiftedRod& shifted : task.system.shiftedRods)
         if (task.shifted)
             fill(task, std::size_t(shifted.rod));
+    for (const int damped : task.damped)
+        fill(task, std::size_t(damped));
 }
 
 void ColouredSweeps::prepareScheduler(const System& system)

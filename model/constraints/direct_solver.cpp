@@ -6,6 +6,7 @@
 #include "constraints/direct_solver.h"
 
 #include "constraints/guides.h"
+#include "constraints/rod_damping.h"
 #include "constraints/rod_solver.h"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ void DirectSolver::soften(const System& system, double h)
         const Rod& rod = system.rods[std::size_t(bar.rod)];
         const double unseen = strainOfRigid * rod.restLength / load;
         bar.softness = bar.isElastic
-                           ? std::max(rod.compliance / (h * h), leastSoftness * bar.weight)
+                           ? std::max(complianceOver(rod, h) / (h * h), leastSoftness * bar.weight)
                            : std::clamp(unseen / (h * h), leastSoftness * bar.weight,
                                         greatestSoftness * bar.weight);
     }

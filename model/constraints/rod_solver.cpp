@@ -8,6 +8,7 @@
 
 #include "constraints/guided_rod.h"
 #include "constraints/guides.h"
+#include "constraints/rod_damping.h"
 
 #include <algorithm>
 #include <limits>
@@ -160,7 +161,7 @@ void RodSolver::averagedSweep(const RodTask& task, ThreadPool& pool)
             const double length = separation.norm();
             const double splitA = paper ? 1.0 : m_valence[a];
             const double splitB = paper ? 1.0 : m_valence[b];
-            const double softness = paper ? 0.0 : rod.compliance * perSquare;
+            const double softness = paper ? 0.0 : complianceOver(rod, task.h) * perSquare;
             const double weight =
                 splitA * system.inverseMass[a] + splitB * system.inverseMass[b] + softness;
             m_pull[i].setZero();

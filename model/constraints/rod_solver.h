@@ -23,7 +23,7 @@ struct RodTask
     int sweeps;                           // or iterations of the direct solver
     std::span<const std::uint8_t> direct; // [rods] 1 in a direct block beside sweeps, or empty
     std::span<const std::uint8_t> torn;   // [rods] 1 where it has torn
-    std::span<const double> restLength;   // [rods] m, weight shifts included
+    std::span<const double> restLength;   // [rods] m, weight shifts and damping included
     double h;                             // s
     std::uint64_t seed;                   // of the order of the colours; the number of the substep
     std::span<PaddedVec3> position;       // [particles] m, corrected in place
@@ -34,6 +34,7 @@ struct RodTask
     double tolerance = 3e-4; // 1, of lengths, where iterations of the direct solver may end
     bool note = true;        // this substep counts for takeTensions()
     bool shifted = true;     // rest lengths of shifted rods may differ from the substep before
+    std::span<const int> damped = {}; // rods whose rest lengths differ in any case (rod_damping.h)
 };
 
 class RodSolver

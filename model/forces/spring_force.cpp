@@ -59,12 +59,6 @@ SpringSum springsAt(const System& system, const State& state, std::size_t partic
     return sum;
 }
 
-bool isSlack(Resists resists, double stretch)
-{
-    return (resists == Resists::Tension && stretch < 0.0)
-           || (resists == Resists::Compression && stretch > 0.0);
-}
-
 double elasticEnergy(double stiffness, Resists resists, double stretch)
 {
     return isSlack(resists, stretch) ? 0.0 : 0.5 * stiffness * stretch * stretch;

@@ -21,9 +21,6 @@ struct SpringSum
 };
 SpringSum springsAt(const System& system, const State& state, std::size_t particle);
 
-// Whether a link that resists so gives no force at this stretch, m.
-bool isSlack(Resists resists, double stretch);
-
 // Energy of a spring, or of a rod that gives way, J: it stores some only where it resists.
 double elasticEnergy(double stiffness, Resists resists, double stretch);
 

@@ -98,9 +98,30 @@ void EnergyLedger::afterSubstep(const System& system, const State& state, double
             m_work.contact += m_contact[i].dot(velocity);
     }
     m_work.damping += 0.5 * h * (m_before.damping + m_after.damping);
+    m_work.damping += workOfRodDampers(system, state, h);
     addWorkOfHands(system, state, h);
     m_contact.clear();
     std::swap(m_before, m_after);
+}
+
+// J, by the mean rate of each stretch (constraints/rod_damping.h).
+double EnergyLedger::workOfRodDampers(const System& system, const State& state, double h) const
+{
+    double work = 0.0;
+    for (std::size_t r = 0; r < system.rods.size(); ++r) {
+        const Rod& rod = system.rods[r];
+        if (rod.dampingTime == 0.0 || rod.compliance == 0.0 || state.rodTorn[r])
+            continue;
+        const auto stretch = [&](const Instant& instant) {
+            const double longer =
+                (instant.position[at(rod.b)] - instant.position[at(rod.a)]).norm()
+                - m_restLength[r];
+            return isSlack(rod.resists, longer) ? 0.0 : longer;
+        };
+        const double change = stretch(m_after) - stretch(m_before);
+        work -= rod.dampingTime / rod.compliance * change * change / h;
+    }
+    return work;
 }
 
 void EnergyLedger::addWorkOfHands(const System& system, const State& state, double h)

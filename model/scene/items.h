@@ -113,6 +113,7 @@ struct Material
     double stiffness = 100.0;                // N/m, springs
     double damping = 0.0;                    // N s/m, springs
     double compliance = 0.0;                 // m/N, rods
+    double dampingTime = 0.0;                // s, rods; see system/links.h
     std::optional<double> axialStiffness;    // N, EA of lines and spars; see link_stiffness.h
     std::optional<double> membraneStiffness; // N/m, E t of fabric along its threads
     std::optional<double> shearStiffness;    // N/m, G t of fabric

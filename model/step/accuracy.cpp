@@ -1,6 +1,6 @@
 #include "step/accuracy.h"
 
-#include "forces/spring_force.h"
+#include "constraints/rod_damping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ int StepAccuracy::worstRod(const System& system) const
 }
 
 StepAccuracy accuracyOf(const System& system, const State& state,
-                        std::span<const double> restLength)
+                        std::span<const double> restLength, double reach)
 {
     StepAccuracy result;
     double off = 0.0, whole = 0.0, most = 0.0; // J, twice the energies
@@ -38,12 +38,12 @@ StepAccuracy accuracyOf(const System& system, const State& state,
             (state.position[std::size_t(rod.b)] - state.position[std::size_t(rod.a)]).norm();
         const double stretch = isSlack(rod.resists, length - rest) ? 0.0 : length - rest;
         if (rod.compliance > 0.0) {
+            const double compliance = complianceOver(rod, reach);
             const double given = state.rodTension[r];
-            const double wrong = stretch / rod.compliance - given;
-            const double share = rod.compliance * wrong * wrong;
+            const double wrong = stretch / compliance - given;
+            const double share = compliance * wrong * wrong;
             off += share;
-            whole +=
-                rod.compliance * given * given + unseen * unseen * rest * rest / rod.compliance;
+            whole += compliance * given * given + unseen * unseen * rest * rest / compliance;
             if (share > most) {
                 most = share;
                 result.pullsRod = int(r);

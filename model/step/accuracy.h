@@ -33,8 +33,9 @@ struct StepAccuracy
 };
 
 // Rods between pins, which no solver can help, do not count.
-//   restLength  [rods]  m
+//   restLength  [rods]  m, with damping (constraints/rod_damping.h)
+//   reach       s, of the last substep; it counts where rods are damped
 StepAccuracy accuracyOf(const System& system, const State& state,
-                        std::span<const double> restLength);
+                        std::span<const double> restLength, double reach = 1.0);
 
 } // namespace ripstop

@@ -81,7 +81,7 @@ int Stepper::step(const System& system, State& state)
     m_rods.takeTensions(rodTask(system, state, h), m_pool, state.rodTension);
     m_clock.lap(StepStage::Tensions);
     ++state.step;
-    m_accuracy = accuracyOf(system, state, m_restLength);
+    m_accuracy = accuracyOf(system, state, m_heldLength, m_reach);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
@@ -108,6 +108,7 @@ void Stepper::prepare(const System& system, State& state)
         fillRestLengths(system, state, m_restLength);
     else
         shiftRestLengths(system, state, m_restLength); // those of another state, maybe
+    m_rodDamping.prepare(system);
     m_serial = system.serial;
     m_valuesSerial = system.valuesSerial;
     m_summed = false;
@@ -208,7 +209,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     m_clock.lap(StepStage::Motion);
     noteRodLengths(system, state);
     m_clock.lap(StepStage::Tearing);
-    project(task, state);
+    project(task, state, h);
     m_clock.lap(StepStage::Rods);
     const bool impact = isBdf2 && m_rods.hasImpact();
     if (impact && state.driftSubstep == h)
@@ -358,7 +359,7 @@ void Stepper::beginAnew(RodTask& task, State& state, double h)
     if (!task.damping.empty())
         dampImplicitly(task.system, state, h, state.velocityBefore, false);
     move(ParticlePass::PredictAnew, task.system, state, h);
-    project(task, state);
+    project(task, state, h);
     m_clock.lap(StepStage::Rods);
 }
 
@@ -371,8 +372,15 @@ void Stepper::noteRodLengths(const System& system, const State& state)
     }
 }
 
-void Stepper::project(const RodTask& task, State& state)
+void Stepper::project(RodTask& task, State& state, double h)
 {
+    const bool drifts = task.system.integrator == Integrator::Bdf2 && state.driftSubstep == h;
+    const std::span<const PaddedVec3> drift = state.drift;
+    m_heldLength = m_rodDamping.lengthsFor(
+        task.system, m_restLength, {m_before, drifts ? drift : drift.first(0), h, task.h});
+    m_reach = task.h;
+    task.restLength = m_heldLength;
+    task.damped = m_rodDamping.rods();
     m_rods.project(task, m_pool);
     // Of single sweeps the tension of one substep says little; rods then tear by the mean over the
     // step before.

@@ -6,6 +6,7 @@
 // its own.
 #pragma once
 
+#include "constraints/rod_damping.h"
 #include "constraints/rod_solver.h"
 #include "contact/fabric_contact.h"
 #include "contact/obstacle_motion.h"
@@ -83,12 +84,13 @@ private:
     bool isSteady(const System& system, const State& state) const;
     void move(ParticlePass pass, const System& system, State& state, double h);
     void noteRodLengths(const System& system, const State& state);
-    void project(const RodTask& task, State& state);
+    void project(RodTask& task, State& state, double h);
 
     ThreadPool m_pool;
     StepClock m_clock;
     SubstepWatch* m_watch = nullptr;
     RodSolver m_rods;
+    RodDamping m_rodDamping;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
     StepAccuracy m_accuracy;
@@ -102,6 +104,8 @@ private:
     std::vector<PlacedObstacle> m_placed;   // [obstacles] in this substep
     std::vector<std::uint32_t> m_touches;   // [particles] in this step, or empty
     std::vector<double> m_restLength;       // [rods] m, with the weight shifts of now
+    std::span<const double> m_heldLength;   // [rods] m, the same as they are damped
+    double m_reach = 0.0;                   // s, of the last substep
     std::vector<double> m_rodLength;        // [rods] m, before projection
     mutable Damping m_damping;              // of forces
     std::vector<PaddedVec3> m_foreseen;     // [particles] m/s, that BDF2's forces are of, or empty

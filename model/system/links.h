@@ -35,7 +35,9 @@ struct Spring
     friend bool operator==(const Spring&, const Spring&) = default;
 };
 
-// A link that is a constraint.
+// A link that is a constraint. Damping pulls along with the stretch C: (C + dampingTime C') /
+// compliance, Kelvin and Voigt's solid; it pulls only where the stretch does, and not at all on rods
+// without compliance.
 struct Rod
 {
     int a; // particle index
@@ -44,6 +46,7 @@ struct Rod
     double compliance; // m/N, 0 never stretches
     Resists resists;
     TearLimit tear;
+    double dampingTime = 0.0; // s
 
     friend bool operator==(const Rod&, const Rod&) = default;
 };

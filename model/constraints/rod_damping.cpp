@@ -1,0 +1,62 @@
+#include "constraints/rod_damping.h"
+
+#include "base/link_laws.h"
+
+namespace ripstop {
+namespace {
+
+double pullingStretch(const Rod& rod, double restLength, const Vec3& separation)
+{
+    const double stretch = separation.norm() - restLength;
+    return isSlack(rod.resists, stretch) ? 0.0 : stretch;
+}
+
+double stretchBack(const Rod& rod, double restLength, const RodPast& past)
+{
+    const auto a = std::size_t(rod.a);
+    const auto b = std::size_t(rod.b);
+    const Vec3 separation = past.before[b] - past.before[a];
+    const double last = pullingStretch(rod, restLength, separation);
+    if (past.drift.empty())
+        return last;
+    const Vec3 way = past.h * (past.drift[b] - past.drift[a]);
+    const double back = (4.0 * last - pullingStretch(rod, restLength, separation - way)) / 3.0;
+    return isSlack(rod.resists, back) ? 0.0 : back;
+}
+
+} // namespace
+
+double complianceOver(const Rod& rod, double reach)
+{
+    return rod.dampingTime > 0.0 ? rod.compliance * (reach / (reach + rod.dampingTime))
+                                 : rod.compliance;
+}
+
+void RodDamping::prepare(const System& system)
+{
+    if (system.serial == m_serial && system.valuesSerial == m_valuesSerial)
+        return;
+    m_serial = system.serial;
+    m_valuesSerial = system.valuesSerial;
+    m_rods.clear();
+    for (std::size_t r = 0; r < system.rods.size(); ++r)
+        if (system.rods[r].dampingTime > 0.0 && system.rods[r].compliance > 0.0)
+            m_rods.push_back(int(r));
+}
+
+std::span<const double> RodDamping::lengthsFor(const System& system,
+                                               std::span<const double> restLength,
+                                               const RodPast& past)
+{
+    if (m_rods.empty())
+        return restLength;
+    m_length.assign(restLength.begin(), restLength.end());
+    for (const int rod : m_rods) {
+        const auto r = std::size_t(rod);
+        const double time = system.rods[r].dampingTime;
+        m_length[r] += time / (time + past.reach) * stretchBack(system.rods[r], restLength[r], past);
+    }
+    return m_length;
+}
+
+} // namespace ripstop
