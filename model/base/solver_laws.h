@@ -12,11 +12,12 @@ enum class Integrator {
     Verlet,         // Verlet 1967
     VelocityVerlet, // Swope, Andersen, Berens and Wilson 1982
     Bdf2,           // backward differences of second order (Curtiss and Hirschfelder 1952)
-    RungeKutta4     // Kutta 1901
+    RungeKutta4,    // Kutta 1901
+    Auto            // what step/solver_plan.h chooses
 };
 template <>
-inline constexpr std::array<std::string_view, 6> choiceNames<Integrator>{
-    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet", "bdf2", "rk4"};
+inline constexpr std::array<std::string_view, 7> choiceNames<Integrator>{
+    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet", "bdf2", "rk4", "auto"};
 
 // Whether it goes on from State::drift instead of from the velocity.
 constexpr bool isVerlet(Integrator integrator)

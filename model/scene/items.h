@@ -242,7 +242,7 @@ struct Settings
     double timeStep = 1.0 / 240.0; // s
     int substeps = 4;
     int sweeps = 8;
-    Integrator integrator = Integrator::SemiImplicitEuler;
+    Integrator integrator = Integrator::Auto;
     Solver solver = Solver::Auto;
     double accuracy = 1.0;   // %, error of pulls that is wanted
     double strainGoal = 1.0; // %, largest strain of rods that Solver::Auto aims at

@@ -200,5 +200,7 @@ void run(ParticlePass pass, Integrator integrator, const ParticleMotion& m, std:
         return runWith<Integrator::Bdf2>(pass, m, first, last);
     case Integrator::RungeKutta4:
         return runWith<Integrator::RungeKutta4>(pass, m, first, last);
+    case Integrator::Auto: // the stepper has made its choice
+        break;
     }
 }

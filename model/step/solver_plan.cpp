@@ -23,6 +23,7 @@ namespace ripstop {
 namespace {
 
 constexpr int mostSubsteps = 2000;
+constexpr int substepsOfEuler = 4; // that one of BDF2 is as true as
 constexpr double safety = 1.5;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
 constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
@@ -185,7 +186,8 @@ public:
     {
         SolverPlan plan;
         plan.together = givesAll();
-        plan.least = std::max(stiff, m_system.substeps);
+        plan.integrator = integratorOf(plan.together);
+        plan.least = std::max(stiff, wantedOf(plan.integrator));
         plan.substeps =
             std::max(int(std::ceil(std::min(substeps, double(mostSubsteps)))), plan.least);
         if (!m_given.empty())
@@ -193,7 +195,7 @@ public:
         if (m_system.rods.empty())
             plan.reason = Message("there are no rods");
         else if (!m_given.empty() && substeps <= 1.0)
-            plan.reason = Message("%1 substeps", plan.substeps);
+            plan.reason = substepsBy(plan.integrator, plan.substeps);
         else
             plan.reason =
                 Message("small steps: %1 substeps of one sweep to begin with, for a "
@@ -210,14 +212,44 @@ public:
 private:
     bool givesAll() const
     {
-        for (std::size_t r = 0; r < m_direct.size(); ++r) {
-            const Rod& rod = m_system.rods[r];
-            const bool moves = m_system.inverseMass[std::size_t(rod.a)] > 0.0
-                               || m_system.inverseMass[std::size_t(rod.b)] > 0.0;
-            if (moves && !m_direct[r])
+        for (std::size_t r = 0; r < m_direct.size(); ++r)
+            if (moves(m_system.rods[r]) && !m_direct[r])
                 return false;
-        }
         return !m_given.empty();
+    }
+
+    bool moves(const Rod& rod) const
+    {
+        return m_system.inverseMass[std::size_t(rod.a)] > 0.0
+               || m_system.inverseMass[std::size_t(rod.b)] > 0.0;
+    }
+
+    Integrator integratorOf(bool together) const
+    {
+        if (m_system.integrator != Integrator::Auto)
+            return m_system.integrator;
+        const bool calmsItself = std::ranges::all_of(m_system.rods, [&](const Rod& rod) {
+            return !moves(rod) || (rod.compliance > 0.0 && rod.dampingTime > 0.0);
+        });
+        return together && calmsItself && std::isinf(stiffStepLimit(m_system))
+                   ? Integrator::Bdf2
+                   : Integrator::SemiImplicitEuler;
+    }
+
+    // Substeps that the author wants at least.
+    int wantedOf(Integrator integrator) const
+    {
+        return integrator == Integrator::Bdf2 && m_system.integrator == Integrator::Auto
+                   ? (m_system.substeps + substepsOfEuler - 1) / substepsOfEuler
+                   : m_system.substeps;
+    }
+
+    static Message substepsBy(Integrator integrator, int substeps)
+    {
+        if (integrator != Integrator::Bdf2)
+            return Message("%1 substeps", substeps);
+        return substeps == 1 ? Message("1 substep of bdf2")
+                             : Message("%1 substeps of bdf2", substeps);
     }
 
     struct Given

@@ -67,7 +67,7 @@ int Stepper::step(const System& system, State& state)
     for (int s = 0; s < substeps; ++s) {
         state.time = startTime + (s + 1) * h;
         RodTask task = rodTask(system, state, h);
-        task.tolerance = toleranceFor(system.integrator, h) / m_refinement;
+        task.tolerance = toleranceFor(m_integrator, h) / m_refinement;
         if (s == 0) {
             m_rods.start(task, state.rodTension);
             m_clock.lap(StepStage::Rods);
@@ -116,6 +116,11 @@ void Stepper::prepare(const System& system, State& state)
         m_plan = planFor(system);
         m_planFor = PlanFor(system);
     }
+    m_integrator = system.integrator;
+    if (m_integrator == Integrator::Auto)
+        m_integrator =
+            system.solver == Solver::Auto ? m_plan.integrator : Integrator::SemiImplicitEuler;
+    m_implicit.resize(dampsImplicitly(system) ? state.position.size() : 0);
     m_tearsByForce =
         std::any_of(system.tearableRods.begin(), system.tearableRods.end(), [&](int rod) {
             return system.rods[std::size_t(rod)].tear.rule == TearRule::Force;
@@ -150,7 +155,7 @@ int Stepper::substepsForDamping(const System& system, const State& state) const
 bool Stepper::dampsImplicitly(const System& system) const
 {
     return system.solver == Solver::Auto && m_plan.together
-           && system.integrator == Integrator::Bdf2;
+           && m_integrator == Integrator::Bdf2;
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
@@ -169,7 +174,7 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
             automatic ? m_plan.direct : system.direct,
             state.rodTorn,
             m_restLength,
-            reachOf(system.integrator, h, state.driftSubstep == h),
+            reachOf(m_integrator, h, state.driftSubstep == h),
             std::uint64_t(state.substep),
             state.position,
             m_before,
@@ -179,7 +184,7 @@ RodTask Stepper::rodTask(const System& system, State& state, double h) const
 void Stepper::substep(RodTask& task, State& state, double h)
 {
     const System& system = task.system;
-    const bool isBdf2 = system.integrator == Integrator::Bdf2;
+    const bool isBdf2 = m_integrator == Integrator::Bdf2;
     beginMoves(system, state, state.time - h, m_placed);
     moveCarried(state, h);
     if (moveInputs(system, state, h)) {
@@ -203,7 +208,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
         dampImplicitly(system, state, task.h, m_scratch, state.driftSubstep == h);
         m_clock.lap(StepStage::Air);
     }
-    if (system.integrator == Integrator::RungeKutta4)
+    if (m_integrator == Integrator::RungeKutta4)
         takeMeans(system, state, h);
     move(ParticlePass::Predict, system, state, h);
     m_clock.lap(StepStage::Motion);
@@ -214,7 +219,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     const bool impact = isBdf2 && m_rods.hasImpact();
     if (impact && state.driftSubstep == h)
         beginAnew(task, state, h);
-    if (system.integrator == Integrator::VelocityVerlet) {
+    if (m_integrator == Integrator::VelocityVerlet) {
         move(ParticlePass::ForeseeVelocities, system, state, h);
         m_clock.lap(StepStage::Motion);
         fillAccelerations(system, state, h);
@@ -237,7 +242,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
                   m_overloads);
     m_clock.lap(StepStage::Tearing);
     const bool waits = isBdf2 && state.driftSubstep < 0.0; // for motion from after an impact alone
-    state.driftSubstep = impact ? -h : looksBack(system.integrator) && !waits ? h : 0.0;
+    state.driftSubstep = impact ? -h : looksBack(m_integrator) && !waits ? h : 0.0;
     if (m_watch) {
         m_watch->afterSubstep(system, state, h);
         m_clock.lap(StepStage::Watch);
@@ -340,11 +345,11 @@ void Stepper::move(ParticlePass pass, const System& system, State& state, double
                                 (dampsImplicitly(system) ? m_implicit : m_acceleration).data(),
                                 system.inverseMass.data(),
                                 h,
-                                reachOf(system.integrator, h, drifts),
+                                reachOf(m_integrator, h, drifts),
                                 m_keep,
                                 drifts};
     m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
-        runPass(pass, system.integrator, motion, first, last);
+        runPass(pass, m_integrator, motion, first, last);
     });
 }
 
@@ -374,7 +379,7 @@ void Stepper::noteRodLengths(const System& system, const State& state)
 
 void Stepper::project(RodTask& task, State& state, double h)
 {
-    const bool drifts = task.system.integrator == Integrator::Bdf2 && state.driftSubstep == h;
+    const bool drifts = m_integrator == Integrator::Bdf2 && state.driftSubstep == h;
     const std::span<const PaddedVec3> drift = state.drift;
     m_heldLength = m_rodDamping.lengthsFor(
         task.system, m_restLength, {m_before, drifts ? drift : drift.first(0), h, task.h});

@@ -93,6 +93,7 @@ private:
     RodDamping m_rodDamping;
     SolverPlan m_plan; // of Solver::Auto
     PlanFor m_planFor;
+    Integrator m_integrator = Integrator::SemiImplicitEuler; // of this step; any but Auto
     StepAccuracy m_accuracy;
     FabricContact m_fabric;
     Forces m_forces;
