@@ -433,7 +433,8 @@ void ColouredSweeps::update(const RodTask& task)
         if (task.shifted)
             fill(task, std::size_t(shifted.rod));
     for (const int damped : task.damped)
-        fill(task, std::size_t(damped));
+        if (m_place[std::size_t(damped)].ours)
+            fill(task, std::size_t(damped));
 }
 
 void ColouredSweeps::prepareScheduler(const System& system)

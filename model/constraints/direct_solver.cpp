@@ -1,6 +1,6 @@
 // Newton's method for a block of rods, which direct_prepare.cpp has made ready. project() makes
-// iterations of four stages: measure() lengths and directions, assemble() matrix and right-hand
-// side, factorise and solve, then go() along the move, halved while it does not bring the sum down.
+// iterations of three stages: assemble() matrix and right-hand side, factorise and solve, then
+// arrive() where the move leads, which go() takes less of while it does not bring the sum down.
 // In the end keepCenters() takes back what rounding moved the centres of islands, and positions and
 // multipliers are handed back.
 #include "constraints/direct_solver.h"
@@ -21,16 +21,10 @@ constexpr double greatLoad = 100.0;    // m/s^2, ten times gravity on all masses
 constexpr double leastSoftness = 1e-8; // of the inverse masses of the ends
 constexpr double greatestSoftness = 1e-4;
 constexpr int halvings = 6;
-constexpr double atRest = 1e-12; // of the length: lines that are neither slack nor tight take part
 
 constexpr int mostIterations = 200;
 constexpr double leftByIterations = 0.4; // of the accuracy; both together stay within it
 constexpr double leftByNewton = 0.5;
-
-RIPSTOP_INLINE double dot(const Row& a, const Row& b)
-{
-    return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
-}
 
 } // namespace
 
@@ -104,11 +98,13 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
         soften(task.system, task.h);
     m_accuracy = task.system.accuracy;
     takeDamping(task);
+    m_pulls = 0.0;
     for (Bar& bar : m_bars) {
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
         bar.rest = task.restLength[r];
         bar.multiplier = bar.atStart = bar.torn ? 0.0 : multiplier[r];
+        m_pulls += energyOfPull(bar);
     }
 }
 
@@ -123,32 +119,33 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     }
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
-    measure();
     if (m_iterates && !task.before.empty())
         startNearer(task);
+    else
+        measureBars();
     int taken = 0;
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
-        assemble();
-        const double before = merit();
+        const double before = assemble();
         if (!solveForMoves()) // something is not a number, which the watchdog will see
             break;
         moveAlongGuides();
-        foresee();
-        go(1.0);
-        near = error() < tolerance
-               && std::sqrt(energyOfErrors())
-                      <= leftByNewton * m_accuracy * std::sqrt(energyOfPulls());
+        const Arrival arrival = arrive();
+        near = arrival.worst < tolerance
+               && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(m_pulls);
         double share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
             go(share *= 0.5);
-        if (share < 1.0)
-            for (Bar& bar : m_bars)
+        if (share < 1.0) {
+            m_pulls = 0.0;
+            for (Bar& bar : m_bars) {
                 bar.multiplier = bar.before + share * (bar.multiplier - bar.before);
+                m_pulls += energyOfPull(bar);
+            }
+        }
     }
 
-    const double pulls = energyOfPulls();
-    m_residual = pulls > 0.0 ? m_left / std::sqrt(pulls) : 0.0;
+    m_residual = m_pulls > 0.0 ? m_left / std::sqrt(m_pulls) : 0.0;
     keepCenters();
     for (std::size_t i = 0; i < nodes(); ++i)
         task.position[std::size_t(m_particle[i])] =
@@ -156,20 +153,6 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     for (const Bar& bar : m_bars)
         multiplier[std::size_t(bar.rod)] = pullOf(bar);
     return taken;
-}
-
-// kg m
-double DirectSolver::pullOf(const Bar& bar)
-{
-    switch (bar.resists) {
-    case Resists::Tension:
-        return std::max(bar.multiplier, 0.0);
-    case Resists::Compression:
-        return std::min(bar.multiplier, 0.0);
-    case Resists::Both:
-        break;
-    }
-    return bar.multiplier;
 }
 
 bool DirectSolver::hasImpact() const
@@ -191,23 +174,31 @@ BlockCholesky::Block& DirectSolver::pair(std::size_t index)
 
 // Where forces and rods are near their balance, as in all that hangs or is in the wind, particles
 // go on as they were: that is a better start than where the forces alone take them.
+RIPSTOP_CLONES
 void DirectSolver::startNearer(const RodTask& task)
 {
-    for (Bar& bar : m_bars)
-        bar.active = acts(bar);
-    const double away = merit();
     std::copy_n(m_position.begin(), nodes(), m_from.begin());
+    double here = 0.0, nearer = 0.0; // twice the sums that are minimised
     for (std::size_t i = 0; i < nodes(); ++i) {
         const auto p = std::size_t(m_particle[i]);
         pack(m_position[i].v) -= (task.h * task.h) * pack(task.acceleration[p]);
+        nearer += energyOfWay(i);
     }
-    measure();
-    for (Bar& bar : m_bars)
+    const auto from = [this](std::uint32_t row) -> const Row& {
+        return row < nodes() ? m_from[row] : m_position[row];
+    };
+    for (Bar& bar : m_bars) {
+        measure(bar, from(bar.a), from(bar.b));
         bar.active = acts(bar);
-    if (merit() < away)
+        here += energyOf(bar);
+        measure(bar, m_position[bar.a], m_position[bar.b]);
+        bar.active = acts(bar);
+        nearer += energyOf(bar);
+    }
+    if (nearer < here)
         return;
     std::copy_n(m_from.begin(), nodes(), m_position.begin());
-    measure();
+    measureBars();
 }
 
 // Puts the moves in place of the right-hand side.
@@ -226,66 +217,38 @@ bool DirectSolver::solveForMoves()
         for (std::size_t i = 0; i < m_guides.size() && i < rows.size(); ++i)
             moveAlongGuide(i, rows[i]);
     };
-    m_left = m_grid.solve({m_move.data(), nodes()},
-                          leftByIterations * m_accuracy * std::sqrt(energyOfPulls()),
-                          mostIterations, keepOnGuides);
+    m_left =
+        m_grid.solve({m_move.data(), nodes()}, leftByIterations * m_accuracy * std::sqrt(m_pulls),
+                     mostIterations, keepOnGuides);
     return true;
 }
 
-// Twice the energy that pulls of the multipliers take, kg m^2.
-double DirectSolver::energyOfPulls() const
+// Twice what a node is of it.
+RIPSTOP_INLINE double DirectSolver::energyOfWay(std::size_t i) const
 {
-    double sum = 0.0;
-    for (const Bar& bar : m_bars)
-        sum += bar.softness * bar.multiplier * bar.multiplier;
-    return sum;
-}
-
-// Twice the energy of what the pulls of elastic rods differ by from those of their lengths, kg m^2.
-double DirectSolver::energyOfErrors() const
-{
-    double sum = 0.0;
-    for (const Bar& bar : m_bars)
-        if (bar.isElastic) {
-            const double off =
-                bar.active ? bar.stretch - bar.softness * bar.multiplier : excess(bar);
-            sum += off * off / bar.softness;
-        }
-    return sum;
+    Row way;
+    pack(way.v) = pack(m_position[i].v) - pack(m_guess[i].v);
+    double twice = m_mass[i] * dot(way, way);
+    if (!m_drag.empty()) {
+        const Vec3 w(way.v[0], way.v[1], way.v[2]);
+        twice += w.dot(m_drag[i] * w);
+    }
+    return twice;
 }
 
 // Measures the rods with their ends where they are now.
 RIPSTOP_CLONES
-void DirectSolver::measure()
+void DirectSolver::measureBars()
 {
-    for (Bar& bar : m_bars) {
-        const Pack d = pack(m_position[bar.b].v) - pack(m_position[bar.a].v);
-        bar.length = __builtin_sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        pack(bar.direction.v) = d * (bar.length > 0.0 ? 1.0 / bar.length : 0.0);
-        bar.stretch = bar.length - bar.rest;
-    }
+    for (Bar& bar : m_bars)
+        measure(bar, m_position[bar.a], m_position[bar.b]);
 }
 
-// A rod of no length holds its ends together from every side; coincident ends of one that has a
-// length show no direction to move along.
-bool DirectSolver::acts(const Bar& bar)
-{
-    if (bar.torn || (bar.length == 0.0 && bar.rest > 0.0))
-        return false;
-    switch (bar.resists) {
-    case Resists::Tension:
-        return bar.rest == 0.0 || bar.multiplier * bar.weight + bar.stretch > -atRest * bar.rest;
-    case Resists::Compression:
-        return bar.multiplier * bar.weight + bar.stretch < atRest * bar.rest;
-    case Resists::Both:
-        break;
-    }
-    return true;
-}
-
+// Returns the sum that is minimised, kg m^2.
 RIPSTOP_CLONES
-void DirectSolver::assemble()
+double DirectSolver::assemble()
 {
+    double twice = 0.0;
     const std::size_t count = m_mass.size();
     if (m_iterates)
         m_grid.setZero();
@@ -297,6 +260,7 @@ void DirectSolver::assemble()
         for (int c = 0; c < 3; ++c)
             block.column[c][c] = mass;
         pack(m_move[i].v) = mass * (pack(m_guess[i].v) - pack(m_position[i].v));
+        twice += energyOfWay(i);
     }
     for (std::size_t i = 0; i < m_drag.size(); ++i) {
         BlockCholesky::Block& block = diagonal(i);
@@ -309,6 +273,7 @@ void DirectSolver::assemble()
     }
     for (Bar& bar : m_bars) {
         bar.active = acts(bar);
+        twice += energyOf(bar);
         const bool apart = bar.guided && !m_iterates; // iterations keep to guides by themselves
         if (bar.active && apart)
             addOnGuides(bar);
@@ -341,6 +306,7 @@ void DirectSolver::assemble()
                 pack(block.column[c]) -= column[c];
         }
     }
+    return 0.5 * twice;
 }
 
 // What assemble() adds of a bar, with P on either side. The row of a pair's block is the node that
@@ -397,83 +363,60 @@ void DirectSolver::moveAlongGuide(std::size_t row, Row& move) const
         move.v[c] = along[c];
 }
 
-// Foresees the multipliers at the end of the move, as if rods kept their directions.
-void DirectSolver::foresee()
+// Foresees the multiplier at the end of the move, as if the rod kept its direction.
+RIPSTOP_INLINE void DirectSolver::foresee(Bar& bar) const
 {
-    for (Bar& bar : m_bars) {
-        bar.before = bar.multiplier;
-        bar.multiplier = 0.0;
-        if (!bar.active)
-            continue;
-        Row opening;
-        pack(opening.v) = pack(m_move[bar.b].v) - pack(m_move[bar.a].v);
-        if (bar.rest == 0.0) {
-            pack(opening.v) += bar.length * pack(bar.direction.v);
-            bar.multiplier = std::sqrt(dot(opening, opening)) / bar.softness;
-        } else {
-            bar.multiplier = (bar.stretch + dot(bar.direction, opening)) / bar.softness;
-        }
+    bar.before = bar.multiplier;
+    bar.multiplier = 0.0;
+    if (!bar.active)
+        return;
+    Row opening;
+    pack(opening.v) = pack(m_move[bar.b].v) - pack(m_move[bar.a].v);
+    if (bar.rest == 0.0) {
+        pack(opening.v) += bar.length * pack(bar.direction.v);
+        bar.multiplier = std::sqrt(dot(opening, opening)) / bar.softness;
+    } else {
+        bar.multiplier = (bar.stretch + dot(bar.direction, opening)) / bar.softness;
     }
+}
+
+// Goes the whole way. One pass over the rods does all that has to be known of them there, since a
+// large network is more than the processor keeps near.
+RIPSTOP_CLONES
+DirectSolver::Arrival DirectSolver::arrive()
+{
+    for (std::size_t i = 0; i < m_from.size(); ++i)
+        pack(m_position[i].v) = pack(m_from[i].v) + pack(m_move[i].v);
+    Arrival arrival;
+    m_pulls = 0.0;
+    for (Bar& bar : m_bars) {
+        foresee(bar);
+        measure(bar, m_position[bar.a], m_position[bar.b]);
+        m_pulls += energyOfPull(bar);
+        arrival.errors += energyOfError(bar);
+        const double off = missOf(bar);
+        if (!(off <= arrival.worst * bar.rest))
+            arrival.worst = bar.rest > 0.0 ? off / bar.rest : off;
+    }
+    return arrival;
 }
 
 void DirectSolver::go(double share)
 {
     for (std::size_t i = 0; i < m_from.size(); ++i)
         pack(m_position[i].v) = pack(m_from[i].v) + share * pack(m_move[i].v);
-    measure();
-}
-
-// How much an idle line is too long, or an idle strut too short (negative), m.
-double DirectSolver::excess(const Bar& bar)
-{
-    if (bar.torn)
-        return 0.0;
-    switch (bar.resists) {
-    case Resists::Tension:
-        return std::max(bar.stretch, 0.0);
-    case Resists::Compression:
-        return std::min(bar.stretch, 0.0);
-    case Resists::Both:
-        break;
-    }
-    return 0.0; // a rod that resists both ways is idle only with coincident ends
+    measureBars();
 }
 
 // The sum that is minimised, for the rods that are active now; kg m^2.
 double DirectSolver::merit() const
 {
     double twice = 0.0;
-    for (std::size_t i = 0; i < m_mass.size(); ++i) {
-        Row way;
-        pack(way.v) = pack(m_position[i].v) - pack(m_guess[i].v);
-        twice += m_mass[i] * dot(way, way);
-        if (!m_drag.empty()) {
-            const Vec3 w(way.v[0], way.v[1], way.v[2]);
-            twice += w.dot(m_drag[i] * w);
-        }
-    }
-    for (const Bar& bar : m_bars) {
-        const double c = bar.active ? bar.stretch : excess(bar);
-        twice += c * c / bar.softness;
-    }
+    for (std::size_t i = 0; i < m_mass.size(); ++i)
+        twice += energyOfWay(i);
+    for (const Bar& bar : m_bars)
+        twice += energyOf(bar);
     return 0.5 * twice;
-}
-
-// How far the worst rod is from where the linear system put it, as a share of its length; a line
-// that pushed counts with what that moved its ends.
-double DirectSolver::error() const
-{
-    double worst = 0.0;
-    for (const Bar& bar : m_bars) {
-        double off =
-            std::abs(bar.active ? bar.stretch - bar.softness * bar.multiplier : excess(bar));
-        if ((bar.resists == Resists::Tension && bar.multiplier < 0.0)
-            || (bar.resists == Resists::Compression && bar.multiplier > 0.0))
-            off += std::abs(bar.multiplier) * bar.weight;
-        if (!(off <= worst * bar.rest))
-            worst = bar.rest > 0.0 ? off / bar.rest : off;
-    }
-    return worst;
 }
 
 } // namespace ripstop

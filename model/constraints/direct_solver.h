@@ -35,6 +35,7 @@
 // keep their own limit of the step.
 #pragma once
 
+#include "constraints/bar.h"
 #include "constraints/block_cholesky.h"
 #include "constraints/multigrid.h"
 #include "parallel/simd_pack.h"
@@ -83,60 +84,42 @@ public:
     bool iterates() const { return m_iterates; }                 // too large to be factorised
 
 private:
-    struct Bar // a rod
-    {
-        Row direction{};     // unit, from `a` to `b`
-        std::uint32_t a = 0; // row of m_position; pins come last
-        std::uint32_t b = 0;
-        int rod = 0;         // in System::rods
-        int pair = -1;       // in the matrix; -1 when an end is pinned
-        bool guided = false; // an end is on a guide
-        Resists resists = Resists::Both;
-        bool torn = false;
-        bool isElastic = false;  // has a compliance
-        bool active = false;     // takes part in this iteration
-        double weight = 0.0;     // 1/kg, of both ends
-        double softness = 0.0;   // 1/kg, s above
-        double rest = 0.0;       // m
-        double length = 0.0;     // m
-        double stretch = 0.0;    // m
-        double multiplier = 0.0; // kg m, that the linear system gave
-        double before = 0.0;     // kg m, of the iteration before
-        double atStart = 0.0;    // kg m, of the substep before
-    };
-
     void takeBars(const System& system, std::span<const std::uint32_t> row);
     std::vector<std::pair<int, int>> numberPairs();
     bool hasSamePins(const System& system) const;
     void takeGuides(const System& system);
     void takeValues(const System& system);
     void soften(const System& system, double h);
-    void measure();
-    void assemble();
-    void foresee();
+    struct Arrival // where a move has led
+    {
+        double worst =
+            0.0; // 1, how far a rod is from where the linear system put it, of its length
+        double errors = 0.0; // kg m^2, the sum of energyOfError()
+    };
+
+    void measureBars();
+    double assemble();
+    void foresee(Bar& bar) const;
+    Arrival arrive();
     void startNearer(const RodTask& task);
     bool solveForMoves();
-    double energyOfPulls() const;
-    double energyOfErrors() const;
+    double energyOfWay(std::size_t node) const;
     BlockCholesky::Block& diagonal(std::size_t node);
     BlockCholesky::Block& pair(std::size_t index);
     void go(double share);
     double merit() const;
-    double error() const;
     void findIslands();
     void keepCenters();
     void keepDraggedCenters();
     void takeDamping(const RodTask& task);
     void addOnGuides(const Bar& bar);
     void moveAlongGuides();
-    static double pullOf(const Bar& bar);
     void moveAlongGuide(std::size_t row, Row& move) const;
-    static bool acts(const Bar& bar);
-    static double excess(const Bar& bar);
 
     std::vector<int> m_rods;  // as given to prepare()
     double m_h = 0.0;         // s, for which softness is right
     double m_accuracy = 0.01; // 1, System::accuracy
+    double m_pulls = 0.0;     // kg m^2, the sum of energyOfPull()
     double m_left = 0.0;      // sqrt(kg) m, the root of the energy of what iterations have left
     double m_residual = 0.0;  // 1
     bool m_iterates = false;

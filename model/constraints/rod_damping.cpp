@@ -50,11 +50,15 @@ std::span<const double> RodDamping::lengthsFor(const System& system,
 {
     if (m_rods.empty())
         return restLength;
-    m_length.assign(restLength.begin(), restLength.end());
+    if (m_rods.size() < restLength.size())
+        m_length.assign(restLength.begin(), restLength.end());
+    m_length.resize(restLength.size());
     for (const int rod : m_rods) {
         const auto r = std::size_t(rod);
         const double time = system.rods[r].dampingTime;
-        m_length[r] += time / (time + past.reach) * stretchBack(system.rods[r], restLength[r], past);
+        m_length[r] =
+            restLength[r]
+            + time / (time + past.reach) * stretchBack(system.rods[r], restLength[r], past);
     }
     return m_length;
 }

@@ -99,15 +99,16 @@ void RodSolver::prepareDirect(const RodTask& task)
     const System& system = task.system;
     const bool beside = (task.solver == Solver::GaussSeidel || task.solver == Solver::SmallSteps)
                         && !task.direct.empty();
-    std::vector<int>& rods = m_wanted;
-    rods.clear();
-    for (std::size_t i = 0; (beside || task.solver == Solver::Direct) && i < system.rods.size();
-         ++i)
-        if (!beside || task.direct[i])
-            rods.push_back(int(i));
-    if (system.serial != m_serial || rods != m_block) {
-        m_block = rods;
-        m_direct.prepare(system, m_block);
+    const std::size_t count = beside || task.solver == Solver::Direct ? system.rods.size() : 0;
+    const std::span<const std::uint8_t> marks = task.direct.first(beside ? count : 0);
+    if (system.serial != m_serial || count != m_mayHave || !std::ranges::equal(marks, m_marks)) {
+        m_mayHave = count;
+        m_marks.assign(marks.begin(), marks.end());
+        std::vector<int> rods;
+        for (std::size_t i = 0; i < count; ++i)
+            if (!beside || task.direct[i])
+                rods.push_back(int(i));
+        m_direct.prepare(system, rods);
     } else if (system.valuesSerial != m_valuesSerial) {
         m_direct.refresh(system);
     }

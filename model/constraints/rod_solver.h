@@ -68,8 +68,8 @@ private:
 
     ColouredSweeps m_coloured;
     DirectSolver m_direct;
-    std::vector<int> m_wanted; // scratch
-    std::vector<int> m_block;  // rods that m_direct is prepared for
+    std::size_t m_mayHave = 0;         // rods, of which m_direct is prepared for those that are
+    std::vector<std::uint8_t> m_marks; // [rods] marked, or for all of them where it is empty
     std::uint64_t m_serial = 0;
     std::uint64_t m_valuesSerial = 0;
     int m_substeps = 0;               // since the last call of takeTensions()

@@ -15,7 +15,10 @@ class FabricAirForce final : public Force
 public:
     Message name() const override { return Message("air on fabric"); }
     ForceKind kind() const override { return ForceKind::Air; }
-    bool acts(const System& system, const State&) const override { return !system.panels.empty(); }
+    bool acts(const System& system, const State&) const override
+    {
+        return !system.panels.empty() && system.airDensity > 0.0;
+    }
     bool hangsOn(const Edited& e) const override
     {
         return e.materials || e.particles || e.panels || e.winds;

@@ -93,7 +93,8 @@ void fillDamping(const System& system, const State& state, Damping& damping)
 {
     damping.at.assign(state.position.size(), Mat3::Zero());
     for (const auto& force : knownForces())
-        force->addDamping(system, state, damping);
+        if (force->acts(system, state))
+            force->addDamping(system, state, damping);
 }
 
 // The trace is at least the largest rate.

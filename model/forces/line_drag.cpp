@@ -24,7 +24,7 @@ public:
     ForceKind kind() const override { return ForceKind::Air; }
     bool acts(const System& system, const State&) const override
     {
-        return !system.of<LineLists>().list.empty();
+        return !system.of<LineLists>().list.empty() && system.airDensity > 0.0;
     }
     bool hangsOn(const Edited& e) const override { return e.materials || e.linkStuff; }
     void list(System& system) const override;

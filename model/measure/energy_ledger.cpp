@@ -113,9 +113,8 @@ double EnergyLedger::workOfRodDampers(const System& system, const State& state, 
         if (rod.dampingTime == 0.0 || rod.compliance == 0.0 || state.rodTorn[r])
             continue;
         const auto stretch = [&](const Instant& instant) {
-            const double longer =
-                (instant.position[at(rod.b)] - instant.position[at(rod.a)]).norm()
-                - m_restLength[r];
+            const double longer = (instant.position[at(rod.b)] - instant.position[at(rod.a)]).norm()
+                                  - m_restLength[r];
             return isSlack(rod.resists, longer) ? 0.0 : longer;
         };
         const double change = stretch(m_after) - stretch(m_before);

@@ -39,11 +39,11 @@ StepAccuracy accuracyOf(const System& system, const State& state,
         const double stretch = isSlack(rod.resists, length - rest) ? 0.0 : length - rest;
         if (rod.compliance > 0.0) {
             const double compliance = complianceOver(rod, reach);
-            const double given = state.rodTension[r];
-            const double wrong = stretch / compliance - given;
-            const double share = compliance * wrong * wrong;
+            const double stiffness = 1.0 / compliance;
+            const double given = compliance * state.rodTension[r]; // m, the stretch that it is of
+            const double share = (stretch - given) * (stretch - given) * stiffness;
             off += share;
-            whole += compliance * given * given + unseen * unseen * rest * rest / compliance;
+            whole += (given * given + unseen * unseen * rest * rest) * stiffness;
             if (share > most) {
                 most = share;
                 result.pullsRod = int(r);

@@ -41,7 +41,7 @@ namespace ripstop {
 struct SolverPlan
 {
     Integrator integrator = Integrator::SemiImplicitEuler; // any but Auto
-    int substeps = 1;                 // to begin with
+    int substeps = 1;                                      // to begin with
     int least = 1;                    // that the author wants, and that stiff forces allow
     std::vector<std::uint8_t> direct; // [rods], for System::direct; empty for none
     bool together = false;            // these are all rods that can move

@@ -154,8 +154,8 @@ int Stepper::substepsForDamping(const System& system, const State& state) const
 // Whether what forces take from motion joins the masses (dampImplicitly()).
 bool Stepper::dampsImplicitly(const System& system) const
 {
-    return system.solver == Solver::Auto && m_plan.together
-           && m_integrator == Integrator::Bdf2;
+    return system.solver == Solver::Auto && m_plan.together && m_integrator == Integrator::Bdf2
+           && system.airDensity > 0.0;
 }
 
 void Stepper::adapt(const System& system, State& state, int substeps)
@@ -381,8 +381,8 @@ void Stepper::project(RodTask& task, State& state, double h)
 {
     const bool drifts = m_integrator == Integrator::Bdf2 && state.driftSubstep == h;
     const std::span<const PaddedVec3> drift = state.drift;
-    m_heldLength = m_rodDamping.lengthsFor(
-        task.system, m_restLength, {m_before, drifts ? drift : drift.first(0), h, task.h});
+    m_heldLength = m_rodDamping.lengthsFor(task.system, m_restLength,
+                                           {m_before, drifts ? drift : drift.first(0), h, task.h});
     m_reach = task.h;
     task.restLength = m_heldLength;
     task.damped = m_rodDamping.rods();

@@ -62,7 +62,8 @@ private slots:
         QTest::addColumn<double>("timeStep");
         for (const Solver solver : {Solver::Auto, Solver::Direct, Solver::GaussSeidel,
                                     Solver::SmallSteps, Solver::AveragedJacobi})
-            QTest::addRow("Euler, %s", std::string(choiceNames<Solver>[std::size_t(solver)]).c_str())
+            QTest::addRow("Euler, %s",
+                          std::string(choiceNames<Solver>[std::size_t(solver)]).c_str())
                 << Integrator::SemiImplicitEuler << solver << 1e-5;
         for (const Solver solver : {Solver::Auto, Solver::Direct, Solver::GaussSeidel})
             QTest::addRow("BDF2, %s", std::string(choiceNames<Solver>[std::size_t(solver)]).c_str())
@@ -116,7 +117,8 @@ private slots:
         QVERIFY2(isNear(speed(0.01), speed(0.0), 1e-4 * turns), told(speed(0.01), speed(0.0)));
     }
 
-    // A damper of what is slack would brake it on its way to its length, and hold it on its way back.
+    // A damper of what is slack would brake it on its way to its length, and hold it on its way
+    // back.
     void slackLinesAreFree_data()
     {
         QTest::addColumn<Integrator>("integrator");
