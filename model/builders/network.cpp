@@ -107,6 +107,20 @@ void Network::addFabricMass(double density)
     }
 }
 
+void Network::shareMass(Id apart)
+{
+    double mass = 0.0;
+    double count = 0.0;
+    for (const Particle& particle : m_part.particles)
+        if (particle.id != apart) {
+            mass += particle.mass;
+            count += 1.0;
+        }
+    for (Particle& particle : m_part.particles)
+        if (particle.id != apart)
+            particle.mass = mass / count;
+}
+
 std::vector<Id> Network::line(Id from, Id to, int count, double mass, Id material, Resists resists)
 {
     const Vec3 start = position(from);

@@ -41,6 +41,10 @@ public:
     // Gives each corner of the panel its third of the fabric's mass; density in kg/m^2.
     void addFabricMass(double density);
 
+    // Gives all particles so far an equal share of what they weigh together, but for `apart`, which
+    // keeps its mass.
+    void shareMass(Id apart = noId);
+
     // `count` - 1 new particles at equal steps from `from` to `to`, tied in a row; the ends are in
     // the answer. `mass` is that of the whole line, kg, shared out by length, ends included.
     std::vector<Id> line(Id from, Id to, int count, double mass, Id material, Resists resists);
