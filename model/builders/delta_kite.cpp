@@ -34,7 +34,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"reflex",       "",      0.03,   -0.1, 0.2, false, "Rise of the trailing edge at the keel over the chord; turns the nose up like washout."},
     {"fabric",       "kg/m^2", 0.045, 0.005, 1, false, "Mass of the fabric per area; 0.045 is ripstop nylon for kites.", "Mass"},
     {"frame_mass",   "kg",    0.12,   0.001, 10, false, "Spars in leading edges and keel, and the ring at the tow point."},
-    {"even",         "",      0,      0, 1,     true,  "1 gives all particles of the kite the same mass, as the paper on kites did; 0 weighs cloth and spars where they are."},
+    {"equal_masses", "",      0,      0, 1,     true,  "1 gives all particles of the kite the same mass, as the paper on kites did; 0 weighs cloth and spars where they are."},
     {"lift_slope",   "1/rad", 3.7,    0.1, 8,   false, "Normal force coefficient per sine of the angle of attack; 2 pi A / (2 + sqrt(A^2 + 8)) for a delta of aspect ratio A, less for a loose sail.", "Air"},
     {"vortex",       "",      0,      0, 1,     true,  "1 flies the wing with the vortex law, which finds lift slope and induced drag from its shape; 0 with the plate law and the lift slope above; the keel has that law in any case."},
     {"drag",         "",      0.04,   0, 0.5,   false, "Drag coefficient of sail and spars edge on, as skin friction of the sail."},
@@ -142,7 +142,7 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
         spars.insert(spars.end(), more.begin(), more.end());
     for (const Id node : spars)
         network.row(node).mass += p.at("frame_mass") / double(spars.size());
-    if (p.at("even") > 0.0)
+    if (p.at("equal_masses") > 0.0)
         network.shareMass();
     return kite;
 }

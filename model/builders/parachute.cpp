@@ -42,7 +42,7 @@ constexpr Parameter parameters[]{
     {"line_diameter", "m",      0.003,  0, 0.05,  false, "Thickness of a line, which the wind drags."},
     {"fabric",        "kg/m^2", 0.0373, 0.005, 1, false, "Mass of the fabric per area; 0.0373 is parachute nylon MIL-C-7020 type I.", "Fabric"},
     {"hoop_mass",     "kg",     0.4,    0.01, 50, false, "Mass of the hoop."},
-    {"even",          "",       0,      0, 1,     true,  "1 gives all particles but the payload the same mass, as the paper on kites did; 0 weighs cloth, lines and hoop where they are."},
+    {"equal_masses",  "",       0,      0, 1,     true,  "1 gives all particles but the payload the same mass, as the paper on kites did; 0 weighs cloth, lines and hoop where they are."},
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
     {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start.", "Start"},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
@@ -186,7 +186,7 @@ Result<Scene> buildParachute(const Parameters& p)
     if (p.at("hoop") > 0.0 && !holdsAir)
         hubs = addHoop(network, canopy.skirt(), 0.25 * p.at("diameter"), p.at("hoop_mass"),
                        materials.frame);
-    if (p.at("even") > 0.0)
+    if (p.at("equal_masses") > 0.0)
         network.shareMass(payload);
     network.place(Eigen::Matrix3d::Identity(),
                   {0.0, p.at("altitude") - network.position(payload).y(), 0.0},

@@ -6438,8 +6438,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
+        <source>%1 substeps of bdf2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
         <source>%1; %2 needs at least %3</source>
         <translation>%1 ; %2 en demande au moins %3</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
+        <source>1 substep of bdf2</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -6863,6 +6873,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>1 gives all particles but the payload the same mass, as the paper on kites did; 0 weighs cloth, lines and hoop where they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>1 gives all particles of the kite the same mass, as the paper on kites did; 0 weighs cloth and spars where they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>1 holds one end so that the rod swings, 0 lets it fall to the ground.</source>
         <translation>1 tient un bout et la tige balance, 0 la laisse tomber au sol.</translation>
     </message>
@@ -6968,8 +6988,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>A line of EA = 100 kN and 10 m hangs 65 kg. It bounces, and comes to rest 64 mm longer, M g L / (EA).</source>
-        <translation>Une corde de EA = 100 kN et de 10 m porte 65 kg. Elle rebondit et s’arrête 64 mm plus longue, M g L / (EA).</translation>
+        <source>A line of EA = 100 kN and 10 m hangs 65 kg. It bounces, is calmed by its own damping, and comes to rest 64 mm longer, M g L / (EA).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7330,6 +7350,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Arms</source>
         <translation>Bras</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>As in the paper: 152 particles of equal mass, 458 rods, 55 iterations of averaging, 100 Hz. It stands in 3 m/s of wind; the rods where the line pulls are half as long again as they should be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>As in the paper: 49 particles, 198 rods, 55 iterations of averaging, 100 Hz. The keys shift the pilot. It comes down at more than 40 degrees, since averaging does not keep momentum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>As in the paper: six rings, a hoop, 55 iterations of averaging, 100 Hz. It sinks twice as fast as it should, since averaging does not keep momentum; take averaged_jacobi as the rod solver to see the difference.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7853,6 +7888,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Damping time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Defaults of a new scene</source>
         <translation>Réglages d’une scène nouvelle</translation>
     </message>
@@ -8095,6 +8135,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Energy residual</source>
         <translation>Résidu d’énergie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Even</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9793,8 +9838,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Parts that each time step is cut into, the cheapest way to stiffer rods; the automatic solver takes this many or more.</source>
-        <translation>Parties en lesquelles chaque pas de temps est coupé, le moyen le moins cher d’avoir des tiges plus raides ; le solveur automatique en prend autant ou plus.</translation>
+        <source>Parts that each time step is cut into, the cheapest way to stiffer rods; the automatic solver takes this many or more, and a quarter of them where the automatic integrator takes bdf2.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9980,6 +10025,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Probes whose curves it has; empty has all that are plotted.</source>
         <translation>Sondes dont il porte les courbes ; vide, toutes celles qui sont tracées.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pull of a rod per rate of strain over its pull per strain, Kelvin and Voigt's retardation time: what stretches it at w radians per second has the loss factor w times this, and rods that never stretch take none.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10238,8 +10288,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Rule that turns forces into motion; bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
-        <translation>Règle qui change les forces en mouvement ; bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
+        <source>Rule that turns forces into motion; the automatic one takes bdf2 where all rods stretch, are damped and are solved together, and otherwise semi_implicit_euler; bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10795,6 +10845,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>The panels of each frame.</source>
         <translation>Les panneaux de chaque image.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The paper's hang glider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The paper's kite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The paper's parachute</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
