@@ -6439,7 +6439,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 substeps of bdf2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sous-pas de bdf2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -6449,7 +6449,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solver_plan.cpp"/>
         <source>1 substep of bdf2</source>
-        <translation type="unfinished"></translation>
+        <translation>1 sous-pas de bdf2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -6874,12 +6874,12 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>1 gives all particles but the payload the same mass, as the paper on kites did; 0 weighs cloth, lines and hoop where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 donne à toutes les particules sauf la charge la même masse, comme l’article sur les cerfs-volants ; 0 pèse la toile, les suspentes et le cerceau là où ils sont.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>1 gives all particles of the kite the same mass, as the paper on kites did; 0 weighs cloth and spars where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 donne à toutes les particules du cerf-volant la même masse, comme l’article sur les cerfs-volants ; 0 pèse la toile et les longerons là où ils sont.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -6989,7 +6989,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>A line of EA = 100 kN and 10 m hangs 65 kg. It bounces, is calmed by its own damping, and comes to rest 64 mm longer, M g L / (EA).</source>
-        <translation type="unfinished"></translation>
+        <translation>Une corde de EA = 100 kN et de 10 m porte 65 kg. Elle rebondit, son propre amortissement la calme, et elle s’arrête 64 mm plus longue, M g L / (EA).</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7354,17 +7354,17 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>As in the paper: 152 particles of equal mass, 458 rods, 55 iterations of averaging, 100 Hz. It stands in 3 m/s of wind; the rods where the line pulls are half as long again as they should be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme dans l’article : 152 particules de même masse, 458 tiges, 55 itérations de moyennes, 100 Hz. Il tient dans un vent de 3 m/s ; les tiges là où la ligne tire sont une fois et demie trop longues.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>As in the paper: 49 particles, 198 rods, 55 iterations of averaging, 100 Hz. The keys shift the pilot. It comes down at more than 40 degrees, since averaging does not keep momentum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme dans l’article : 49 particules, 198 tiges, 55 itérations de moyennes, 100 Hz. Les touches déplacent le pilote. Il descend à plus de 40 degrés, car les moyennes ne conservent pas la quantité de mouvement.</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>As in the paper: six rings, a hoop, 55 iterations of averaging, 100 Hz. It sinks twice as fast as it should, since averaging does not keep momentum; take averaged_jacobi as the rod solver to see the difference.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme dans l’article : six anneaux, un cerceau, 55 itérations de moyennes, 100 Hz. Il descend deux fois trop vite, car les moyennes ne conservent pas la quantité de mouvement ; prendre averaged_jacobi comme solveur des tiges pour voir la différence.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7889,7 +7889,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Damping time</source>
-        <translation type="unfinished"></translation>
+        <translation>Temps d’amortissement</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8138,8 +8138,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Even</source>
-        <translation type="unfinished"></translation>
+        <source>Equal masses</source>
+        <translation>Masses égales</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9839,7 +9839,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Parts that each time step is cut into, the cheapest way to stiffer rods; the automatic solver takes this many or more, and a quarter of them where the automatic integrator takes bdf2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parties en lesquelles chaque pas de temps est coupé, le moyen le moins cher d’avoir des tiges plus raides ; le solveur automatique en prend autant ou plus, et le quart là où l’intégrateur automatique prend bdf2.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10029,7 +10029,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Pull of a rod per rate of strain over its pull per strain, Kelvin and Voigt's retardation time: what stretches it at w radians per second has the loss factor w times this, and rods that never stretch take none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Traction d’une tige par vitesse de déformation sur sa traction par déformation, le temps de retard de Kelvin et Voigt : ce qui l’allonge à w radians par seconde a le facteur de perte w fois ce temps, et les tiges qui ne s’allongent jamais n’en prennent pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10289,7 +10289,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Rule that turns forces into motion; the automatic one takes bdf2 where all rods stretch, are damped and are solved together, and otherwise semi_implicit_euler; bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
-        <translation type="unfinished"></translation>
+        <translation>Règle qui change les forces en mouvement ; l’automatique prend bdf2 là où toutes les tiges s’allongent, sont amorties et sont résolues ensemble, et sinon semi_implicit_euler ; bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10849,17 +10849,17 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>The paper's hang glider</source>
-        <translation type="unfinished"></translation>
+        <translation>Le deltaplane de l’article</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>The paper's kite</source>
-        <translation type="unfinished"></translation>
+        <translation>Le cerf-volant de l’article</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>The paper's parachute</source>
-        <translation type="unfinished"></translation>
+        <translation>Le parachute de l’article</translation>
     </message>
     <message>
         <location filename="tables"/>
