@@ -1,14 +1,14 @@
 // ripstop-cli certify: which digits of a run hold.
 //
 // The scene is flown three times (run/certificate.h); what each probe goes to is printed as a table
-// or as JSON, and --csv writes the bands of errors over time.
+// or as JSON, --csv writes the bands of errors over time, and --record keeps the run with them.
+#include "cli/certificate_text.h"
 #include "cli/commands.h"
+#include "cli/replay.h"
 #include "cli/scene_input.h"
 #include "io/certificate_table.h"
 #include "io/control_track.h"
-#include "io/csv.h"
 #include "io/whole_file.h"
-#include "run/certificate.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -24,54 +24,20 @@ struct Options
     double seconds = 0.0; // s
     std::string controls;
     std::string csv;
+    std::string record;
     int digits = 0; // fewer end in Inaccurate
     bool json = false;
 };
-
-void printTable(const Certificate& certificate)
-{
-    std::printf("%-24s %14s %12s %7s %6s  %s\n", "probe", "value", "error", "digits", "order",
-                "judged by");
-    for (const CertifiedProbe& probe : certificate.probes) {
-        const Convergence& result = probe.result;
-        const std::string name = withUnit(probe.name, probe.unit);
-        char order[16] = "-";
-        if (result.converges())
-            std::snprintf(order, sizeof order, "%.1f", result.order);
-        std::printf("%-24s %14.8g %12.2g %7d %6s  %s\n", name.c_str(), result.value[0],
-                    result.error, result.digits, order,
-                    probe.ofMean ? "the mean of the second half" : "the last value");
-    }
-    std::fflush(stdout);
-}
-
-Json jsonOf(const Certificate& certificate)
-{
-    Json probes = Json::array();
-    for (const CertifiedProbe& probe : certificate.probes) {
-        const Convergence& result = probe.result;
-        probes.push_back({{"name", probe.name},
-                          {"unit", probe.unit},
-                          {"of_mean", probe.ofMean},
-                          {"value", result.value[0]},
-                          {"half", result.value[1]},
-                          {"quarter", result.value[2]},
-                          {"limit", result.limit},
-                          {"error", result.error},
-                          {"order", result.order},
-                          {"digits", result.digits}});
-    }
-    return {{"seconds", certificate.seconds}, {"probes", std::move(probes)}};
-}
 
 int certify(const Options& options)
 {
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
-    if (!options.csv.empty())
-        if (const auto failure = unwritable(options.csv))
-            return fail(BadInput, failure->message);
+    for (const std::string& file : {options.csv, options.record})
+        if (!file.empty())
+            if (const auto failure = unwritable(file))
+                return fail(BadInput, failure->message);
     std::function<Pilot()> newPilot;
     if (!options.controls.empty()) {
         auto track = readControlTrack(options.controls, *loaded.scene);
@@ -84,12 +50,15 @@ int certify(const Options& options)
         };
     }
     catchInterrupt();
+    Recorder recorder;
     const auto certificate = [&] {
         ProgressLine progress("certifying " + options.scene.file);
-        return ripstop::certify(*loaded.scene, options.seconds, newPilot, [&](double share) {
+        const auto goesOn = [&](double share) {
             progress.show(share);
             return !interrupted();
-        });
+        };
+        return ripstop::certify(*loaded.scene, options.seconds, newPilot, goesOn,
+                                options.record.empty() ? nullptr : &recorder);
     }();
     if (interrupted())
         return fail(Interrupted, "Interrupted; nothing is certified.");
@@ -100,6 +69,9 @@ int certify(const Options& options)
     if (!options.csv.empty())
         if (const auto failure =
                 replaceFile(options.csv, certificateTable(*certificate), Flush::ToDisk))
+            return fail(BadInput, failure->message);
+    if (!options.record.empty())
+        if (const auto failure = saveRun(recorder, options.record))
             return fail(BadInput, failure->message);
     if (options.json)
         print(jsonOf(*certificate));
@@ -134,13 +106,20 @@ void addCertify(CLI::App& app, Command& chosen)
         ->add_option("--csv", options->csv,
                      "Write the values of the probes and their errors over time")
         ->type_name("FILE");
+    command
+        ->add_option("--record", options->record,
+                     "Record the run as it is, with its certificate (*.ripstop-run): tables and "
+                     "figures that are exported from it have the errors")
+        ->type_name("FILE");
     command->add_option("--digits", options->digits, "End with code 5 where fewer digits hold")
         ->check(CLI::Range(0, 15))
         ->type_name("N");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->footer(
-        "Example:\n"
+        "Examples:\n"
         "  ripstop-cli certify scenes/stretched_line.ripstop.json --seconds 2\n"
+        "  ripstop-cli certify kite.ripstop.json --seconds 5 --record kite.ripstop-run\n"
+        "  ripstop-cli export kite.ripstop-run -o kite.svg\n"
         "\n"
         "The scene is flown as it is, with each substep cut in two, and in four; its tolerances "
         "are\ncut as well. What the last value of a probe goes to tells its order and its error "

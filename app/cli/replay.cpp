@@ -5,6 +5,7 @@
 #include "cli/replay.h"
 
 #include "base/hash_text.h"
+#include "cli/certificate_text.h"
 #include "io/event_table.h"
 #include "terminal/terminal.h"
 
@@ -125,6 +126,23 @@ int tellReplay(const ReplayOutcome& outcome, bool json)
     return Done;
 }
 
+std::optional<Failure> saveRun(Recorder& recorder, const std::string& file)
+{
+    const std::shared_ptr<Recording> recording = recorder.recording();
+    recorder.finish();
+    if (!recording)
+        return Failure("%1 was not written: no step was made.", file);
+    recording->setName(std::filesystem::path(file).stem().string());
+    ProgressLine progress("saving " + file);
+    const auto failure = saveRecording(*recording, file, [&](double share) {
+        progress.show(share);
+        return true;
+    });
+    if (!failure && !recording->trouble().empty())
+        return Failure("%1: %2", file, recording->trouble());
+    return failure;
+}
+
 int describeRecording(const std::string& file, bool json)
 {
     const auto recording = openOrSay(file).recording;
@@ -160,6 +178,8 @@ int describeRecording(const std::string& file, bool json)
     info["bookmarks"] = Json::array();
     for (const Bookmark& bookmark : recording->bookmarks())
         info["bookmarks"].push_back({{"time", bookmark.time}, {"name", bookmark.name}});
+    const auto certificate = recording->certificate();
+    info["certificate"] = certificate ? jsonOf(*certificate) : Json();
     if (json) {
         print(info);
         return Done;
@@ -181,6 +201,10 @@ int describeRecording(const std::string& file, bool json)
         row("bookmark", shortNumber(bookmark.time) + " s " + bookmark.name);
     row("hash at the end", text("hash"));
     row("frames take", megabytes(recording->size().disk));
+    if (certificate) {
+        row("certified", "after " + shortNumber(certificate->seconds) + " s");
+        printTable(*certificate);
+    }
     return Done;
 }
 

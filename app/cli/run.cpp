@@ -259,23 +259,6 @@ std::vector<RunEvent> eventsOf(const Recorder& recorder)
     return recorder.recording() ? recorder.recording()->events() : std::vector<RunEvent>();
 }
 
-std::optional<Failure> save(Recorder& recorder, const std::string& file)
-{
-    const std::shared_ptr<Recording> recording = recorder.recording();
-    recorder.finish();
-    if (!recording)
-        return Failure("%1 was not written: no step was made.", file);
-    recording->setName(std::filesystem::path(file).stem().string());
-    ProgressLine progress("saving " + file);
-    const auto failure = saveRecording(*recording, file, [&](double share) {
-        progress.show(share);
-        return true;
-    });
-    if (!failure && !recording->trouble().empty())
-        return Failure("%1: %2", file, recording->trouble());
-    return failure;
-}
-
 // Flies a compiled scene, writes what was asked for and reports.
 int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
                  const std::optional<SettleGoal>& goal, ControlTrack track)
@@ -319,7 +302,7 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
         written.push_back(
             saveScene(posed(std::move(scene), *simulation.frame()).scene, options.finalScene));
     if (!options.record.empty())
-        written.push_back(save(recorder, options.record));
+        written.push_back(saveRun(recorder, options.record));
 
     Json result = report(simulation, wallSeconds);
     if (settler)

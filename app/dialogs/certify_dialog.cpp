@@ -1,6 +1,7 @@
 // Stages: the constructor lays out field, table and chart. start() flies the three runs on other
 // threads and keeps the certificate, or says why there is none; fill() writes the rows and draw()
-// the chart of the row that is selected. save() writes values and errors as CSV.
+// the chart of the row that is selected. The run can be saved as a table of values and errors or as
+// a recording, which carries the certificate to what is exported from it.
 #include "dialogs/certify_dialog.h"
 
 #include "dialogs/ask_file.h"
@@ -8,9 +9,11 @@
 #include "document/document.h"
 #include "document/words.h"
 #include "io/certificate_table.h"
+#include "io/recording_file.h"
 #include "io/whole_file.h"
 #include "plots/band_chart.h"
 #include "plots/chart_style.h"
+#include "run/recorder.h"
 #include "start/parameter_field.h"
 
 #include <QDialogButtonBox>
@@ -54,7 +57,8 @@ CertifyDialog::CertifyDialog(const Document& document, QWidget* parent)
     , m_document(document)
     , m_seconds(new ParameterField(secondsParameter))
     , m_start(new QPushButton(tr("&Certify")))
-    , m_save(new QPushButton(tr("&Save table…")))
+    , m_saveTable(new QPushButton(tr("&Save table…")))
+    , m_saveRecording(new QPushButton(tr("Save &recording…")))
     , m_state(new QLabel)
     , m_table(new QTableWidget)
     , m_chart(new BandChart)
@@ -63,7 +67,8 @@ CertifyDialog::CertifyDialog(const Document& document, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     layOut();
     connect(m_start, &QPushButton::clicked, this, &CertifyDialog::start);
-    connect(m_save, &QPushButton::clicked, this, &CertifyDialog::save);
+    connect(m_saveTable, &QPushButton::clicked, this, &CertifyDialog::saveTable);
+    connect(m_saveRecording, &QPushButton::clicked, this, &CertifyDialog::saveRecording);
     connect(m_seconds, &ParameterField::changed, this,
             [this] { m_start->setEnabled(m_seconds->isInRange()); });
     connect(m_table, &QTableWidget::currentCellChanged, this, &CertifyDialog::draw);
@@ -103,9 +108,11 @@ void CertifyDialog::layOut()
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(m_start, QDialogButtonBox::ActionRole);
-    buttons->addButton(m_save, QDialogButtonBox::ActionRole);
+    buttons->addButton(m_saveTable, QDialogButtonBox::ActionRole);
+    buttons->addButton(m_saveRecording, QDialogButtonBox::ActionRole);
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
-    m_save->setAutoDefault(false);
+    m_saveTable->setAutoDefault(false);
+    m_saveRecording->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(help);
@@ -122,8 +129,9 @@ void CertifyDialog::start()
     const Scene scene = m_document.scene();
     const double seconds = m_seconds->value();
     std::optional<Result<Certificate>> made;
+    Recorder recorder;
     workWithProgress(this, tr("Certifying…"), [&](const Progress& progress) {
-        made.emplace(certify(scene, seconds, {}, progress));
+        made.emplace(certify(scene, seconds, {}, progress, &recorder));
     });
     if (!*made) {
         if (made->message() != Message("Cancelled."))
@@ -133,6 +141,8 @@ void CertifyDialog::start()
     if (!(**made).stopped.empty())
         return m_state->setText(translated((**made).stopped));
     m_certificate = std::move(**made);
+    recorder.finish();
+    m_recording = recorder.recording();
     m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time.")
                          .arg(number(seconds, 6)));
     fill();
@@ -142,7 +152,8 @@ void CertifyDialog::fill()
 {
     const bool some = m_certificate.has_value();
     m_chart->setVisible(some);
-    m_save->setEnabled(some);
+    m_saveTable->setEnabled(some);
+    m_saveRecording->setEnabled(some);
     m_table->setRowCount(some ? int(m_certificate->probes.size()) : 0);
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];
@@ -175,7 +186,7 @@ void CertifyDialog::draw()
     m_chart->show(nameOf(probe), m_certificate->time, probe.value, probe.error);
 }
 
-void CertifyDialog::save()
+void CertifyDialog::saveTable()
 {
     const QString file = askWhereToSave(this, tr("Save the values and their errors"),
                                         QStringLiteral("certificate.csv"), tr("Tables (*.csv)"),
@@ -185,6 +196,21 @@ void CertifyDialog::save()
     if (const auto failure =
             replaceFile(pathOf(file), certificateTable(*m_certificate), Flush::ToDisk))
         QMessageBox::warning(this, tr("Cannot save the table"), translated(failure->message));
+}
+
+void CertifyDialog::saveRecording()
+{
+    const QString file = askWhereToSave(
+        this, tr("Save the run with its certificate"), QStringLiteral("certified.ripstop-run"),
+        tr("Recordings (*.ripstop-run)"), QStringLiteral("ripstop-run"));
+    if (file.isEmpty())
+        return;
+    std::optional<Failure> failure;
+    workWithProgress(this, tr("Saving…"), [&](const Progress& progress) {
+        failure = ripstop::saveRecording(*m_recording, pathOf(file), progress);
+    });
+    if (failure && failure->message != Message("Cancelled."))
+        QMessageBox::warning(this, tr("Cannot save the recording"), translated(failure->message));
 }
 
 } // namespace ripstop

@@ -21,6 +21,7 @@ namespace ripstop {
 class BandChart;
 class Document;
 class ParameterField;
+class Recording;
 
 class CertifyDialog final : public QDialog
 {
@@ -35,16 +36,19 @@ private:
     void layOut();
     void fill();
     void draw();
-    void save();
+    void saveTable();
+    void saveRecording();
 
     const Document& m_document;
     ParameterField* m_seconds;
     QPushButton* m_start;
-    QPushButton* m_save;
+    QPushButton* m_saveTable;
+    QPushButton* m_saveRecording;
     QLabel* m_state;
     QTableWidget* m_table;
     BandChart* m_chart;
     std::optional<Certificate> m_certificate;
+    std::shared_ptr<const Recording> m_recording; // of the run as it is, with the certificate
 };
 
 } // namespace ripstop

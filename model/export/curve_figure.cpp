@@ -5,7 +5,8 @@
 // text() then groups the curves by unit and draws a panel for each unit below the other, over one
 // axis of time. drawPanel() settles the axis of values at round numbers and draws grid, marks of
 // tears, names and curves; drawCurve() takes the samples that drawnSamples() leaves and lifts the
-// pen at gaps. OutputFiles puts the figure into its place.
+// pen at gaps, over the band of what the values may be off by where that is known. OutputFiles puts
+// the figure into its place.
 #include "export/curve_figure.h"
 
 #include "export/output_files.h"
@@ -36,6 +37,7 @@ struct Curve
 {
     Layout::Probe probe;
     std::vector<double> values; // [samples] NaN where nothing was read
+    std::vector<double> errors; // [samples] the same, where nothing is certified
 };
 
 struct Axis
@@ -142,6 +144,11 @@ public:
         : m_target(std::move(target))
     {}
 
+    void certify(std::shared_ptr<const Certificate> certificate) override
+    {
+        m_certificate = std::move(certificate);
+    }
+
     std::optional<Failure> add(const Frame& frame) override
     {
         if (frame.layout->probes.empty())
@@ -154,6 +161,10 @@ public:
             Curve& curve = curveOf(frame.layout->probes[i]);
             curve.values.resize(m_time.size() - 1, std::numeric_limits<double>::quiet_NaN());
             curve.values.push_back(frame.probe[i]);
+            curve.errors.resize(m_time.size() - 1, std::numeric_limits<double>::quiet_NaN());
+            curve.errors.push_back(m_certificate
+                                       ? m_certificate->errorAt(curve.probe.name, frame.time)
+                                       : std::numeric_limits<double>::quiet_NaN());
         }
         m_tears.clear();
         for (const Tear& tear : frame.tears)
@@ -221,8 +232,11 @@ private:
     {
         Axis value;
         for (const Curve* curve : curves)
-            for (const double read : curve->values)
-                value.take(read);
+            for (std::size_t i = 0; i < curve->values.size(); ++i) {
+                value.take(curve->values[i]);
+                value.take(curve->values[i] - curve->errors[i]);
+                value.take(curve->values[i] + curve->errors[i]);
+            }
         value.settle(4);
         const double y0 = top + above, y1 = y0 + plotHeight;
         const auto x = [&](double t) { return left + plotWidth * time.share(t); };
@@ -247,8 +261,34 @@ private:
             const std::string name = withUnit(probe.name, probe.unit);
             svg += words(at, y0 - 8.0, "start", name, color);
             at += 7.0 * double(name.size()) + 16.0; // letters are not wider than that
+            drawBand(svg, *curves[i], color, x, y);
             drawCurve(svg, curves[i]->values, color, x, y);
         }
+    }
+
+    // Forth along the upper edge and back along the lower one; a value that is not certified ends a
+    // piece of it.
+    void drawBand(std::string& svg, const Curve& curve, const char* color, auto x, auto y) const
+    {
+        std::string forth, back;
+        const auto finishPiece = [&] {
+            if (!forth.empty())
+                svg += "<path stroke=\"none\" fill=\"" + std::string(color)
+                       + "\" fill-opacity=\"0.2\" d=\"M" + forth.substr(2) + back + " Z\"/>\n";
+            forth.clear();
+            back.clear();
+        };
+        for (const std::size_t i : drawnSamples(curve.values)) {
+            const double value = curve.values[i], error = curve.errors[i];
+            if (!std::isfinite(value) || !std::isfinite(error)) {
+                finishPiece();
+                continue;
+            }
+            const std::string at = " L" + pixels(x(m_time[i])) + " ";
+            forth += at + pixels(y(value + error));
+            back = at + pixels(y(value - error)) + back;
+        }
+        finishPiece();
     }
 
     void drawCurve(std::string& svg, const std::vector<double>& values, const char* color, auto x,
@@ -268,8 +308,9 @@ private:
     }
 
     std::filesystem::path m_target;
-    std::vector<double> m_time;  // s
-    std::vector<double> m_tears; // s
+    std::shared_ptr<const Certificate> m_certificate; // or null
+    std::vector<double> m_time;                       // s
+    std::vector<double> m_tears;                      // s
     std::vector<Curve> m_curves;
 };
 

@@ -75,6 +75,7 @@ std::optional<Failure> exportSeries(FrameSource& source, const ExportRange& rang
     const Progress flight = stageOf(progress, 0.0, shareOfFlight);
     const auto reached = told(source, range.to, flight);
     const std::size_t count = frameCount(range);
+    sink.certify(source.certificate());
     std::int64_t last = -1; // step; a rate above that of the steps must not repeat frames
     Message end;
     for (std::size_t i = 0; i < count && end.empty(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "run/certificate.h"
 #include "run/frame.h"
 
 #include <optional>
@@ -16,6 +17,10 @@ class FrameSink
 {
 public:
     virtual ~FrameSink() = default;
+
+    // Which digits of the probes hold, before the first frame, where that is known. Tables and
+    // figures show it.
+    virtual void certify(std::shared_ptr<const Certificate>) {}
 
     virtual std::optional<Failure> add(const Frame& frame) = 0;
     virtual std::optional<Failure> finish(const Progress& progress) = 0;

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "io/control_track.h"
+#include "run/recording.h"
 
 #include <cstdint>
 #include <functional>
@@ -16,8 +17,8 @@
 
 namespace ripstop {
 
+struct Certificate; // run/certificate.h
 class Recorder;
-class Recording;
 class Simulation;
 
 class FrameSource
@@ -28,6 +29,9 @@ public:
     virtual double begin() const = 0;    // s, of the first frame that can be taken
     virtual double end() const = 0;      // s, of the last; infinite when more can be flown
     virtual double timeStep() const = 0; // s, at the beginning
+
+    // Which digits of the probes hold; null where that is not known.
+    virtual std::shared_ptr<const Certificate> certificate() const { return nullptr; }
 
     struct Taken
     {
@@ -77,6 +81,10 @@ public:
     double begin() const override;
     double end() const override;
     double timeStep() const override { return m_timeStep; }
+    std::shared_ptr<const Certificate> certificate() const override
+    {
+        return m_recording->certificate();
+    }
     Taken take(double time, const Reached& reached) override;
 
 private:

@@ -114,6 +114,11 @@ public:
         : m_target(std::move(target))
     {}
 
+    void certify(std::shared_ptr<const Certificate> certificate) override
+    {
+        m_certificate = std::move(certificate);
+    }
+
     std::optional<Failure> add(const Frame& frame) override
     {
         if (!m_out) {
@@ -125,9 +130,9 @@ public:
             if (!out)
                 return out.failure();
             m_out = std::move(*out);
-            *m_out << csvHeader(frame);
+            *m_out << csvHeader(frame, m_certificate.get());
         }
-        *m_out << csvRow(frame);
+        *m_out << csvRow(frame, m_certificate.get());
         m_end = csvEnd(frame);
         return std::nullopt;
     }
@@ -143,6 +148,7 @@ public:
     }
 
 private:
+    std::shared_ptr<const Certificate> m_certificate; // or null
     OutputFiles m_files;
     fs::path m_target;
     std::optional<std::ofstream> m_out;

@@ -63,25 +63,34 @@ std::optional<double> cellNumber(std::string_view cell)
     return value;
 }
 
-std::string csvHeader(const Frame& first)
+std::string csvHeader(const Frame& first, const Certificate* certificate)
 {
     std::string header = "# Ripstop " RIPSTOP_VERSION + stateOf(first) + "time (s)";
-    for (const Layout::Probe& probe : first.layout->probes) {
-        header += ',';
-        header += csvCell(withUnit(probe.name, probe.unit));
-    }
+    const auto add = [&](const std::string& name, const std::string& unit) {
+        header += ',' + csvCell(withUnit(name, unit));
+    };
+    for (const Layout::Probe& probe : first.layout->probes)
+        add(probe.name, probe.unit);
+    if (certificate)
+        for (const Layout::Probe& probe : first.layout->probes)
+            add(probe.name + " error", probe.unit);
     return header + '\n';
 }
 
-std::string csvRow(const Frame& frame)
+std::string csvRow(const Frame& frame, const Certificate* certificate)
 {
     std::string row;
     appendNumber(row, frame.time);
-    for (const double value : frame.probe) {
+    const auto add = [&](double value) {
         row += ',';
         if (std::isfinite(value))
             appendNumber(row, value);
-    }
+    };
+    for (const double value : frame.probe)
+        add(value);
+    if (certificate)
+        for (const Layout::Probe& probe : frame.layout->probes)
+            add(certificate->errorAt(probe.name, frame.time));
     return row + '\n';
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "run/certificate.h"
 #include "run/frame.h"
 
 #include <filesystem>
@@ -27,8 +28,10 @@ std::optional<double> cellNumber(std::string_view cell);
 // A table of probe values, one row for each frame. Comments, lines that begin with #, say which
 // program and which state it began with; the header gives each column its unit: "time (s),height
 // (m)". A value that is not a number is an empty cell.
-std::string csvHeader(const Frame& first);
-std::string csvRow(const Frame& frame);
+// With a certificate a column for the error of each probe follows, "height error (m)": what the
+// value may be off by.
+std::string csvHeader(const Frame& first, const Certificate* certificate = nullptr);
+std::string csvRow(const Frame& frame, const Certificate* certificate = nullptr);
 std::string csvEnd(const Frame& last); // a comment with the state it ended with
 
 // The same as a file that grows, so that a run that is broken off leaves what it has.

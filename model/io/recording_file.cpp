@@ -27,7 +27,7 @@ constexpr std::string_view firstLine = firstLines.back();
 static_assert(std::all_of(firstLines.begin(), firstLines.end(),
                           [](std::string_view line) { return line.size() == firstLine.size(); }));
 
-enum class BlockKind : std::uint32_t { About = 1, Design, Stretch, End };
+enum class BlockKind : std::uint32_t { About = 1, Design, Stretch, End, Certificate };
 
 struct BlockHead
 {
@@ -103,6 +103,9 @@ public:
         ripstop::write(m_out, BlockKind::About,
                        written(About{"ripstop " RIPSTOP_VERSION, m_recording.name(),
                                      m_recording.origin(), m_recording.bookmarks()}));
+        if (const auto certificate = m_recording.certificate())
+            ripstop::write(m_out, BlockKind::Certificate,
+                           packed(written(*certificate), Packing::Small));
         const std::size_t count = m_recording.chunkCount();
         for (std::size_t i = 0; i < count && m_out; ++i) {
             const StoredChunk chunk = m_recording.chunk(i);
@@ -202,6 +205,8 @@ public:
             m_atEnd = true;
         else if (head.kind == BlockKind::About)
             return readAbout(content);
+        else if (head.kind == BlockKind::Certificate)
+            return readCertificate(content);
         else if (head.kind == BlockKind::Design)
             return readDesign(content);
         else if (head.kind == BlockKind::Stretch)
@@ -222,6 +227,21 @@ private:
         m_recording->setName(about.name);
         m_recording->setOrigin(about.origin);
         m_recording->setBookmarks(about.bookmarks);
+        return std::nullopt;
+    }
+
+    std::optional<Message> readCertificate(const std::string& content)
+    {
+        const Result<std::string> bytes = unpacked(content);
+        Certificate certificate;
+        const auto isWhole = [&](const CertifiedProbe& probe) {
+            return probe.value.size() == certificate.time.size()
+                   && probe.error.size() == certificate.time.size();
+        };
+        if (!bytes || !readWhole(*bytes, certificate)
+            || !std::ranges::all_of(certificate.probes, isWhole))
+            return Message("is damaged");
+        m_recording->setCertificate(std::make_shared<const Certificate>(std::move(certificate)));
         return std::nullopt;
     }
 

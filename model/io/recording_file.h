@@ -1,10 +1,11 @@
 // Files of recordings, *.ripstop-run: a line "RIPSTOP-RUN 3", then blocks, each with its kind, its
 // length and a checksum (little-endian):
 //
-//     about     names and bookmarks
-//     design    a scene as text, compressed; the next ones as differences to the one before
-//     stretch   what happened in it, and its frames, compressed
-//     end       nothing; a file without it was cut off
+//     about        names and bookmarks
+//     certificate  which digits of the probes hold, compressed, where that is known
+//     design       a scene as text, compressed; the next ones as differences to the one before
+//     stretch      what happened in it, and its frames, compressed
+//     end          nothing; a file without it was cut off
 //
 // A file that is damaged or cut off opens up to there. Frames are read from the file when they are
 // asked for.

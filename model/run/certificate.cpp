@@ -4,6 +4,7 @@
 #include "run/certificate.h"
 
 #include "compile/compile.h"
+#include "run/recorder.h"
 #include "run/simulation.h"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ Scene refined(Scene scene, int times)
 }
 
 // Flies a run of which each substep is cut in so many; `goesOn` is asked at every step.
-Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Progress& goesOn)
+Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Progress& goesOn,
+           Recorder* recorder = nullptr)
 {
     Flight flight;
     const auto system = compile(refined(scene, times));
@@ -64,6 +66,8 @@ Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Pro
     }
     Simulation simulation(*system);
     simulation.refine(times);
+    if (recorder)
+        recorder->loaded(simulation, {std::make_shared<const Scene>(scene), {}});
     flight.probes = simulation.sample().layout->probes;
     flight.value.resize(flight.probes.size());
     if (flight.probes.empty()) {
@@ -82,12 +86,16 @@ Flight fly(const Scene& scene, double seconds, int times, Pilot pilot, const Pro
             return flight;
         if (pilot)
             pilot(simulation);
+        if (recorder)
+            recorder->beforeStep(simulation);
         if (!simulation.step()) {
             const Message& why = simulation.trouble()->message;
             flight.stopped =
                 times == 1 ? why : Message("with %1 times as many substeps: %2", times, why);
             return flight;
         }
+        if (recorder)
+            recorder->afterStep(simulation);
         read();
     }
     return flight;
@@ -156,7 +164,8 @@ Convergence convergenceOf(const std::array<double, 3>& value)
 }
 
 Result<Certificate> certify(const Scene& scene, double seconds,
-                            const std::function<Pilot()>& newPilot, const Progress& progress)
+                            const std::function<Pilot()>& newPilot, const Progress& progress,
+                            Recorder* recorder)
 {
     std::array<Flight, 3> flights;
     std::atomic<bool> ends = false;
@@ -165,8 +174,8 @@ Result<Certificate> certify(const Scene& scene, double seconds,
     std::thread beside([&] {
         const Progress goesOnBeside = [&](double) { return !ends; };
         for (const int i : {1, 0}) {
-            flights[std::size_t(i)] =
-                fly(scene, seconds, 1 << i, pilots[std::size_t(i)], goesOnBeside);
+            flights[std::size_t(i)] = fly(scene, seconds, 1 << i, pilots[std::size_t(i)],
+                                          goesOnBeside, i == 0 ? recorder : nullptr);
             ends = ends || hasFailed(flights[std::size_t(i)]);
         }
     });
@@ -188,7 +197,19 @@ Result<Certificate> certify(const Scene& scene, double seconds,
     }
     for (std::size_t i = 0; certificate.stopped.empty() && i < flights[0].probes.size(); ++i)
         certificate.probes.push_back(judged(flights, i));
+    if (recorder && recorder->recording() && certificate.stopped.empty())
+        recorder->recording()->setCertificate(std::make_shared<const Certificate>(certificate));
     return certificate;
+}
+
+double Certificate::errorAt(const std::string& probe, double at) const
+{
+    const auto found = std::ranges::find(probes, probe, &CertifiedProbe::name);
+    // times are sums of steps, and the same in each run
+    const auto moment = std::ranges::lower_bound(time, at);
+    if (found == probes.end() || moment == time.end() || *moment != at)
+        return Convergence::none;
+    return found->error[std::size_t(moment - time.begin())];
 }
 
 } // namespace ripstop

@@ -209,6 +209,18 @@ void Recording::setOrigin(std::string origin)
     d->origin = std::move(origin);
 }
 
+std::shared_ptr<const Certificate> Recording::certificate() const
+{
+    const std::lock_guard lock(d->mutex);
+    return d->certificate;
+}
+
+void Recording::setCertificate(std::shared_ptr<const Certificate> certificate)
+{
+    const std::lock_guard lock(d->mutex);
+    d->certificate = std::move(certificate);
+}
+
 std::vector<Bookmark> Recording::bookmarks() const
 {
     const std::lock_guard lock(d->mutex);

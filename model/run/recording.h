@@ -21,8 +21,9 @@
 
 namespace ripstop {
 
-struct Moment; // system/moment.h
-struct State;  // system/state.h
+struct Certificate; // run/certificate.h
+struct Moment;      // system/moment.h
+struct State;       // system/state.h
 
 // What a moment says to those who only pass it on.
 double timeOf(const Moment& moment);        // s
@@ -92,6 +93,9 @@ public:
     void setName(std::string name);
     std::string origin() const; // "4.2 s of flight 1"; empty for a run that began with the design
     void setOrigin(std::string origin);
+    // Which digits of its probes hold; null where nobody has certified it.
+    std::shared_ptr<const Certificate> certificate() const;
+    void setCertificate(std::shared_ptr<const Certificate> certificate);
     std::vector<Bookmark> bookmarks() const;
     void setBookmarks(std::vector<Bookmark> bookmarks); // sorted by step here
 

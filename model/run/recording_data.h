@@ -6,6 +6,7 @@
 // below.
 #pragma once
 
+#include "run/certificate.h"
 #include "run/input_player.h"
 #include "run/packed.h"
 #include "run/recording.h"
@@ -81,6 +82,7 @@ public:
     std::vector<Bookmark> bookmarks;
     std::string name;
     std::string origin;
+    std::shared_ptr<const Certificate> certificate;
     Message trouble;
     bool over = false;
     Size size;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/fields.h"
+#include "run/certificate.h"
 #include "run/recording.h"
 #include "run/run_chunk.h"
 #include "system/fields.h"
@@ -53,6 +54,20 @@ inline constexpr auto fieldsOf<Broken> =
 template <>
 inline constexpr auto fieldsOf<RunChunk> =
     fields<RunChunk, &RunChunk::start, &RunChunk::frames, &RunChunk::broken, &RunChunk::tears>;
+
+template <>
+inline constexpr auto fieldsOf<Convergence> =
+    fields<Convergence, &Convergence::value, &Convergence::order, &Convergence::limit,
+           &Convergence::error, &Convergence::digits>;
+
+template <>
+inline constexpr auto fieldsOf<CertifiedProbe> =
+    fields<CertifiedProbe, &CertifiedProbe::name, &CertifiedProbe::unit, &CertifiedProbe::ofMean,
+           &CertifiedProbe::result, &CertifiedProbe::value, &CertifiedProbe::error>;
+
+template <>
+inline constexpr auto fieldsOf<Certificate> =
+    fields<Certificate, &Certificate::seconds, &Certificate::time, &Certificate::probes>;
 
 template <>
 inline constexpr auto fieldsOf<Bookmark> =

@@ -6,8 +6,11 @@
 #include "model/cli_call.h"
 #include "model/sample_scenes.h"
 
+#include "export/export_run.h"
 #include "io/certificate_table.h"
+#include "io/recording_file.h"
 #include "run/certificate.h"
+#include "run/recorder.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -47,6 +50,12 @@ Certificate certified(const Scene& scene, double seconds)
     if (!certificate)
         qFatal("%s", certificate.message().english().c_str());
     return *certificate;
+}
+
+QString contentOf(const std::filesystem::path& path)
+{
+    QFile file(QString::fromStdString(path.string()));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 bool isNear(double got, double expected, double tolerance)
@@ -130,6 +139,42 @@ private slots:
                            1e-8));
         QVERIFY(
             certificateTable(certificate).starts_with("time (s),height (m),height error (m)\n"));
+    }
+
+    // A recording has the certificate of its run, and so do its table and its figure.
+    void goesWithTheRecording()
+    {
+        const double t = 0.5, h = 0.01;
+        Recorder recorder;
+        const auto certificate = certify(fall(Integrator::SemiImplicitEuler), t, {}, {}, &recorder);
+        QVERIFY(certificate);
+        recorder.finish();
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString();
+        QVERIFY(!saveRecording(*recorder.recording(), path / "fall.ripstop-run"));
+
+        const auto opened = openRecording(path / "fall.ripstop-run");
+        QVERIFY(opened);
+        QVERIFY(opened->damage.empty());
+        const auto kept = opened->recording->certificate();
+        QVERIFY(kept);
+        QCOMPARE(kept->time, certificate->time);
+        QCOMPARE(kept->probes.size(), std::size_t(1));
+        QCOMPARE(kept->probes[0].error, certificate->probes[0].error);
+        QCOMPARE(kept->probes[0].result.order, certificate->probes[0].result.order);
+
+        RecordedFrames frames(opened->recording);
+        const ExportRange range{0.0, t, 1.0 / h};
+        QVERIFY(!exportRun(frames, {}, range, path / "fall.csv"));
+        const QStringList lines = contentOf(path / "fall.csv").split('\n');
+        QVERIFY(lines[1].startsWith("time (s),height (m),height error (m)"));
+        const QStringList last = lines[2 + 50].split(',');
+        QVERIFY(isNear(last[0].toDouble(), t, 1e-12));
+        QVERIFY(isNear(last[2].toDouble(), 1.25 * 0.5 * g * t * h, 1e-8));
+
+        RecordedFrames again(opened->recording);
+        QVERIFY(!exportRun(again, {}, range, path / "fall.svg"));
+        QVERIFY(contentOf(path / "fall.svg").contains("fill-opacity"));
     }
 
     // The formula of a fall is exact for velocity Verlet.

@@ -1,0 +1,12 @@
+// A certificate (run/certificate.h) as the command line tells it.
+#pragma once
+
+#include "run/certificate.h"
+#include "terminal/terminal.h"
+
+namespace ripstop {
+
+void printTable(const Certificate& certificate);
+Json jsonOf(const Certificate& certificate);
+
+} // namespace ripstop
