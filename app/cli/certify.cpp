@@ -2,6 +2,7 @@
 //
 // The scene is flown three times (run/certificate.h); what each probe goes to is printed as a table
 // or as JSON, --csv writes the bands of errors over time, and --record keeps the run with them.
+#include "run/certify.h"
 #include "cli/certificate_text.h"
 #include "cli/commands.h"
 #include "cli/replay.h"
@@ -50,35 +51,34 @@ int certify(const Options& options)
         };
     }
     catchInterrupt();
-    Recorder recorder;
-    const auto certificate = [&] {
+    const auto made = [&] {
         ProgressLine progress("certifying " + options.scene.file);
         const auto goesOn = [&](double share) {
             progress.show(share);
             return !interrupted();
         };
-        return ripstop::certify(*loaded.scene, options.seconds, newPilot, goesOn,
-                                options.record.empty() ? nullptr : &recorder);
+        return ripstop::certify(*loaded.scene, options.seconds, newPilot, goesOn);
     }();
     if (interrupted())
         return fail(Interrupted, "Interrupted; nothing is certified.");
-    if (!certificate)
-        return fail(BadInput, Message("%1: %2", options.scene.file, certificate.message()));
-    if (!certificate->stopped.empty())
-        return fail(Diverged, Message("%1: %2", options.scene.file, certificate->stopped));
+    if (!made)
+        return fail(BadInput, Message("%1: %2", options.scene.file, made.message()));
+    if (!made->stopped.empty())
+        return fail(Diverged, Message("%1: %2", options.scene.file, made->stopped));
+    const Certificate& certificate = made->certificate;
     if (!options.csv.empty())
         if (const auto failure =
-                replaceFile(options.csv, certificateTable(*certificate), Flush::ToDisk))
+                replaceFile(options.csv, certificateTable(certificate), Flush::ToDisk))
             return fail(BadInput, failure->message);
     if (!options.record.empty())
-        if (const auto failure = saveRun(recorder, options.record))
+        if (const auto failure = saveRun(made->flown, options.record))
             return fail(BadInput, failure->message);
     if (options.json)
-        print(jsonOf(*certificate));
+        print(jsonOf(certificate));
     else
-        printTable(*certificate);
+        printTable(certificate);
     const auto worst = std::ranges::min_element(
-        certificate->probes, {}, [](const CertifiedProbe& probe) { return probe.result.digits; });
+        certificate.probes, {}, [](const CertifiedProbe& probe) { return probe.result.digits; });
     if (worst->result.digits >= options.digits)
         return Done;
     return fail(Inaccurate, Message("%1 digits of \"%2\" hold, and %3 are wanted.",

@@ -126,10 +126,8 @@ int tellReplay(const ReplayOutcome& outcome, bool json)
     return Done;
 }
 
-std::optional<Failure> saveRun(Recorder& recorder, const std::string& file)
+std::optional<Failure> saveRun(const std::shared_ptr<Recording>& recording, const std::string& file)
 {
-    const std::shared_ptr<Recording> recording = recorder.recording();
-    recorder.finish();
     if (!recording)
         return Failure("%1 was not written: no step was made.", file);
     recording->setName(std::filesystem::path(file).stem().string());

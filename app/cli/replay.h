@@ -1,10 +1,10 @@
 // What the commands run, certify and info do with recordings and bundles: they save and describe
-// them, compute them once more, and say whether that comes to the same bits. Each function prints for itself and
-// returns the exit code of the command; a file that cannot be opened is reported on standard error.
+// them, compute them once more, and say whether that comes to the same bits. Each function prints
+// for itself and returns the exit code of the command; a file that cannot be opened is reported on
+// standard error.
 #pragma once
 
 #include "io/recording_file.h"
-#include "run/recorder.h"
 #include "run/replay.h"
 
 #include <string>
@@ -25,8 +25,9 @@ int tellReplay(const ReplayOutcome& outcome, bool json);
 // the file is damaged, that has been printed and the recording ends before the damage.
 OpenedRecording openOrSay(const std::string& file);
 
-// Ends the recording of a run and saves it.
-std::optional<Failure> saveRun(Recorder& recorder, const std::string& file);
+// Saves the recording of a run that is over; it is null where no step was made.
+std::optional<Failure> saveRun(const std::shared_ptr<Recording>& recording,
+                               const std::string& file);
 
 // Prints what is in a recording: its run, its frames, its events, its bookmarks.
 int describeRecording(const std::string& file, bool json);

@@ -301,8 +301,10 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     if (!options.finalScene.empty())
         written.push_back(
             saveScene(posed(std::move(scene), *simulation.frame()).scene, options.finalScene));
+    const std::shared_ptr<Recording> recording = recorder.recording();
+    recorder.finish();
     if (!options.record.empty())
-        written.push_back(saveRun(recorder, options.record));
+        written.push_back(saveRun(recording, options.record));
 
     Json result = report(simulation, wallSeconds);
     if (settler)

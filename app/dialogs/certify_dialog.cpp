@@ -13,7 +13,7 @@
 #include "io/whole_file.h"
 #include "plots/band_chart.h"
 #include "plots/chart_style.h"
-#include "run/recorder.h"
+#include "run/certify.h"
 #include "start/parameter_field.h"
 
 #include <QDialogButtonBox>
@@ -128,10 +128,9 @@ void CertifyDialog::start()
 {
     const Scene scene = m_document.scene();
     const double seconds = m_seconds->value();
-    std::optional<Result<Certificate>> made;
-    Recorder recorder;
+    std::optional<Result<Certification>> made;
     workWithProgress(this, tr("Certifying…"), [&](const Progress& progress) {
-        made.emplace(certify(scene, seconds, {}, progress, &recorder));
+        made.emplace(certify(scene, seconds, {}, progress));
     });
     if (!*made) {
         if (made->message() != Message("Cancelled."))
@@ -140,9 +139,8 @@ void CertifyDialog::start()
     }
     if (!(**made).stopped.empty())
         return m_state->setText(translated((**made).stopped));
-    m_certificate = std::move(**made);
-    recorder.finish();
-    m_recording = recorder.recording();
+    m_certificate = std::move((**made).certificate);
+    m_recording = (**made).flown;
     m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time.")
                          .arg(number(seconds, 6)));
     fill();
@@ -153,7 +151,7 @@ void CertifyDialog::fill()
     const bool some = m_certificate.has_value();
     m_chart->setVisible(some);
     m_saveTable->setEnabled(some);
-    m_saveRecording->setEnabled(some);
+    m_saveRecording->setEnabled(m_recording != nullptr);
     m_table->setRowCount(some ? int(m_certificate->probes.size()) : 0);
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const CertifiedProbe& probe = m_certificate->probes[std::size_t(row)];

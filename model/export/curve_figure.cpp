@@ -185,7 +185,7 @@ private:
     {
         const auto found = std::ranges::find_if(
             m_curves, [&](const Curve& curve) { return curve.probe.id == probe.id; });
-        return found != m_curves.end() ? *found : m_curves.emplace_back(Curve{probe, {}});
+        return found != m_curves.end() ? *found : m_curves.emplace_back(Curve{probe, {}, {}});
     }
 
     // In the order of the probes, those of a unit together.

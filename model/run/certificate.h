@@ -16,13 +16,8 @@
 // time is judged instead.
 #pragma once
 
-#include "base/progress.h"
-#include "base/result.h"
-#include "scene/scene.h"
-
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -45,11 +40,8 @@ struct Convergence
 
 Convergence convergenceOf(const std::array<double, 3>& value);
 
-class Recorder;
-class Simulation;
-
-// Does to a simulation what a pilot did, called before each step.
-using Pilot = std::function<void(Simulation&)>;
+// What rounding may make of a value: smaller differences tell nothing.
+double roundingOf(double value);
 
 struct CertifiedProbe
 {
@@ -66,18 +58,9 @@ struct Certificate
     double seconds = 0.0;
     std::vector<double> time; // [times] s, of every time step
     std::vector<CertifiedProbe> probes;
-    Message stopped; // why one of the runs ended early, so that nothing is certified; or empty
 
     // Of the probe of this name at a time step, s; not a number where nothing is certified.
     double errorAt(const std::string& probe, double at) const;
 };
-
-// Fails with a sentence where the scene does not compile, has no probes, or when `progress` says
-// so. It takes two threads.
-//   newPilot  called once for each run; empty where nobody flies
-//   recorder  takes down the run as it is, with its certificate, unless it is null
-Result<Certificate> certify(const Scene& scene, double seconds,
-                            const std::function<Pilot()>& newPilot, const Progress& progress,
-                            Recorder* recorder = nullptr);
 
 } // namespace ripstop

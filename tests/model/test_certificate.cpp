@@ -9,8 +9,7 @@
 #include "export/export_run.h"
 #include "io/certificate_table.h"
 #include "io/recording_file.h"
-#include "run/certificate.h"
-#include "run/recorder.h"
+#include "run/certify.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -49,7 +48,7 @@ Certificate certified(const Scene& scene, double seconds)
     const auto certificate = certify(scene, seconds, {}, {});
     if (!certificate)
         qFatal("%s", certificate.message().english().c_str());
-    return *certificate;
+    return certificate->certificate;
 }
 
 QString contentOf(const std::filesystem::path& path)
@@ -145,23 +144,22 @@ private slots:
     void goesWithTheRecording()
     {
         const double t = 0.5, h = 0.01;
-        Recorder recorder;
-        const auto certificate = certify(fall(Integrator::SemiImplicitEuler), t, {}, {}, &recorder);
-        QVERIFY(certificate);
-        recorder.finish();
+        const auto made = certify(fall(Integrator::SemiImplicitEuler), t, {}, {});
+        QVERIFY(made);
+        const Certificate& certificate = made->certificate;
         QTemporaryDir folder;
         const std::filesystem::path path = folder.path().toStdString();
-        QVERIFY(!saveRecording(*recorder.recording(), path / "fall.ripstop-run"));
+        QVERIFY(!saveRecording(*made->flown, path / "fall.ripstop-run"));
 
         const auto opened = openRecording(path / "fall.ripstop-run");
         QVERIFY(opened);
         QVERIFY(opened->damage.empty());
         const auto kept = opened->recording->certificate();
         QVERIFY(kept);
-        QCOMPARE(kept->time, certificate->time);
+        QCOMPARE(kept->time, certificate.time);
         QCOMPARE(kept->probes.size(), std::size_t(1));
-        QCOMPARE(kept->probes[0].error, certificate->probes[0].error);
-        QCOMPARE(kept->probes[0].result.order, certificate->probes[0].result.order);
+        QCOMPARE(kept->probes[0].error, certificate.probes[0].error);
+        QCOMPARE(kept->probes[0].result.order, certificate.probes[0].result.order);
 
         RecordedFrames frames(opened->recording);
         const ExportRange range{0.0, t, 1.0 / h};
@@ -231,7 +229,7 @@ private slots:
         wild.settings.speedLimit = 1.0;
         const auto stopped = certify(wild, 1.0, {}, {});
         QVERIFY(stopped);
-        QVERIFY(stopped->probes.empty());
+        QVERIFY(stopped->certificate.probes.empty());
         QVERIFY(QString::fromStdString(stopped->stopped.english()).contains("above the limit"));
     }
 
