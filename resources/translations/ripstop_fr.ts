@@ -209,12 +209,12 @@
         <translation>%1 kg</translation>
     </message>
     <message>
-        <location filename="certificate.cpp"/>
+        <location filename="certify.cpp"/>
         <source>the scene has no probe that could be judged: add one</source>
         <translation>la scène n’a pas de sonde que l’on puisse juger : ajoutez-en une</translation>
     </message>
     <message>
-        <location filename="certificate.cpp"/>
+        <location filename="certify.cpp"/>
         <source>with %1 times as many substeps: %2</source>
         <translation>avec %1 fois autant de sous-pas : %2</translation>
     </message>
@@ -232,6 +232,11 @@
         <location filename="certify_dialog.cpp"/>
         <source>After %1 s. Select a probe to see how far it may be off over time.</source>
         <translation>Après %1 s. Sélectionnez une sonde pour voir de combien elle peut être fausse au cours du temps.</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Cannot save the recording</source>
+        <translation>Impossible d’enregistrer la simulation</translation>
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
@@ -285,13 +290,33 @@
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
+        <source>Recordings (*.ripstop-run)</source>
+        <translation>Enregistrements (*.ripstop-run)</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
         <source>S&amp;imulated time</source>
         <translation>Temps s&amp;imulé</translation>
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
+        <source>Save &amp;recording…</source>
+        <translation>Enregistrer la &amp;simulation…</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Save the run with its certificate</source>
+        <translation>Enregistrer la simulation avec son certificat</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
         <source>Save the values and their errors</source>
         <translation>Enregistrer les valeurs et leurs erreurs</translation>
+    </message>
+    <message>
+        <location filename="certify_dialog.cpp"/>
+        <source>Saving…</source>
+        <translation>Enregistrement…</translation>
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
@@ -5505,11 +5530,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="run_files.cpp"/>
         <source>Cannot open the recording</source>
         <translation>Impossible d’ouvrir l’enregistrement</translation>
-    </message>
-    <message>
-        <location filename="run_files.cpp"/>
-        <source>Cannot save the recording</source>
-        <translation>Impossible d’enregistrer la simulation</translation>
     </message>
     <message>
         <location filename="run_files.cpp"/>
