@@ -223,7 +223,7 @@ bool DirectSolver::solveForMoves()
     return true;
 }
 
-// Twice what a node is of it.
+// Twice what a node is of the sum that is minimised, kg m^2.
 RIPSTOP_INLINE double DirectSolver::energyOfWay(std::size_t i) const
 {
     Row way;

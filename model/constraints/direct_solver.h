@@ -84,19 +84,18 @@ public:
     bool iterates() const { return m_iterates; }                 // too large to be factorised
 
 private:
+    struct Arrival // where a move has led
+    {
+        double worst = 0.0;  // 1, of the lengths, how far a rod misses where it was to be
+        double errors = 0.0; // kg m^2, the sum of energyOfError()
+    };
+
     void takeBars(const System& system, std::span<const std::uint32_t> row);
     std::vector<std::pair<int, int>> numberPairs();
     bool hasSamePins(const System& system) const;
     void takeGuides(const System& system);
     void takeValues(const System& system);
     void soften(const System& system, double h);
-    struct Arrival // where a move has led
-    {
-        double worst =
-            0.0; // 1, how far a rod is from where the linear system put it, of its length
-        double errors = 0.0; // kg m^2, the sum of energyOfError()
-    };
-
     void measureBars();
     double assemble();
     void foresee(Bar& bar) const;

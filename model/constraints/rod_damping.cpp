@@ -28,8 +28,7 @@ double stretchBack(const Rod& rod, double restLength, const RodPast& past)
 
 double complianceOver(const Rod& rod, double reach)
 {
-    return rod.dampingTime > 0.0 ? rod.compliance * (reach / (reach + rod.dampingTime))
-                                 : rod.compliance;
+    return rod.compliance / (1.0 + rod.dampingTime / reach);
 }
 
 void RodDamping::prepare(const System& system)

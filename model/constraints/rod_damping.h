@@ -19,7 +19,7 @@
 
 namespace ripstop {
 
-// c (1 - r) above, m/N.
+// c (1 - r) above, m/N; c where the reach is infinite.
 double complianceOver(const Rod& rod, double reach);
 
 // Where the substep begins, and what it looks back to.

@@ -31,8 +31,9 @@ double allowed(Resists resists, double multiplier)
 
 // The most iterations of a direct solve, which ends as soon as it has converged. Two are enough for
 // rods; lines that go slack and tight again need more to find out which of them pull: with four, a
-// load of 65 000 times the mass of its line flew off.
-constexpr int enoughIterations = 10;
+// load of 65 000 times the mass of its line flew off. A sheet in the wind folds at every cell and
+// may need twenty.
+constexpr int enoughIterations = 30;
 
 } // namespace
 

@@ -16,6 +16,7 @@
 
 #include "system/system.h"
 
+#include <limits>
 #include <span>
 
 namespace ripstop {
@@ -34,8 +35,9 @@ struct StepAccuracy
 
 // Rods between pins, which no solver can help, do not count.
 //   restLength  [rods]  m, with damping (constraints/rod_damping.h)
-//   reach       s, of the last substep; it counts where rods are damped
+//   reach       s, of the last substep; infinite where damping counts for nothing
 StepAccuracy accuracyOf(const System& system, const State& state,
-                        std::span<const double> restLength, double reach = 1.0);
+                        std::span<const double> restLength,
+                        double reach = std::numeric_limits<double>::infinity());
 
 } // namespace ripstop

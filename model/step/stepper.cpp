@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ripstop {
 namespace {
@@ -381,9 +382,12 @@ void Stepper::project(RodTask& task, State& state, double h)
 {
     const bool drifts = m_integrator == Integrator::Bdf2 && state.driftSubstep == h;
     const std::span<const PaddedVec3> drift = state.drift;
-    m_heldLength = m_rodDamping.lengthsFor(task.system, m_restLength,
-                                           {m_before, drifts ? drift : drift.first(0), h, task.h});
-    m_reach = task.h;
+    const bool damps = task.solver != Solver::PaperJacobi; // which knows of no compliance either
+    m_heldLength =
+        damps ? m_rodDamping.lengthsFor(task.system, m_restLength,
+                                        {m_before, drifts ? drift : drift.first(0), h, task.h})
+              : m_restLength;
+    m_reach = damps ? task.h : std::numeric_limits<double>::infinity();
     task.restLength = m_heldLength;
     task.damped = m_rodDamping.rods();
     m_rods.project(task, m_pool);
