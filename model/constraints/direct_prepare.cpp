@@ -1,8 +1,8 @@
 // What DirectSolver works on.
 //
 // prepare() numbers the particles (those that move first, then pins), chooses whether the matrix is
-// factorised or iterated, analyses its pattern and finds islands that nothing holds. refresh()
-// reads changed numbers and prepares anew only where pins or guides have changed.
+// factorised, iterated, or either, analyses its pattern and finds islands that nothing holds.
+// refresh() reads changed numbers and prepares anew only where pins or guides have changed.
 #include "constraints/direct_solver.h"
 #include "constraints/guides.h"
 
@@ -12,9 +12,11 @@
 namespace ripstop {
 namespace {
 
-// Products of blocks for each node above which iterations cost less than a factorisation (measured
-// on sheets), and the nodes of blocks that are factorised in any case.
-constexpr double manyProducts = 250.0;
+// Products of blocks for each node above which a few iterations cost less than a factorisation, and
+// above which any number does (measured on sheets of 16 and 64 particles a side); and the nodes of
+// blocks that are factorised in any case.
+constexpr double manyProducts = 100.0;
+constexpr double tooManyProducts = 700.0;
 constexpr std::size_t fewNodes = 300;
 
 } // namespace
@@ -41,9 +43,10 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
             }
     takeBars(system, row);
     auto pairs = numberPairs();
-    m_iterates = nodes() > fewNodes
-                 && BlockCholesky::countProducts(nodes(), pairs) > manyProducts * double(nodes());
-    if (m_iterates) {
+    const double products = BlockCholesky::countProducts(nodes(), pairs);
+    m_hasGrid = nodes() > fewNodes && products > manyProducts * double(nodes());
+    m_hasFactor = !m_hasGrid || products < tooManyProducts * double(nodes());
+    if (m_hasGrid) {
         // Rows in the order of the particles and bars in the order of rows: a walk along either is
         // one through memory.
         std::sort(m_particle.begin(), m_particle.begin() + std::ptrdiff_t(nodes()));
@@ -64,9 +67,9 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
             place.push_back({{x.x(), x.y(), x.z(), 0.0}});
         }
         m_grid.analyze(nodes(), pairs, anchors, place);
-    } else {
-        m_factor.analyze(nodes(), pairs);
     }
+    if (m_hasFactor)
+        m_factor.analyze(nodes(), pairs);
     takeGuides(system);
     findIslands();
     takeValues(system);

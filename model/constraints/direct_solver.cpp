@@ -23,6 +23,7 @@ constexpr double greatestSoftness = 1e-4;
 constexpr int halvings = 6;
 
 constexpr int mostIterations = 200;
+constexpr int fewIterations = 6;         // no more are tried of what can be factorised
 constexpr double leftByIterations = 0.4; // of the accuracy; both together stay within it
 constexpr double leftByNewton = 0.5;
 
@@ -119,6 +120,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     }
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
+    m_iterates = m_hasGrid;
     if (m_iterates && !task.before.empty())
         startNearer(task);
     else
@@ -205,21 +207,33 @@ void DirectSolver::startNearer(const RodTask& task)
 bool DirectSolver::solveForMoves()
 {
     m_left = 0.0;
-    if (!m_iterates) {
-        if (!m_factor.factorize())
-            return false;
-        m_factor.solve(m_move);
+    if (m_iterates && !iterate())
+        return false;
+    if (m_iterates)
         return true;
-    }
+    if (!m_factor.factorize())
+        return false;
+    m_factor.solve(m_move);
+    return true;
+}
+
+// Where iterations are not soon at an end, and there is another way, takes that from now on.
+bool DirectSolver::iterate()
+{
     if (!m_grid.factorize())
         return false;
     const auto keepOnGuides = [this](std::span<Row> rows) {
         for (std::size_t i = 0; i < m_guides.size() && i < rows.size(); ++i)
             moveAlongGuide(i, rows[i]);
     };
-    m_left =
-        m_grid.solve({m_move.data(), nodes()}, leftByIterations * m_accuracy * std::sqrt(m_pulls),
-                     mostIterations, keepOnGuides);
+    const double goal = leftByIterations * m_accuracy * std::sqrt(m_pulls);
+    m_left = m_grid.solve({m_move.data(), nodes()}, goal,
+                          m_hasFactor ? fewIterations : mostIterations, keepOnGuides);
+    if (m_hasFactor && m_left > goal) {
+        m_left = 0.0;
+        m_iterates = false;
+        assemble();
+    }
     return true;
 }
 

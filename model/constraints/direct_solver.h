@@ -29,7 +29,9 @@
 // Heavy loads on light lines, where sweeps converge slowly, cost nothing extra. Chains and small
 // frames are factorised (block_cholesky.h), which costs n for chains and n^1.5 for sheets; from
 // some hundred particles on, sheets are iterated with coarser networks in a time that grows like n
-// (multigrid.h), as far as the pulls need it.
+// (multigrid.h), as far as the pulls need it. Where cloth folds at each of its cells coarser
+// networks tell little of it, and iterations are many: networks of up to some thousand particles
+// are then factorised for the rest of the substep.
 // Implicit Euler damps what swings fast: a motion x'' = -w^2 x loses the share w^2 h of its energy
 // per second, for waves on tight lines all of it at once. Explicit forces beside it, air above all,
 // keep their own limit of the step.
@@ -81,7 +83,7 @@ public:
     std::span<const int> rods() const { return m_rods; }         // as given to prepare()
     std::size_t nodes() const { return m_mass.size(); }          // particles that are not pinned
     std::size_t products() const { return m_factor.products(); } // of blocks, in an iteration
-    bool iterates() const { return m_iterates; }                 // too large to be factorised
+    bool iterates() const { return m_hasGrid; }                  // at first, at least
 
 private:
     struct Arrival // where a move has led
@@ -102,6 +104,7 @@ private:
     Arrival arrive();
     void startNearer(const RodTask& task);
     bool solveForMoves();
+    bool iterate();
     double energyOfWay(std::size_t node) const;
     BlockCholesky::Block& diagonal(std::size_t node);
     BlockCholesky::Block& pair(std::size_t index);
@@ -121,7 +124,9 @@ private:
     double m_pulls = 0.0;     // kg m^2, the sum of energyOfPull()
     double m_left = 0.0;      // sqrt(kg) m, the root of the energy of what iterations have left
     double m_residual = 0.0;  // 1
-    bool m_iterates = false;
+    bool m_hasGrid = false;
+    bool m_hasFactor = true;
+    bool m_iterates = false; // now
     BlockCholesky m_factor; // of the matrix, or
     Multigrid m_grid;       // for a large one
     std::vector<Bar> m_bars;
