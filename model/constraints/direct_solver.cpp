@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace ripstop {
@@ -24,7 +25,9 @@ constexpr int halvings = 6;
 
 constexpr int mostIterations = 200;
 constexpr int fewIterations = 6;         // no more are tried of what can be factorised
-constexpr double leftByIterations = 0.4; // of the accuracy; both together stay within it
+constexpr double leftByIterations = 0.2; // of the accuracy; both together stay within it
+constexpr double longSwing = 2.0;        // steps within a radian of it, squared
+constexpr double leastOfPulls = 1e-4;    // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
 
 } // namespace
@@ -121,6 +124,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
     m_iterates = m_hasGrid;
+    m_loads = std::numeric_limits<double>::max();
     if (m_iterates && !task.before.empty())
         startNearer(task);
     else
@@ -147,7 +151,7 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         }
     }
 
-    m_residual = m_pulls > 0.0 ? m_left / std::sqrt(m_pulls) : 0.0;
+    m_residual = m_pulls > 0.0 ? m_left / scaleOfErrors() : 0.0;
     keepCenters();
     for (std::size_t i = 0; i < nodes(); ++i)
         task.position[std::size_t(m_particle[i])] =
@@ -180,12 +184,14 @@ RIPSTOP_CLONES
 void DirectSolver::startNearer(const RodTask& task)
 {
     std::copy_n(m_position.begin(), nodes(), m_from.begin());
-    double here = 0.0, nearer = 0.0; // twice the sums that are minimised
+    double here = 0.0; // twice the sum that is minimised
+    m_loads = 0.0;
     for (std::size_t i = 0; i < nodes(); ++i) {
         const auto p = std::size_t(m_particle[i]);
         pack(m_position[i].v) -= (task.h * task.h) * pack(task.acceleration[p]);
-        nearer += energyOfWay(i);
+        m_loads += energyOfWay(i);
     }
+    double nearer = m_loads;
     const auto from = [this](std::uint32_t row) -> const Row& {
         return row < nodes() ? m_from[row] : m_position[row];
     };
@@ -226,7 +232,7 @@ bool DirectSolver::iterate()
         for (std::size_t i = 0; i < m_guides.size() && i < rows.size(); ++i)
             moveAlongGuide(i, rows[i]);
     };
-    const double goal = leftByIterations * m_accuracy * std::sqrt(m_pulls);
+    const double goal = leftByIterations * m_accuracy * scaleOfErrors();
     m_left = m_grid.solve({m_move.data(), nodes()}, goal,
                           m_hasFactor ? fewIterations : mostIterations, keepOnGuides);
     if (m_hasFactor && m_left > goal) {
@@ -235,6 +241,13 @@ bool DirectSolver::iterate()
         assemble();
     }
     return true;
+}
+
+// What iterations leave is forces, and moves particles in each of the steps of a slow swing alike.
+// For the share of a swing that a step is, loads move particles by less than pulls give way.
+double DirectSolver::scaleOfErrors() const
+{
+    return std::sqrt(std::clamp(longSwing * m_loads, leastOfPulls * m_pulls, m_pulls));
 }
 
 // Twice what a node is of the sum that is minimised, kg m^2.

@@ -105,6 +105,7 @@ private:
     void startNearer(const RodTask& task);
     bool solveForMoves();
     bool iterate();
+    double scaleOfErrors() const; // sqrt(kg) m
     double energyOfWay(std::size_t node) const;
     BlockCholesky::Block& diagonal(std::size_t node);
     BlockCholesky::Block& pair(std::size_t index);
@@ -122,6 +123,7 @@ private:
     double m_h = 0.0;         // s, for which softness is right
     double m_accuracy = 0.01; // 1, System::accuracy
     double m_pulls = 0.0;     // kg m^2, the sum of energyOfPull()
+    double m_loads = 0.0;     // kg m^2, twice the energy of what loads would move in the substep
     double m_left = 0.0;      // sqrt(kg) m, the root of the energy of what iterations have left
     double m_residual = 0.0;  // 1
     bool m_hasGrid = false;
