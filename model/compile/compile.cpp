@@ -8,6 +8,7 @@
 #include "compile/resolve.h"
 #include "constraints/rod_order.h"
 #include "scene/check.h"
+#include "scene/flat_panel.h"
 
 #include <span>
 
@@ -91,10 +92,29 @@ RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
     return order;
 }
 
+// Of the last panel; the check before has found those that have no area.
+void addMembrane(const Panel& row, System& system)
+{
+    const auto at = [&](int corner) -> Vec3 {
+        return system.start.position[std::size_t(corner)];
+    };
+    const auto& [a, b, c] = system.panels.back().corner;
+    const std::optional<FlatPanel> flat = flatPanel(row, at(a), at(b), at(c));
+    if (!flat)
+        return;
+    const double area = flat->area();
+    const double scale = 0.5 / area;
+    system.membranes.push_back({int(system.panels.size()) - 1,
+                                area,
+                                {flat->ac.y() * scale, -flat->ac.x() * scale,
+                                 -flat->ab.y() * scale, flat->ab.x() * scale}});
+}
+
 void addPanels(const Scene& scene, const ElementIndex& index, System& system)
 {
     system.materialAir = materialAirOf(scene);
     system.bending = bendingsOf(scene);
+    system.cloth = clothsOf(scene);
     KeyIndex airs(system.materialAir.size());
     for (const MaterialAir& air : system.materialAir)
         airs.add(air.key, int(&air - system.materialAir.data()));
@@ -104,6 +124,8 @@ void addPanels(const Scene& scene, const ElementIndex& index, System& system)
                 {{index.particle(row.a), index.particle(row.b), index.particle(row.c)},
                  airs(Key(row.material))});
             system.panelKey.push_back(Key(row.id));
+            if (part.fabric == FabricKind::Panels && !system.cloth.empty())
+                addMembrane(row, system);
         }
     });
 }

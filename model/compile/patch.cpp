@@ -99,6 +99,12 @@ private:
         }
         m_system.materialAir[std::size_t(airOf(key))] = ripstop::airOf(Id{key}, material);
         this->bending(std::size_t(airOf(key)), bendingOf(material));
+        if (!m_system.cloth.empty()) {
+            ClothLaw& held = m_system.cloth[std::size_t(airOf(key))];
+            const ClothLaw law = clothOf(material);
+            m_allRods |= held != law;
+            held = law;
+        }
     }
 
     void bending(std::size_t place, const Bending& bending)

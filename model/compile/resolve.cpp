@@ -257,6 +257,33 @@ bool isLimp(const std::vector<Bending>& bendings)
     });
 }
 
+ClothLaw clothOf(const Material& material)
+{
+    if (!material.membraneStiffness)
+        return {};
+    const double warp = *material.membraneStiffness;
+    const double weft = material.weftStiffness.value_or(warp);
+    const double ofSheet = std::sqrt(warp * weft) / (2.0 * (1.0 + material.poissonRatio));
+    ClothLaw law = ClothLaw::of(warp, weft, material.poissonRatio,
+                                material.shearStiffness.value_or(ofSheet));
+    law.dampingTime = material.dampingTime;
+    law.pushes = material.resistsPushing;
+    return law;
+}
+
+std::vector<ClothLaw> clothsOf(const Scene& scene)
+{
+    bool isElastic = false;
+    forEachPart(scene, [&](Id, const Part& part) {
+        isElastic |= part.fabric == FabricKind::Panels && !part.panels.empty();
+    });
+    if (!isElastic)
+        return {};
+    std::vector<ClothLaw> cloths{ClothLaw()};
+    forEachItem<Material>(scene, [&](Id, const Material& m) { cloths.push_back(clothOf(m)); });
+    return cloths;
+}
+
 void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring)
 {
     if (!(stuff.own & OwnStiffness))

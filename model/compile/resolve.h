@@ -24,6 +24,8 @@ std::vector<MaterialAir> materialAirOf(const Scene& scene);
 Bending bendingOf(const Material& material);
 std::vector<Bending> bendingsOf(const Scene& scene); // [materialAir], empty when all are limp
 bool isLimp(const std::vector<Bending>& bendings);
+ClothLaw clothOf(const Material& material);
+std::vector<ClothLaw> clothsOf(const Scene& scene); // [materialAir], empty when no panel needs them
 
 // The numbers that come from the material, but for those that the link has itself.
 void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring);

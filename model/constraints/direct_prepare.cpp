@@ -21,26 +21,11 @@ constexpr std::size_t fewNodes = 300;
 
 } // namespace
 
-void DirectSolver::prepare(const System& system, std::span<const int> rods)
+void DirectSolver::prepare(const System& system, std::span<const int> rods, Panels panels)
 {
     m_rods.assign(rods.begin(), rods.end());
-    m_bars.clear();
-    m_particle.clear();
-    m_mass.clear();
-    // Each particle gets its row where a rod first names it.
-    constexpr auto none = std::uint32_t(-1);
-    std::vector<std::uint32_t> row(system.inverseMass.size(), none);
-    for (const bool pins : {false, true})
-        for (const int r : rods)
-            for (const int end : {system.rods[std::size_t(r)].a, system.rods[std::size_t(r)].b}) {
-                const auto p = std::size_t(end);
-                if (row[p] != none || (system.inverseMass[p] == 0.0) != pins)
-                    continue;
-                row[p] = std::uint32_t(m_particle.size());
-                m_particle.push_back(end);
-                if (!pins)
-                    m_mass.push_back(0.0);
-            }
+    m_takesPanels = panels == Panels::Taken;
+    std::vector<std::uint32_t> row = numberRows(system);
     takeBars(system, row);
     auto pairs = numberPairs();
     const double products = BlockCholesky::countProducts(nodes(), pairs);
@@ -58,15 +43,21 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
                                  [](const Bar& bar) { return std::minmax(bar.a, bar.b); });
         pairs = numberPairs();
         std::vector<std::pair<int, int>> anchors;
+        const auto anchor = [&](std::uint32_t a, std::uint32_t b) {
+            if (const auto [low, high] = std::minmax(a, b); low < nodes() && high >= nodes())
+                anchors.emplace_back(low, high);
+        };
         for (const Bar& bar : m_bars)
-            if (bar.pair < 0)
-                anchors.emplace_back(std::min(bar.a, bar.b), std::max(bar.a, bar.b));
+            anchor(bar.a, bar.b);
+        for (const ElasticPanel& panel : m_panels.panels())
+            for (std::size_t k = 0; k < 3; ++k)
+                anchor(panel.row[k], panel.row[(k + 1) % 3]);
         std::vector<Row> place;
         for (const int p : m_particle) {
             const Vec3& x = system.start.position[std::size_t(p)];
             place.push_back({{x.x(), x.y(), x.z(), 0.0}});
         }
-        m_grid.analyze(nodes(), pairs, anchors, place);
+        m_grid.analyze(nodes(), pairs, anchors, place, m_panels.empty());
     }
     if (m_hasFactor)
         m_factor.analyze(nodes(), pairs);
@@ -79,8 +70,40 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods)
     m_from.assign(nodes(), Row{});
 }
 
+// Each particle gets its row where a rod or a panel first names it.
+std::vector<std::uint32_t> DirectSolver::numberRows(const System& system)
+{
+    m_particle.clear();
+    m_mass.clear();
+    constexpr auto none = std::uint32_t(-1);
+    std::vector<std::uint32_t> row(system.inverseMass.size(), none);
+    for (const bool pins : {false, true}) {
+        const auto number = [&](int particle) {
+            const auto p = std::size_t(particle);
+            if (row[p] != none || (system.inverseMass[p] == 0.0) != pins)
+                return;
+            row[p] = std::uint32_t(m_particle.size());
+            m_particle.push_back(particle);
+            if (!pins)
+                m_mass.push_back(0.0);
+        };
+        for (const int r : m_rods) {
+            number(system.rods[std::size_t(r)].a);
+            number(system.rods[std::size_t(r)].b);
+        }
+        if (m_takesPanels)
+            for (const Membrane& membrane : system.membranes)
+                for (const int corner : system.panels[std::size_t(membrane.panel)].corner)
+                    number(corner);
+    }
+    return row;
+}
+
 void DirectSolver::takeBars(const System& system, std::span<const std::uint32_t> row)
 {
+    m_panels = {};
+    if (m_takesPanels)
+        m_panels.prepare(system, row);
     m_bars.clear();
     for (const int r : m_rods) {
         const Rod& rod = system.rods[std::size_t(r)];
@@ -93,7 +116,7 @@ void DirectSolver::takeBars(const System& system, std::span<const std::uint32_t>
     }
 }
 
-// Numbers the bars between two nodes and returns their ends.
+// Numbers the bars and sides of panels between two nodes and returns their ends.
 std::vector<std::pair<int, int>> DirectSolver::numberPairs()
 {
     std::vector<std::pair<int, int>> pairs;
@@ -102,6 +125,7 @@ std::vector<std::pair<int, int>> DirectSolver::numberPairs()
             bar.pair = int(pairs.size());
             pairs.emplace_back(bar.a, bar.b);
         }
+    m_panels.numberPairs(nodes(), pairs);
     return pairs;
 }
 
@@ -130,14 +154,25 @@ void DirectSolver::findIslands()
         return int(row);
     };
     std::vector<std::uint8_t> held(lower.size(), 0);
-    for (const Bar& bar : m_bars)
-        if (bar.pair >= 0) {
-            const auto [low, high] = std::minmax({lowest(bar.a), lowest(bar.b)});
-            lower[std::size_t(high)] = low;
-        }
-    for (const Bar& bar : m_bars)
-        if (bar.pair < 0)
-            held[std::size_t(lowest(std::min(bar.a, bar.b)))] = 1;
+    const auto forEachTie = [&](const auto& visit) { // ends, the lower row first
+        for (const Bar& bar : m_bars)
+            visit(std::min(bar.a, bar.b), std::max(bar.a, bar.b));
+        for (const ElasticPanel& panel : m_panels.panels())
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto [low, high] = std::minmax(panel.row[k], panel.row[(k + 1) % 3]);
+                visit(low, high);
+            }
+    };
+    forEachTie([&](std::uint32_t a, std::uint32_t b) {
+        if (b >= nodes())
+            return;
+        const auto [low, high] = std::minmax({lowest(a), lowest(b)});
+        lower[std::size_t(high)] = low;
+    });
+    forEachTie([&](std::uint32_t a, std::uint32_t b) {
+        if (a < nodes() && b >= nodes())
+            held[std::size_t(lowest(a))] = 1;
+    });
     for (std::size_t i = 0; i < m_guides.size(); ++i) // a guide holds across itself
         if (m_guides[i].guide != Guide::None)
             held[std::size_t(lowest(std::uint32_t(i)))] = 1;
@@ -163,7 +198,7 @@ void DirectSolver::refresh(const System& system)
     if (hasSamePins(system))
         takeValues(system);
     else
-        prepare(system, std::vector<int>(m_rods));
+        prepare(system, std::vector<int>(m_rods), m_takesPanels ? Panels::Taken : Panels::Left);
 }
 
 bool DirectSolver::hasSamePins(const System& system) const

@@ -110,13 +110,15 @@ void DirectSolver::start(const RodTask& task, std::span<const double> multiplier
         bar.multiplier = bar.atStart = bar.torn ? 0.0 : multiplier[r];
         m_pulls += energyOfPull(bar);
     }
+    m_panels.start(task.system, task.gone, {task.before, task.drift, task.substep, task.h});
 }
 
 int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int iterations,
                           double tolerance)
 {
-    if (m_bars.empty())
+    if (isEmpty())
         return 0;
+    const System& system = task.system;
     for (std::size_t i = 0; i < m_particle.size(); ++i) {
         const Vec3& x = task.position[std::size_t(m_particle[i])];
         m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
@@ -125,33 +127,33 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
 
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();
-    if (m_iterates && !task.before.empty())
+    if ((m_iterates || !m_panels.empty()) && !task.before.empty())
         startNearer(task);
     else
-        measureBars();
+        measure(system);
+    m_pulls += m_panels.energyOfPulls();
     int taken = 0;
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
-        const double before = assemble();
-        if (!solveForMoves()) // something is not a number, which the watchdog will see
+        const double before = assemble(system);
+        if (!solveForMoves(system)) // something is not a number, which the watchdog will see
             break;
         moveAlongGuides();
-        const Arrival arrival = arrive();
+        const Arrival arrival = arrive(system);
         near = arrival.worst < tolerance
                && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(m_pulls);
         double share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
-            go(share *= 0.5);
-        if (share < 1.0) {
-            m_pulls = 0.0;
-            for (Bar& bar : m_bars) {
-                bar.multiplier = bar.before + share * (bar.multiplier - bar.before);
-                m_pulls += energyOfPull(bar);
-            }
-        }
+            go(share *= 0.5, system);
+        if (share < 1.0)
+            takeShare(share, system);
     }
 
-    m_residual = m_pulls > 0.0 ? m_left / scaleOfErrors() : 0.0;
+    m_residual = 0.0;
+    if (m_pulls > 0.0) {
+        const double left = m_left / scaleOfErrors();
+        m_residual = std::sqrt(left * left + m_panelErrors / m_pulls);
+    }
     keepCenters();
     for (std::size_t i = 0; i < nodes(); ++i)
         task.position[std::size_t(m_particle[i])] =
@@ -159,6 +161,20 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     for (const Bar& bar : m_bars)
         multiplier[std::size_t(bar.rod)] = pullOf(bar);
     return taken;
+}
+
+// Of a move that went only part of its way.
+void DirectSolver::takeShare(double share, const System& system)
+{
+    m_pulls = 0.0;
+    for (Bar& bar : m_bars) {
+        bar.multiplier = bar.before + share * (bar.multiplier - bar.before);
+        m_pulls += energyOfPull(bar);
+    }
+    m_panels.settle(share);
+    const ElasticPanels::Account account = m_panels.account(system);
+    m_pulls += account.pulls;
+    m_panelErrors = account.errors;
 }
 
 bool DirectSolver::hasImpact() const
@@ -196,24 +212,30 @@ void DirectSolver::startNearer(const RodTask& task)
         return row < nodes() ? m_from[row] : m_position[row];
     };
     for (Bar& bar : m_bars) {
-        measure(bar, from(bar.a), from(bar.b));
+        ripstop::measure(bar, from(bar.a), from(bar.b));
         bar.active = acts(bar);
         here += energyOf(bar);
-        measure(bar, m_position[bar.a], m_position[bar.b]);
+        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
         bar.active = acts(bar);
         nearer += energyOf(bar);
+    }
+    if (!m_panels.empty()) {
+        std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
+        here += m_panels.measure(task.system, m_position);
+        std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
+        nearer += m_panels.measure(task.system, m_position);
     }
     if (nearer < here)
         return;
     std::copy_n(m_from.begin(), nodes(), m_position.begin());
-    measureBars();
+    measure(task.system);
 }
 
 // Puts the moves in place of the right-hand side.
-bool DirectSolver::solveForMoves()
+bool DirectSolver::solveForMoves(const System& system)
 {
     m_left = 0.0;
-    if (m_iterates && !iterate())
+    if (m_iterates && !iterate(system))
         return false;
     if (m_iterates)
         return true;
@@ -224,7 +246,7 @@ bool DirectSolver::solveForMoves()
 }
 
 // Where iterations are not soon at an end, and there is another way, takes that from now on.
-bool DirectSolver::iterate()
+bool DirectSolver::iterate(const System& system)
 {
     if (!m_grid.factorize())
         return false;
@@ -238,7 +260,7 @@ bool DirectSolver::iterate()
     if (m_hasFactor && m_left > goal) {
         m_left = 0.0;
         m_iterates = false;
-        assemble();
+        assemble(system);
     }
     return true;
 }
@@ -263,17 +285,17 @@ RIPSTOP_INLINE double DirectSolver::energyOfWay(std::size_t i) const
     return twice;
 }
 
-// Measures the rods with their ends where they are now.
-RIPSTOP_CLONES
-void DirectSolver::measureBars()
+// Measures rods and panels with their ends where they are now.
+void DirectSolver::measure(const System& system)
 {
     for (Bar& bar : m_bars)
-        measure(bar, m_position[bar.a], m_position[bar.b]);
+        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
+    m_panels.measure(system, m_position);
 }
 
 // Returns the sum that is minimised, kg m^2.
 RIPSTOP_CLONES
-double DirectSolver::assemble()
+double DirectSolver::assemble(const System& system)
 {
     double twice = 0.0;
     const std::size_t count = m_mass.size();
@@ -333,7 +355,52 @@ double DirectSolver::assemble()
                 pack(block.column[c]) -= column[c];
         }
     }
-    return 0.5 * twice;
+    addPanels(system);
+    return 0.5 * (twice + m_panels.energy());
+}
+
+void DirectSolver::addPanels(const System& system)
+{
+    const auto add = [](BlockCholesky::Block& block, const Mat3& value) {
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r)
+                block.column[c][r] += value(r, c);
+    };
+    const bool guided = !m_guides.empty() && !m_iterates;
+    const auto onto = [&](std::uint32_t row) {
+        Mat3 free;
+        for (int c = 0; c < 3; ++c)
+            free.col(c) = m_guides[row].freePart(Vec3::Unit(c));
+        return free;
+    };
+    for (const ElasticPanel& panel : m_panels.panels()) {
+        if (panel.gone)
+            continue;
+        PanelBlock part = m_panels.block(system, panel);
+        if (guided) {
+            const std::array<Mat3, 3> free{onto(panel.row[0]), onto(panel.row[1]),
+                                           onto(panel.row[2])};
+            for (std::size_t k = 0; k < 3; ++k) {
+                part.corner[k] = free[k] * part.corner[k] * free[k];
+                part.pair[k] = free[k] * part.pair[k] * free[(k + 1) % 3];
+                part.pull[k] = free[k] * part.pull[k];
+            }
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = panel.row[k];
+            const std::uint32_t to = panel.row[(k + 1) % 3];
+            if (from < nodes()) {
+                add(diagonal(from), part.corner[k]);
+                for (int c = 0; c < 3; ++c)
+                    m_move[from].v[c] += part.pull[k][c];
+            }
+            if (panel.pair[k] < 0)
+                continue;
+            const bool rowsOfFrom = m_iterates ? from < to : m_factor.isLater(from, to);
+            add(pair(std::size_t(panel.pair[k])),
+                rowsOfFrom ? part.pair[k] : Mat3(part.pair[k].transpose()));
+        }
+    }
 }
 
 // What assemble() adds of a bar, with P on either side. The row of a pair's block is the node that
@@ -410,7 +477,7 @@ RIPSTOP_INLINE void DirectSolver::foresee(Bar& bar) const
 // Goes the whole way. One pass over the rods does all that has to be known of them there, since a
 // large network is more than the processor keeps near.
 RIPSTOP_CLONES
-DirectSolver::Arrival DirectSolver::arrive()
+DirectSolver::Arrival DirectSolver::arrive(const System& system)
 {
     for (std::size_t i = 0; i < m_from.size(); ++i)
         pack(m_position[i].v) = pack(m_from[i].v) + pack(m_move[i].v);
@@ -418,21 +485,29 @@ DirectSolver::Arrival DirectSolver::arrive()
     m_pulls = 0.0;
     for (Bar& bar : m_bars) {
         foresee(bar);
-        measure(bar, m_position[bar.a], m_position[bar.b]);
+        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
         m_pulls += energyOfPull(bar);
         arrival.errors += energyOfError(bar);
         const double off = missOf(bar);
         if (!(off <= arrival.worst * bar.rest))
             arrival.worst = bar.rest > 0.0 ? off / bar.rest : off;
     }
+    if (!m_panels.empty()) {
+        m_panels.foresee(system, m_move);
+        m_panels.measure(system, m_position);
+        const ElasticPanels::Account account = m_panels.account(system);
+        m_pulls += account.pulls;
+        m_panelErrors = account.errors;
+        arrival.errors += account.errors;
+    }
     return arrival;
 }
 
-void DirectSolver::go(double share)
+void DirectSolver::go(double share, const System& system)
 {
     for (std::size_t i = 0; i < m_from.size(); ++i)
         pack(m_position[i].v) = pack(m_from[i].v) + share * pack(m_move[i].v);
-    measureBars();
+    measure(system);
 }
 
 // The sum that is minimised, for the rods that are active now; kg m^2.
@@ -443,7 +518,7 @@ double DirectSolver::merit() const
         twice += energyOfWay(i);
     for (const Bar& bar : m_bars)
         twice += energyOf(bar);
-    return 0.5 * twice;
+    return 0.5 * (twice + m_panels.energy());
 }
 
 } // namespace ripstop

@@ -1,4 +1,5 @@
-// Solves rods together by Newton's method: all of a system's, or a block of them.
+// Solves rods together by Newton's method: all of a system's, or a block of them; and with them the
+// panels that carry a pull (elastic_panels.h).
 //
 // In a substep it looks for the positions x that minimise
 //
@@ -39,6 +40,7 @@
 
 #include "constraints/bar.h"
 #include "constraints/block_cholesky.h"
+#include "constraints/elastic_panels.h"
 #include "constraints/multigrid.h"
 #include "parallel/simd_pack.h"
 #include "system/system.h"
@@ -55,9 +57,12 @@ struct RodTask;
 class DirectSolver
 {
 public:
-    // Takes over `rods`, places in System::rods; others do not exist for it. This takes memory, and
-    // so does refresh() when pins or guides have changed; nothing else does.
-    void prepare(const System& system, std::span<const int> rods);
+    enum class Panels { Left, Taken };
+
+    // Takes over `rods`, places in System::rods; others do not exist for it. It takes over all
+    // panels that carry a pull or none. This takes memory, and so does refresh() when pins or
+    // guides have changed; nothing else does.
+    void prepare(const System& system, std::span<const int> rods, Panels panels = Panels::Left);
 
     // Reads the numbers of the rods and the masses again, after they changed in place.
     void refresh(const System& system);
@@ -73,8 +78,10 @@ public:
     int project(const RodTask& task, std::span<double> multiplier, int iterations,
                 double tolerance = 3e-4);
 
-    // What the last project() has left unsolved, as an error of the pulls, 1; that of iterations.
+    // What the last project() has left unsolved, as an error of the pulls, 1: that of iterations,
+    // and what pulls of panels differ by from their law.
     double residual() const { return m_residual; }
+    bool isEmpty() const { return m_bars.empty() && m_panels.empty(); }
 
     // Whether a line or a strut met its load in the last project(): one that resists one way only
     // pulls more than twice as hard as before.
@@ -92,24 +99,27 @@ private:
         double errors = 0.0; // kg m^2, the sum of energyOfError()
     };
 
+    std::vector<std::uint32_t> numberRows(const System& system);
     void takeBars(const System& system, std::span<const std::uint32_t> row);
     std::vector<std::pair<int, int>> numberPairs();
     bool hasSamePins(const System& system) const;
     void takeGuides(const System& system);
     void takeValues(const System& system);
     void soften(const System& system, double h);
-    void measureBars();
-    double assemble();
+    void measure(const System& system);
+    double assemble(const System& system);
+    void addPanels(const System& system);
     void foresee(Bar& bar) const;
-    Arrival arrive();
+    Arrival arrive(const System& system);
+    void takeShare(double share, const System& system);
     void startNearer(const RodTask& task);
-    bool solveForMoves();
-    bool iterate();
+    bool solveForMoves(const System& system);
+    bool iterate(const System& system);
     double scaleOfErrors() const; // sqrt(kg) m
     double energyOfWay(std::size_t node) const;
     BlockCholesky::Block& diagonal(std::size_t node);
     BlockCholesky::Block& pair(std::size_t index);
-    void go(double share);
+    void go(double share, const System& system);
     double merit() const;
     void findIslands();
     void keepCenters();
@@ -132,6 +142,9 @@ private:
     BlockCholesky m_factor; // of the matrix, or
     Multigrid m_grid;       // for a large one
     std::vector<Bar> m_bars;
+    bool m_takesPanels = false;
+    ElasticPanels m_panels;
+    double m_panelErrors = 0.0; // kg m^2, the sum of what their pulls differ by from their law
     std::vector<int> m_particle;          // [rows] particle; nodes first, then pins
     std::vector<double> m_mass;           // [nodes] kg
     std::vector<Mat3> m_drag;             // [nodes] kg, h D above, or empty

@@ -25,6 +25,29 @@ RIPSTOP_INLINE Pack times(const Block& block, const Row& x)
            + pack(block.column[2]) * x.v[2];
 }
 
+// Of the block below the diagonal that mirrors this one above it.
+template <bool symmetric>
+RIPSTOP_INLINE Pack timesMirrored(const Block& block, const Row& x)
+{
+    if constexpr (symmetric)
+        return times(block, x);
+    Pack result{};
+    for (int c = 0; c < 3; ++c) {
+        const Pack product = pack(block.column[c]) * pack(x.v);
+        result[c] = (product[0] + product[1]) + product[2];
+    }
+    return result;
+}
+
+RIPSTOP_INLINE Block mirrored(const Block& block)
+{
+    Block result{};
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            result.column[c][r] = block.column[r][c];
+    return result;
+}
+
 // A sum in a fixed order, in four parts, so that additions need not wait for each other.
 RIPSTOP_CLONES
 double dotOf(const Row* a, const Row* b, std::size_t count)
@@ -43,8 +66,10 @@ double dotOf(const Row* a, const Row* b, std::size_t count)
 } // namespace
 
 void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs,
-                        std::span<const std::pair<int, int>> anchors, std::span<const Row> place)
+                        std::span<const std::pair<int, int>> anchors, std::span<const Row> place,
+                        bool symmetric)
 {
+    m_isSymmetric = symmetric;
     using Pair = NetworkGraph::Pair;
     NetworkGraph graph{nodes, {}, {}, {place.begin(), place.end()}};
     const auto sortUnique = [](std::vector<Pair>& all) {
@@ -122,8 +147,11 @@ bool Multigrid::factorize()
     m_coarsest.setZero();
     for (std::size_t i = 0; i < last.diagonal.size(); ++i)
         m_coarsest.diagonal(i) = last.diagonal[i];
-    for (std::size_t k = 0; k < last.block.size(); ++k)
-        m_coarsest.pair(k) = last.block[k];
+    for (std::size_t i = 0; i < last.diagonal.size(); ++i)
+        for (std::uint32_t k = last.start[i]; k < last.start[i + 1]; ++k) {
+            const bool mirrors = !m_isSymmetric && m_coarsest.isLater(last.column[k], i);
+            m_coarsest.pair(k) = mirrors ? mirrored(last.block[k]) : last.block[k];
+        }
     return m_coarsest.factorize();
 }
 
@@ -144,8 +172,34 @@ bool Multigrid::invert(Level& level)
     return true;
 }
 
+// What makeCoarser() adds of the block k of row a, which is not symmetric.
+void Multigrid::addMirrored(const Level& fine, std::size_t a, std::uint32_t k,
+                            const std::uint32_t*& target, Level& coarse)
+{
+    const auto blocks = std::uint32_t(coarse.block.size());
+    const std::size_t b = fine.column[k];
+    const Block& block = fine.block[k];
+    const Block mirror = mirrored(block);
+    const auto add = [](Block& into, const Block& what, double weight) {
+        for (int c = 0; c < 3; ++c)
+            pack(into.column[c]) += pack(what.column[c]) * weight;
+    };
+    for (std::uint32_t i = fine.up.ofNode[a]; i < fine.up.ofNode[a + 1]; ++i)
+        for (std::uint32_t j = fine.up.ofNode[b]; j < fine.up.ofNode[b + 1]; ++j) {
+            const std::uint32_t to = *target++;
+            const double weight = fine.up.weight[i] * fine.up.weight[j];
+            if (to >= blocks) {
+                add(coarse.diagonal[to - blocks], block, weight);
+                add(coarse.diagonal[to - blocks], mirror, weight);
+            } else {
+                const bool isAbove = fine.up.coarse[i] < fine.up.coarse[j];
+                add(coarse.block[to], isAbove ? block : mirror, weight);
+            }
+        }
+}
+
 RIPSTOP_CLONES
-void Multigrid::makeCoarser(const Level& fine, Level& coarse)
+void Multigrid::makeCoarser(const Level& fine, Level& coarse) const
 {
     std::fill(coarse.block.begin(), coarse.block.end(), Block{});
     std::fill(coarse.diagonal.begin(), coarse.diagonal.end(), Block{});
@@ -155,6 +209,10 @@ void Multigrid::makeCoarser(const Level& fine, Level& coarse)
     for (std::size_t a = 0; a < nodes; ++a)
         for (std::uint32_t k = fine.start[a]; k < fine.start[a + 1]; ++k) {
             const std::size_t b = fine.column[k];
+            if (!m_isSymmetric) {
+                addMirrored(fine, a, k, target, coarse);
+                continue;
+            }
             const Pack x = pack(fine.block[k].column[0]);
             const Pack y = pack(fine.block[k].column[1]);
             const Pack z = pack(fine.block[k].column[2]);
@@ -186,9 +244,9 @@ void Multigrid::makeCoarser(const Level& fine, Level& coarse)
     }
 }
 
-// y = A x
-RIPSTOP_CLONES
-void Multigrid::multiply(const Level& level, const Row* x, Row* y)
+// The loops over a level, once for blocks that are symmetric and once for others.
+template <bool symmetric>
+RIPSTOP_INLINE void Multigrid::multiplyAs(const Level& level, const Row* x, Row* y)
 {
     const std::size_t nodes = level.diagonal.size();
     for (std::size_t i = 0; i < nodes; ++i)
@@ -200,15 +258,14 @@ void Multigrid::multiply(const Level& level, const Row* x, Row* y)
             const Block& block = level.block[k];
             const std::uint32_t j = level.column[k];
             sum += times(block, x[j]);
-            pack(y[j].v) += times(block, own);
+            pack(y[j].v) += timesMirrored<symmetric>(block, own);
         }
         pack(y[i].v) = sum;
     }
 }
 
-// One sweep forth from x = 0 for A x = b, then r = b - A x.
-RIPSTOP_CLONES
-void Multigrid::forward(Level& level)
+template <bool symmetric>
+RIPSTOP_INLINE void Multigrid::forwardAs(Level& level)
 {
     const std::size_t nodes = level.diagonal.size();
     std::copy(level.b.begin(), level.b.end(), level.r.begin());
@@ -217,7 +274,7 @@ void Multigrid::forward(Level& level)
         pack(x.v) = times(level.inverse[i], level.r[i]);
         level.x[i] = x;
         for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-            pack(level.r[level.column[k]].v) -= times(level.block[k], x);
+            pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.block[k], x);
     }
     // what the sweep has left is what nodes to the right have moved since
     for (std::size_t i = 0; i < nodes; ++i) {
@@ -228,16 +285,15 @@ void Multigrid::forward(Level& level)
     }
 }
 
-// One sweep back from x.
-RIPSTOP_CLONES
-void Multigrid::backward(Level& level)
+template <bool symmetric>
+RIPSTOP_INLINE void Multigrid::backwardAs(Level& level)
 {
     const std::size_t nodes = level.diagonal.size();
     std::copy(level.b.begin(), level.b.end(), level.r.begin());
     for (std::size_t i = 0; i < nodes; ++i) {
         const Row x = level.x[i];
         for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-            pack(level.r[level.column[k]].v) -= times(level.block[k], x);
+            pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.block[k], x);
     }
     for (std::size_t i = nodes; i-- > 0;) {
         Row left = level.r[i];
@@ -245,6 +301,27 @@ void Multigrid::backward(Level& level)
             pack(left.v) -= times(level.block[k], level.x[level.column[k]]);
         pack(level.x[i].v) = times(level.inverse[i], left);
     }
+}
+
+// y = A x
+RIPSTOP_CLONES
+void Multigrid::multiply(const Level& level, const Row* x, Row* y) const
+{
+    m_isSymmetric ? multiplyAs<true>(level, x, y) : multiplyAs<false>(level, x, y);
+}
+
+// One sweep forth from x = 0 for A x = b, then r = b - A x.
+RIPSTOP_CLONES
+void Multigrid::forward(Level& level) const
+{
+    m_isSymmetric ? forwardAs<true>(level) : forwardAs<false>(level);
+}
+
+// One sweep back from x.
+RIPSTOP_CLONES
+void Multigrid::backward(Level& level) const
+{
+    m_isSymmetric ? backwardAs<true>(level) : backwardAs<false>(level);
 }
 
 RIPSTOP_CLONES

@@ -9,8 +9,8 @@
 //
 //   - A level keeps about one node of four on sheets, one of two on lines; the others move as these
 //     tell (coarsening.h).
-//   - The coarse matrix is P^T A P (Galerkin). P has one number for each pair of nodes, so that its
-//     blocks stay symmetric.
+//   - The coarse matrix is P^T A P (Galerkin). P has one number for each pair of nodes, so that
+//     blocks that are symmetric stay so, as those of networks; those of panels are not.
 //   - A cycle is one sweep of block Gauss-Seidel forth before the coarser level and one back after
 //     it; the coarsest level is factorised. Being symmetric it suits conjugate gradients.
 //   - A large network whose nodes are all tied to what is held has no coarser one and needs none:
@@ -36,10 +36,13 @@ public:
     //   pairs    places off the diagonal, each pair of nodes once or more, in any order
     //   anchors  pairs of a node and something that is held, numbered from `nodes` on
     //   place    [nodes, then what is held]  m, where the weights of the levels come from
+    //   symmetric  whether the blocks of pairs are; it saves time where they are
     void analyze(std::size_t nodes, std::span<const std::pair<int, int>> pairs,
-                 std::span<const std::pair<int, int>> anchors, std::span<const Row> place);
+                 std::span<const std::pair<int, int>> anchors, std::span<const Row> place,
+                 bool symmetric = true);
 
-    // Filling the matrix: set it to zero, then add symmetric blocks.
+    // Filling the matrix: set it to zero, then add blocks. The rows of a pair's block are those of
+    // the lower node.
     void setZero();
     Block& diagonal(std::size_t node) { return m_levels[0].diagonal[node]; }
     Block& pair(std::size_t index) { return m_levels[0].block[m_pair[index]]; }
@@ -74,18 +77,27 @@ private:
         std::vector<Row> x, b, r;          // [nodes] scratch of the cycle
     };
 
-    void makeCoarser(const Level& fine, Level& coarse);
+    void makeCoarser(const Level& fine, Level& coarse) const;
+    static void addMirrored(const Level& fine, std::size_t a, std::uint32_t k,
+                            const std::uint32_t*& target, Level& coarse);
+    template <bool symmetric>
+    static void multiplyAs(const Level& level, const Row* x, Row* y);
+    template <bool symmetric>
+    static void forwardAs(Level& level);
+    template <bool symmetric>
+    static void backwardAs(Level& level);
     void cycle(std::size_t level);
     static bool invert(Level& level);
-    static void multiply(const Level& level, const Row* x, Row* y);
-    static void forward(Level& level);
+    void multiply(const Level& level, const Row* x, Row* y) const;
+    void forward(Level& level) const;
     static void restrictTo(const Level& fine, Level& coarse);
     static void prolongFrom(Level& fine, const Level& coarse);
-    static void backward(Level& level);
+    void backward(Level& level) const;
 
     std::vector<Level> m_levels;       // the finest first
     std::vector<std::uint32_t> m_pair; // [pairs] block of the finest level
     int m_iterations = 0;
+    bool m_isSymmetric = true;           // each block of a pair
     bool m_factorises = true;            // the last level
     BlockCholesky m_coarsest;            // of the last level
     std::vector<Row> m_x, m_r, m_p, m_q; // [nodes] of conjugate gradients

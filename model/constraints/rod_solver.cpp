@@ -42,13 +42,13 @@ void RodSolver::start(const RodTask& task, std::span<const double> tension)
     m_substeps = 0;
     m_multiplier.resize(task.system.rods.size());
     prepareDirect(task);
-    if (!m_direct.rods().empty())
+    if (!m_direct.isEmpty())
         m_tension.assign(tension.begin(), tension.end());
 }
 
 void RodSolver::project(const RodTask& task, ThreadPool& pool)
 {
-    if (task.system.rods.empty())
+    if (task.system.rods.empty() && task.system.membranes.empty())
         return;
     m_substeps += task.note;
     switch (task.solver) {
@@ -63,6 +63,7 @@ void RodSolver::project(const RodTask& task, ThreadPool& pool)
     case Solver::AveragedJacobi:
     case Solver::PaperJacobi:
         average(task, pool);
+        projectDirect(task, enoughIterations); // the panels that carry a pull
         break;
     case Solver::Auto:
         break;
@@ -71,6 +72,8 @@ void RodSolver::project(const RodTask& task, ThreadPool& pool)
 
 void RodSolver::projectDirect(const RodTask& task, int iterations)
 {
+    if (m_direct.isEmpty())
+        return;
     for (const int rod : m_direct.rods())
         m_multiplier[std::size_t(rod)] = m_tension[std::size_t(rod)] * (task.h * task.h);
     m_direct.start(task, m_multiplier);
@@ -94,7 +97,7 @@ void RodSolver::takeTensions(const RodTask& task, ThreadPool& pool, std::span<do
     m_substeps = 0;
 }
 
-// The direct solver has all rods, those that are marked, or none.
+// The direct solver has all rods, those that are marked, or none; and all elastic panels.
 void RodSolver::prepareDirect(const RodTask& task)
 {
     const System& system = task.system;
@@ -109,7 +112,7 @@ void RodSolver::prepareDirect(const RodTask& task)
         for (std::size_t i = 0; i < count; ++i)
             if (!beside || task.direct[i])
                 rods.push_back(int(i));
-        m_direct.prepare(system, rods);
+        m_direct.prepare(system, rods, DirectSolver::Panels::Taken);
     } else if (system.valuesSerial != m_valuesSerial) {
         m_direct.refresh(system);
     }

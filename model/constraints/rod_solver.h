@@ -34,6 +34,9 @@ struct RodTask
     double tolerance = 3e-4; // 1, of lengths, where iterations of the direct solver may end
     bool note = true;        // this substep counts for takeTensions()
     bool shifted = true;     // rest lengths of shifted rods may differ from the substep before
+    std::span<const std::uint8_t> gone = {};   // [panels] 1 where it is
+    std::span<const PaddedVec3> drift = {};    // [particles] m/s, that BDF2 looks back by, or empty
+    double substep = 0.0;                      // s, of which h is what BDF2 reaches back
     std::span<const int> damped = {}; // rods whose rest lengths differ in any case (rod_damping.h)
 };
 
@@ -54,7 +57,7 @@ public:
     void takeTensions(const RodTask& task, ThreadPool& pool, std::span<double> tension);
 
     // What the global solve of the last substep has left unsolved, as an error of its pulls, 1.
-    double residual() const { return m_direct.rods().empty() ? 0.0 : m_direct.residual(); }
+    double residual() const { return m_direct.isEmpty() ? 0.0 : m_direct.residual(); }
 
     // Whether a line that is solved directly met its load in the last substep (direct_solver.h).
     bool hasImpact() const { return m_direct.hasImpact(); }

@@ -8,6 +8,7 @@
 #include "measure/diagnostics.h"
 
 #include "base/bytes.h"
+#include "constraints/elastic_panels.h"
 #include "forces/fabric_air.h"
 #include "forces/forces.h"
 #include "forces/line_drag.h"
@@ -104,6 +105,9 @@ Energies energies(const System& system, const State& state, std::span<const doub
             sum.elastic += elasticEnergy(1.0 / rod.compliance, rod.resists,
                                          separation(link, state).norm() - restLength[index]);
     }
+    for (const Membrane& membrane : system.membranes)
+        if (!state.panelGone[std::size_t(membrane.panel)])
+            sum.elastic += membrane.area * tensionIn(system, membrane, cornersOf(system, membrane, state.position)).energy;
     for (const auto& force : knownForces())
         switch (force->kind()) {
         case ForceKind::Elastic:

@@ -14,7 +14,7 @@ struct Energies
 {
     double kinetic = 0.0;   // J
     double potential = 0.0; // J, of weight, zero at the origin
-    double elastic = 0.0;   // J, in springs, compliant rods and bends
+    double elastic = 0.0;   // J, in springs, compliant rods, elastic panels and bends
     double total() const { return kinetic + potential + elastic; }
 };
 

@@ -2,6 +2,7 @@
 // between them, and at the end of the step takes it from the change of energy.
 #include "measure/energy_ledger.h"
 
+#include "constraints/elastic_panels.h"
 #include "measure/diagnostics.h"
 #include "step/inputs.h"
 
@@ -98,14 +99,14 @@ void EnergyLedger::afterSubstep(const System& system, const State& state, double
             m_work.contact += m_contact[i].dot(velocity);
     }
     m_work.damping += 0.5 * h * (m_before.damping + m_after.damping);
-    m_work.damping += workOfRodDampers(system, state, h);
+    m_work.damping += workOfDampers(system, state, h);
     addWorkOfHands(system, state, h);
     m_contact.clear();
     std::swap(m_before, m_after);
 }
 
 // J, by the mean rate of each stretch (constraints/rod_damping.h).
-double EnergyLedger::workOfRodDampers(const System& system, const State& state, double h) const
+double EnergyLedger::workOfDampers(const System& system, const State& state, double h) const
 {
     double work = 0.0;
     for (std::size_t r = 0; r < system.rods.size(); ++r) {
@@ -120,6 +121,10 @@ double EnergyLedger::workOfRodDampers(const System& system, const State& state, 
         const double change = stretch(m_after) - stretch(m_before);
         work -= rod.dampingTime / rod.compliance * change * change / h;
     }
+    for (const Membrane& membrane : system.membranes)
+        if (!state.panelGone[at(membrane.panel)])
+            work -= lossIn(system, membrane, cornersOf(system, membrane, m_before.position),
+                           cornersOf(system, membrane, m_after.position), h);
     return work;
 }
 

@@ -50,7 +50,7 @@ private:
     void look(const System& system, const State& state, Instant& instant);
     void lookAtForces(const System& system, const State& state, Instant& instant);
     void addWorkOfHands(const System& system, const State& state, double h);
-    double workOfRodDampers(const System& system, const State& state, double h) const;
+    double workOfDampers(const System& system, const State& state, double h) const;
     double workOnRods(const System& system, const State& state) const;
 
     ThreadPool m_alone{1};

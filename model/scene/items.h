@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/air_laws.h"
+#include "base/cloth_law.h"
 #include "base/contact_laws.h"
 #include "base/control_kind.h"
 #include "base/guide.h"
@@ -64,7 +65,8 @@ struct Link
     friend bool operator==(const Link&, const Link&) = default;
 };
 
-// One triangle of fabric.
+// One triangle of fabric. In a part of which panels carry the pull it is flat at rest, with sides as
+// long as they are told to be, or as they are in the scene.
 struct Panel
 {
     Id id{};
@@ -72,6 +74,10 @@ struct Panel
     Id b{};
     Id c{};
     Id material{};
+    double restAB = 0.0; // m, 0 takes what the particles are apart
+    double restBC = 0.0;
+    double restCA = 0.0;
+    double grain = 0.0; // degrees, from the side ab towards c, where the warp runs
 
     friend bool operator==(const Panel&, const Panel&) = default;
 };
@@ -83,6 +89,7 @@ struct Part
 {
     std::string name = "part";
     bool shown = true;
+    FabricKind fabric = FabricKind::Threads;
     double selfContact = 0.0;     // m, distance that fabric keeps from fabric; 0 lets it through
     double selfFriction = 0.3;    // 1
     double canopyPressure = 0.0;  // 1, over the dynamic pressure; 0 holds no air
@@ -117,6 +124,9 @@ struct Material
     std::optional<double> axialStiffness;    // N, EA of lines and spars; see link_stiffness.h
     std::optional<double> membraneStiffness; // N/m, E t of fabric along its threads
     std::optional<double> shearStiffness;    // N/m, G t of fabric
+    std::optional<double> weftStiffness;     // N/m, E t across it, of panels; absent, as along
+    double poissonRatio = 0.2;               // 1, of panels pulled along the warp
+    bool resistsPushing = false;             // panels do, instead of wrinkling
     double bendingStiffness = 0.0;           // N m, B of fabric; see base/bend.h
     double flexuralRigidity = 0.0;           // N m^2, EI of spars
     std::optional<double> arealDensity;      // kg/m^2, of fabric, as weighed into the particles

@@ -80,10 +80,14 @@ inline constexpr Need ofPanels = need([](const Around& a) { return a.made.panels
 inline constexpr Need ofSprings = need([](const Around& a) { return a.made.springs > 0; }, "its links are all rods, which take the compliance");
 inline constexpr Need ofRods = need([](const Around& a) { return a.made.rods > 0; }, "its links are all springs, which take the stiffness");
 inline constexpr Need ofLines = need([](const Around& a) { return a.made.lines > 0; }, "no link of it has the role line");
-inline constexpr Need ofThreads = need([](const Around& a) { return a.made.threads > 0; }, "no link of it is a thread with a width");
-inline constexpr Need ofBiases = need([](const Around& a) { return a.made.biases > 0; }, "no link of it is a bias with a width");
+inline constexpr Need ofFabric = need([](const Around& a) { return a.made.threads > 0 || a.made.elasticPanels > 0; }, "no link of it is a thread with a width, and no panel of it is elastic");
+inline constexpr Need ofShearingFabric = need([](const Around& a) { return a.made.biases > 0 || a.made.elasticPanels > 0; }, "no link of it is a bias with a width, and no panel of it is elastic");
+inline constexpr Need ofElasticPanels = need([](const Around& a) { return a.made.elasticPanels > 0; }, "no panel of it carries the pull of a fabric");
+inline constexpr Need ofStretching = need([](const Around& a) { return a.made.rods > 0 || a.made.elasticPanels > 0; }, "its links are all springs, which have a damping of their own");
+inline constexpr Need hasMembrane = need([](const Material& m, const Around&) { return m.membraneStiffness.has_value(); }, "it has no membrane stiffness");
+inline constexpr Need isElasticFabric = need([](const Around& a) { return a.all.elasticPanels > 0; }, "no part has a fabric that panels carry");
 inline constexpr Need notOnlyStiffRods = need([](const Around& a) {
-    return a.scene.settings.solver != Solver::PaperJacobi || a.made.springs > 0 || a.made.rods == 0;
+    return a.scene.settings.solver != Solver::PaperJacobi || a.made.springs > 0 || a.made.rods == 0 || a.made.elasticPanels > 0;
 }, softRods.otherwise);
 
 // materials: who asks them

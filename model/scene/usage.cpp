@@ -35,9 +35,13 @@ Usage usageOf(const Scene& scene)
             count(link, at(link.material));
             count(link, usage.ofAll);
         }
-        for (const Panel& panel : part.panels)
+        const bool isElastic = part.fabric == FabricKind::Panels;
+        for (const Panel& panel : part.panels) {
             ++at(panel.material).panels;
+            at(panel.material).elasticPanels += isElastic;
+        }
         usage.ofAll.panels += part.panels.size();
+        usage.ofAll.elasticPanels += isElastic ? part.panels.size() : 0;
     });
     return usage;
 }

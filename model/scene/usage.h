@@ -17,6 +17,7 @@ struct Use
     std::size_t springs = 0;
     std::size_t rods = 0;
     std::size_t panels = 0;
+    std::size_t elasticPanels = 0; // of parts of which panels carry the pull
     std::size_t ownStiffness = 0;  // springs that have their own
     std::size_t ownDamping = 0;    // springs that have their own
     std::size_t ownCompliance = 0; // rods that have their own

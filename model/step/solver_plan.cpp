@@ -192,7 +192,12 @@ public:
             std::max(int(std::ceil(std::min(substeps, double(mostSubsteps)))), plan.least);
         if (!m_given.empty())
             plan.direct = m_direct;
-        if (m_system.rods.empty())
+        if (!m_system.membranes.empty())
+            plan.reason = Message("%1 panels carry the pull of the fabric and are solved together "
+                                  "with all rods; %2",
+                                  m_system.membranes.size(),
+                                  substepsBy(plan.integrator, plan.substeps));
+        else if (m_system.rods.empty())
             plan.reason = Message("there are no rods");
         else if (!m_given.empty() && substeps <= 1.0)
             plan.reason = substepsBy(plan.integrator, plan.substeps);
@@ -204,6 +209,8 @@ public:
         if (stiff > 1)
             plan.reason = Message("%1; %2 needs at least %3", std::move(plan.reason),
                                   boundingForces(m_system), stiff);
+        if (!m_system.membranes.empty())
+            return plan;
         for (auto given = m_given.rbegin(); given != m_given.rend(); ++given)
             plan.reason = given->why(given->count, plan.reason);
         return plan;
@@ -215,7 +222,7 @@ private:
         for (std::size_t r = 0; r < m_direct.size(); ++r)
             if (moves(m_system.rods[r]) && !m_direct[r])
                 return false;
-        return !m_given.empty();
+        return !m_given.empty() || !m_system.membranes.empty();
     }
 
     bool moves(const Rod& rod) const
@@ -230,6 +237,10 @@ private:
             return m_system.integrator;
         const bool calmsItself = std::ranges::all_of(m_system.rods, [&](const Rod& rod) {
             return !moves(rod) || (rod.compliance > 0.0 && rod.dampingTime > 0.0);
+        }) && std::ranges::all_of(m_system.membranes, [&](const Membrane& membrane) {
+            const auto air = std::size_t(m_system.panels[std::size_t(membrane.panel)].air);
+            const ClothLaw& law = m_system.cloth[air];
+            return !law.isElastic() || law.dampingTime > 0.0;
         });
         return together && calmsItself && std::isinf(stiffStepLimit(m_system))
                    ? Integrator::Bdf2
@@ -269,13 +280,15 @@ SolverPlan planFor(const System& system)
 {
     Planner planner(system);
     const int least = substepsForStiffness(system);
-    if (system.rods.empty())
+    const auto isAny = [](const Rod&) { return true; };
+    if (!system.membranes.empty())
+        planner.give(planner.networksOf(isAny), nullptr);
+    if (system.rods.empty() || !system.membranes.empty())
         return planner.plan(least, 1.0);
     const double many = manySubsteps * system.timeStep / 0.01;
     const double tooMany = tooManySubsteps * system.timeStep / 0.01;
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
 
-    const auto isAny = [](const Rod&) { return true; };
     if (system.integrator == Integrator::Bdf2)
         planner.give(planner.networksOf(isAny), [](std::size_t count, const Message& rest) {
             return Message("%1 rods are solved together, as bdf2 needs it; %2", count, rest);

@@ -390,6 +390,9 @@ void Stepper::project(RodTask& task, State& state, double h)
     m_reach = damps ? task.h : std::numeric_limits<double>::infinity();
     task.restLength = m_heldLength;
     task.damped = m_rodDamping.rods();
+    task.gone = state.panelGone;
+    task.drift = drifts ? drift : drift.first(0);
+    task.substep = h;
     m_rods.project(task, m_pool);
     // Of single sweeps the tension of one substep says little; rods then tear by the mean over the
     // step before.

@@ -127,7 +127,7 @@ inline constexpr auto fieldsOf<System> = fields<
     &System::mass, &System::inverseMass, &System::guided, &System::springs, &System::rods,
     &System::colorStart, &System::chunkStart, &System::chunkClass, &System::chunkReach,
     &System::direct, &System::materialAir, &System::bending, &System::forces, &System::panels,
-    &System::panelKey, &System::links, &System::linkStuff, &System::springLink, &System::rodLink,
+    &System::panelKey, &System::cloth, &System::membranes, &System::links, &System::linkStuff, &System::springLink, &System::rodLink,
     &System::tearableSprings, &System::tearableRods, &System::springsAt, &System::rodsAt,
     &System::panelsAt, &System::panelsBeside, &System::obstacles, &System::fabricLayer,
     &System::canopies, &System::inputs, &System::shiftedRods, &System::probes, &System::start>;

@@ -48,6 +48,20 @@ struct FabricPanel // one triangle of fabric
     friend bool operator==(const FabricPanel&, const FabricPanel&) = default;
 };
 
+// A panel that carries the pull of the fabric: a triangle of constant strain. Its law is that of the
+// panel's material in System::cloth. With x_a, x_b, x_c its corners, the columns of
+//     F = (x_b - x_a, x_c - x_a) shape
+// are where the warp and the weft have gone, 1 long each at rest.
+struct Membrane
+{
+    int panel = 0;     // index into System::panels
+    double area = 0.0; // m^2, flat and at rest
+    std::array<double, 4> shape{}; // 1/m, row by row: the inverse of the sides ab and ac at rest, as
+                                   // columns, along warp and weft
+
+    friend bool operator==(const Membrane&, const Membrane&) = default;
+};
+
 // What keeps the particles of a part from its panels and those of others; see fabric_contact.h.
 struct FabricLayer
 {

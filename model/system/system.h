@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/airflow.h"
+#include "base/cloth_law.h"
 #include "base/guide.h"
 #include "base/quantity.h"
 #include "base/rows.h"
@@ -113,6 +114,8 @@ struct System
     ForceLists forces;                    // what each force derives from all else
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;        // [panels]
+    std::vector<ClothLaw> cloth;      // [materialAir], or empty when no panel carries a pull
+    std::vector<Membrane> membranes;  // panels that do, in ascending order
     std::vector<LinkPlace> links;     // in the author's order
     std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
     std::vector<int> springLink;      // [springs] index into links

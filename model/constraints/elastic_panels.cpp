@@ -1,0 +1,265 @@
+// Each panel is looked at by itself, in the order of System::membranes; sums are added in that
+// order. Gradients of the corners are the rows of the inverse of the panel's shape, that of the
+// first corner being minus the sum of the others.
+#include "constraints/elastic_panels.h"
+
+#include <cmath>
+
+namespace ripstop {
+namespace {
+
+constexpr std::array<std::pair<int, int>, 3> sides{{{0, 1}, {1, 2}, {2, 0}}};
+
+using Axes = std::array<Vec3, 2>;
+
+Axes axesOf(const Membrane& membrane, const Vec3& ab, const Vec3& ac)
+{
+    const auto& s = membrane.shape;
+    return {Vec3(s[0] * ab + s[2] * ac), Vec3(s[1] * ab + s[3] * ac)};
+}
+
+Vec3 strainOf(const Axes& axes)
+{
+    return {0.5 * (axes[0].squaredNorm() - 1.0), 0.5 * (axes[1].squaredNorm() - 1.0),
+            axes[0].dot(axes[1])};
+}
+
+// d(warp, weft) of the barycentric coordinate of a corner, 1/m.
+std::array<double, 2> gradient(const Membrane& membrane, int corner)
+{
+    const auto& s = membrane.shape;
+    switch (corner) {
+    case 1:
+        return {s[0], s[1]};
+    case 2:
+        return {s[2], s[3]};
+    default:
+        return {-s[0] - s[2], -s[1] - s[3]};
+    }
+}
+
+// How the strain changes as a corner moves, 1/m: a row for each component.
+Mat3 strainPerMove(const Axes& axes, const std::array<double, 2>& g)
+{
+    Mat3 rows;
+    rows.row(0) = g[0] * axes[0].transpose();
+    rows.row(1) = g[1] * axes[1].transpose();
+    rows.row(2) = g[1] * axes[0].transpose() + g[0] * axes[1].transpose();
+    return rows;
+}
+
+// The nearest tension that pushes nowhere.
+Vec3 pullingPart(const Vec3& tension)
+{
+    const double mean = 0.5 * (tension[0] + tension[1]);
+    const double half = 0.5 * (tension[0] - tension[1]);
+    const double radius = std::sqrt(half * half + tension[2] * tension[2]);
+    if (mean >= radius)
+        return tension;
+    if (mean + radius <= 0.0)
+        return Vec3::Zero();
+    const double most = 0.5 * (mean + radius);
+    return {most * (1.0 + half / radius), most * (1.0 - half / radius),
+            most * tension[2] / radius};
+}
+
+Vec3 at(const Row& row) { return {row.v[0], row.v[1], row.v[2]}; }
+
+const ClothLaw& lawOf(const System& system, const Membrane& membrane)
+{
+    return system.cloth[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
+}
+
+// The strain of the threads; wrinkles take none of it.
+Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
+{
+    const ClothTension now = tensionOf(law, strain);
+    switch (now.state) {
+    case ClothState::Taut:
+        return strain;
+    case ClothState::Wrinkled:
+        return strainOf(law, now.tension);
+    case ClothState::Slack:
+        break;
+    }
+    return Vec3::Zero();
+}
+
+Vec3 strainAt(const Membrane& membrane, const Corners& corners)
+{
+    return strainOf(axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]));
+}
+
+} // namespace
+
+ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
+{
+    const ClothLaw& law = lawOf(system, membrane);
+    return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
+}
+
+double lossIn(const System& system, const Membrane& membrane, const Corners& from,
+              const Corners& to, double h)
+{
+    const ClothLaw& law = lawOf(system, membrane);
+    if (!law.isElastic() || law.dampingTime == 0.0)
+        return 0.0;
+    const Vec3 change = pullingStrain(law, strainAt(membrane, to))
+                        - pullingStrain(law, strainAt(membrane, from));
+    ClothLaw straight = law;
+    straight.pushes = true;
+    return membrane.area * law.dampingTime / h * 2.0 * tensionOf(straight, change).energy;
+}
+
+void ElasticPanels::prepare(const System& system, std::span<const std::uint32_t> row)
+{
+    m_panels.clear();
+    for (std::size_t m = 0; m < system.membranes.size(); ++m) {
+        const Membrane& membrane = system.membranes[m];
+        ElasticPanel panel;
+        panel.membrane = int(m);
+        bool moves = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int corner = system.panels[std::size_t(membrane.panel)].corner[k];
+            panel.row[k] = row[std::size_t(corner)];
+            moves |= system.inverseMass[std::size_t(corner)] > 0.0;
+        }
+        if (moves && lawOf(system, membrane).isElastic())
+            m_panels.push_back(panel);
+    }
+}
+
+void ElasticPanels::numberPairs(std::size_t nodes, std::vector<std::pair<int, int>>& pairs)
+{
+    for (ElasticPanel& panel : m_panels)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = panel.row[std::size_t(sides[k].first)];
+            const std::uint32_t to = panel.row[std::size_t(sides[k].second)];
+            panel.pair[k] = -1;
+            if (from >= nodes || to >= nodes)
+                continue;
+            panel.pair[k] = int(pairs.size());
+            pairs.emplace_back(from, to);
+        }
+}
+
+void ElasticPanels::start(const System& system, std::span<const std::uint8_t> gone,
+                          const RodPast& past)
+{
+    for (ElasticPanel& panel : m_panels) {
+        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
+        const ClothLaw& law = lawOf(system, membrane);
+        panel.gone = gone[std::size_t(membrane.panel)] != 0;
+        const Corners corners = cornersOf(system, membrane, past.before);
+        const Vec3 last = strainAt(membrane, corners);
+        panel.tension = panel.before = tensionOf(law, last).tension;
+        panel.offset.setZero();
+        panel.weight = past.reach * past.reach * membrane.area;
+        if (law.dampingTime == 0.0)
+            continue;
+        Vec3 pulling = pullingStrain(law, last);
+        if (!past.drift.empty()) {
+            const Corners way = cornersOf(system, membrane, past.drift);
+            Corners back = corners;
+            for (std::size_t k = 0; k < 3; ++k)
+                back[k] -= past.h * way[k];
+            pulling = (4.0 * pulling - pullingStrain(law, strainAt(membrane, back))) / 3.0;
+        }
+        const double share = law.dampingTime / (law.dampingTime + past.reach);
+        panel.offset = share * pulling;
+        panel.weight /= 1.0 - share;
+        panel.tension *= 1.0 - share;
+    }
+}
+
+double ElasticPanels::energyOfPulls() const
+{
+    double twice = 0.0;
+    for (const ElasticPanel& panel : m_panels)
+        if (!panel.gone)
+            twice += 2.0 * panel.weight * panel.law.energy;
+    return twice;
+}
+
+double ElasticPanels::measure(const System& system, std::span<const Row> position)
+{
+    for (ElasticPanel& panel : m_panels) {
+        if (panel.gone)
+            continue;
+        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
+        const Vec3 a = at(position[panel.row[0]]);
+        panel.axes =
+            axesOf(membrane, at(position[panel.row[1]]) - a, at(position[panel.row[2]]) - a);
+        panel.law = tensionOf(lawOf(system, membrane), strainOf(panel.axes) - panel.offset);
+    }
+    return energy();
+}
+
+double ElasticPanels::energy() const { return energyOfPulls(); }
+
+PanelBlock ElasticPanels::block(const System& system, const ElasticPanel& panel) const
+{
+    const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
+    const Vec3 pulling = pullingPart(panel.tension);
+    std::array<Mat3, 3> perMove, pullPerMove;
+    std::array<std::array<double, 2>, 3> g;
+    PanelBlock block;
+    for (std::size_t k = 0; k < 3; ++k) {
+        g[k] = gradient(membrane, int(k));
+        perMove[k] = strainPerMove(panel.axes, g[k]);
+        pullPerMove[k] = panel.weight * (panel.law.stiffness * perMove[k]);
+        block.pull[k] = -panel.weight * (perMove[k].transpose() * panel.law.tension);
+    }
+    const auto across = [&](std::size_t i, std::size_t j) {
+        return panel.weight
+               * (g[i][0] * (pulling[0] * g[j][0] + pulling[2] * g[j][1])
+                  + g[i][1] * (pulling[2] * g[j][0] + pulling[1] * g[j][1]));
+    };
+    const auto between = [&](std::size_t i, std::size_t j) -> Mat3 {
+        return perMove[i].transpose() * pullPerMove[j] + across(i, j) * Mat3::Identity();
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        block.corner[k] = between(k, k);
+        block.pair[k] = between(std::size_t(sides[k].first), std::size_t(sides[k].second));
+    }
+    return block;
+}
+
+void ElasticPanels::foresee(const System& system, std::span<const Row> move)
+{
+    for (ElasticPanel& panel : m_panels) {
+        panel.before = panel.tension;
+        if (panel.gone)
+            continue;
+        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
+        Vec3 change = Vec3::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            change += strainPerMove(panel.axes, gradient(membrane, int(k)))
+                      * at(move[panel.row[k]]);
+        panel.tension = panel.law.tension + panel.law.stiffness * change;
+    }
+}
+
+void ElasticPanels::settle(double share)
+{
+    for (ElasticPanel& panel : m_panels)
+        panel.tension = panel.before + share * (panel.tension - panel.before);
+}
+
+ElasticPanels::Account ElasticPanels::account(const System& system) const
+{
+    Account account;
+    for (const ElasticPanel& panel : m_panels) {
+        if (panel.gone)
+            continue;
+        const ClothLaw& law = lawOf(system, system.membranes[std::size_t(panel.membrane)]);
+        const auto energyOf = [&](const Vec3& tension) {
+            return panel.weight * tension.dot(strainOf(law, tension));
+        };
+        account.pulls += energyOf(panel.tension);
+        account.errors += energyOf(panel.law.tension - panel.tension);
+    }
+    return account;
+}
+
+} // namespace ripstop

@@ -1,0 +1,112 @@
+// Panels that carry the pull of a fabric, as the direct solver has them (direct_solver.h): triangles
+// of constant strain with the law of base/cloth_law.h.
+//
+// A panel adds h^2 A w(e) to the sum that is minimised, w being the energy per area at Green's
+// strain e. Its block of the matrix is that of Newton's method: B^T C B for the law, and the tension
+// across the way of each corner, g_i . s g_j. As with rods the tension in the latter is the one that
+// the linear system gave before, at first that of the start of the substep: taken from the stretch
+// of the guess it would freeze all swinging. Tension that pushes counts as 0 there, which keeps the
+// matrix positive.
+//
+// Damping is Kelvin and Voigt's, as of rods (rod_damping.h): the strain that the threads had, e_b,
+// is looked back to, and the law is that of e - r e_b, stiffer by 1 / (1 - r).
+#pragma once
+
+#include "base/cloth_law.h"
+#include "constraints/rod_damping.h"
+#include "parallel/simd_pack.h"
+#include "system/system.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ripstop {
+
+struct ElasticPanel
+{
+    int membrane = 0;                  // in System::membranes
+    std::array<std::uint32_t, 3> row{}; // of the solver's positions; pins come last
+    std::array<int, 3> pair{};          // in the matrix: ab, bc, ca; -1 where an end is pinned
+    bool gone = false;
+    double weight = 0.0;               // kg m^2 over N m: h^2 A, stiffer by damping
+    Vec3 offset = Vec3::Zero();        // r e_b above
+    std::array<Vec3, 2> axes{};        // where the warp and the weft have gone
+    ClothTension law;                  // where the corners are now, without what damping adds
+    Vec3 tension = Vec3::Zero();       // N/m, that the linear system gave
+    Vec3 before = Vec3::Zero();        // N/m, of the iteration before
+    bool acts = false;                 // takes part in this iteration
+};
+
+// What a panel adds to the matrix and to the right-hand side.
+struct PanelBlock
+{
+    std::array<Mat3, 3> corner; // on the diagonal
+    std::array<Mat3, 3> pair;   // ab, bc, ca: rows of the first corner, columns of the second
+    std::array<Vec3, 3> pull;   // kg m
+};
+
+class ElasticPanels
+{
+public:
+    // Takes memory; nothing else does.
+    //   row  [particles]  of the solver
+    void prepare(const System& system, std::span<const std::uint32_t> row);
+
+    // Adds the pairs of nodes, of the first `nodes` rows, to those of the matrix.
+    void numberPairs(std::size_t nodes, std::vector<std::pair<int, int>>& pairs);
+
+    bool empty() const { return m_panels.empty(); }
+    std::span<const ElasticPanel> panels() const { return m_panels; }
+
+    // Before a substep: which panels are left, what damping looks back to, and the tension at its
+    // start.
+    void start(const System& system, std::span<const std::uint8_t> gone, const RodPast& past);
+
+    // Twice the energy of their pulls at the start, kg m^2.
+    double energyOfPulls() const;
+
+    // Where the rows are now; returns twice the energy of the law there, kg m^2.
+    double measure(const System& system, std::span<const Row> position);
+    double energy() const; // the same again
+
+    PanelBlock block(const System& system, const ElasticPanel& panel) const;
+
+    // Foresees the tension at the end of a move, as if the corners moved little; before measure().
+    void foresee(const System& system, std::span<const Row> move);
+
+    // After measure(): what of the move was foreseen, as a share of it.
+    void settle(double share);
+
+    // After measure(): twice the energies of the pulls that were foreseen, and of what they differ
+    // by from those of the law, kg m^2.
+    struct Account
+    {
+        double pulls = 0.0;
+        double errors = 0.0;
+    };
+    Account account(const System& system) const;
+
+private:
+    std::vector<ElasticPanel> m_panels;
+};
+
+using Corners = std::array<Vec3, 3>; // m
+
+template <typename Positions> // [particles] m
+Corners cornersOf(const System& system, const Membrane& membrane, const Positions& position)
+{
+    const auto& [a, b, c] = system.panels[std::size_t(membrane.panel)].corner;
+    return {position[std::size_t(a)], position[std::size_t(b)], position[std::size_t(c)]};
+}
+
+// What a panel carries with its corners at these places; without what damping adds.
+ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners);
+
+// J, what the damping of a panel takes as it goes from one place to another within h, s.
+double lossIn(const System& system, const Membrane& membrane, const Corners& from,
+              const Corners& to, double h);
+
+} // namespace ripstop

@@ -1,0 +1,33 @@
+// The shape that an elastic panel has at rest: a triangle in the plane, of which the first axis is
+// the warp of the cloth and the second the weft.
+//
+// It follows from the rest lengths of its sides and from its grain; sides without a rest length are
+// as long as their corners are apart. Built or imported panels have all three, so that a scene that
+// is saved in flight keeps its cut.
+#pragma once
+
+#include "scene/items.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace ripstop {
+
+struct FlatPanel
+{
+    Eigen::Vector2d ab; // m, from a to b
+    Eigen::Vector2d ac; // m, from a to c
+
+    double area() const { return 0.5 * (ab.x() * ac.y() - ab.y() * ac.x()); } // m^2, positive
+};
+
+// Nothing where the lengths make no triangle, or one so thin that its strain would be rounding
+// errors. Places of the corners in m.
+std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c);
+
+// Notes how long the sides are now, and the grain that has the warp run along `warp`, projected onto
+// the panel; a warp across it leaves the grain at 0.
+void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp);
+
+} // namespace ripstop

@@ -1,0 +1,168 @@
+// The law of cloth in its plane (base/cloth_law.h): moduli off the axes, the tension as the
+// derivative of the energy, and wrinkling as the least energy that it is.
+#include "base/cloth_law.h"
+#include "model/systems.h"
+
+#include <QtTest>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace ripstop;
+
+namespace {
+
+// Test cloth A: E1 t, E2 t, nu12, G t.
+const ClothLaw clothA = ClothLaw::of(40e3, 25e3, 0.2, 1.2e3);
+
+Eigen::Matrix2d matrixOf(const Vec3& v, double shearShare)
+{
+    Eigen::Matrix2d matrix;
+    matrix << v[0], shearShare * v[2], shearShare * v[2], v[1];
+    return matrix;
+}
+
+std::vector<Vec3> someStrains(int count)
+{
+    std::mt19937 random(7);
+    const auto number = [&] { return (double(random()) / 4294967296.0 - 0.5) * 0.04; };
+    std::vector<Vec3> strains;
+    for (int i = 0; i < count; ++i)
+        strains.push_back({number(), number(), 2.0 * number()});
+    return strains;
+}
+
+std::vector<ClothLaw> someLaws()
+{
+    return {clothA, ClothLaw::of(40e3, 40e3, 0.3, 40e3 / 2.6), ClothLaw::of(30e3, 30e3, 0.1, 100.0),
+            ClothLaw::of(500e3, 100e3, 0.4, 40e3)};
+}
+
+} // namespace
+
+class TestClothLaw : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // 1/E(th) = c^4/E1 + (1/G - 2 nu12/E1) s^2 c^2 + s^4/E2 (Jones 1975, 2.6), worked out for cloth
+    // A.
+    void modulusOffTheAxes_data()
+    {
+        QTest::addColumn<double>("degrees");
+        QTest::addColumn<double>("modulus"); // N/m
+        QTest::addColumn<double>("contraction");
+        const auto row = [](double degrees, double modulus, double contraction) {
+            QTest::addRow("%g degrees", degrees) << degrees << modulus << contraction;
+        };
+        row(0, 40000, 0.2000);
+        row(15, 13624, 0.7138);
+        row(22.5, 8197.5, 0.8180);
+        row(30, 5850.1, 0.8611);
+        row(45, 4502.8, 0.8762);
+        row(60, 5604.2, 0.8249);
+        row(75, 11575, 0.6065);
+        row(90, 25000, 0.1250);
+    }
+
+    void modulusOffTheAxes()
+    {
+        QFETCH(double, degrees);
+        QFETCH(double, modulus);
+        QFETCH(double, contraction);
+        const double c = std::cos(degrees * std::numbers::pi / 180.0);
+        const double s = std::sin(degrees * std::numbers::pi / 180.0);
+        const double pull = 10.0; // N/m, along (c, s)
+        const Vec3 strain = strainOf(clothA, {pull * c * c, pull * s * s, pull * c * s});
+        const double along = strain[0] * c * c + strain[1] * s * s + strain[2] * c * s;
+        const double across = strain[0] * s * s + strain[1] * c * c - strain[2] * c * s;
+        QVERIFY2(isNear(pull / along, modulus, 1e-4 * modulus), told(pull / along, modulus));
+        QVERIFY2(isNear(-across / along, contraction, 1e-3), told(-across / along, contraction));
+        // It is the edge of wrinkling: nothing is relaxed away.
+        const Vec3 back = tensionOf(clothA, strain).tension;
+        QVERIFY((back - Vec3(pull * c * c, pull * s * s, pull * c * s)).norm() < 1e-6);
+    }
+
+    void isDerivativeOfEnergy()
+    {
+        for (const ClothLaw& law : someLaws())
+            for (const Vec3& strain : someStrains(300)) {
+                const ClothTension now = tensionOf(law, strain);
+                constexpr double step = 1e-8;
+                for (int k = 0; k < 3; ++k) {
+                    const auto at = [&](double way) {
+                        return tensionOf(law, strain + way * Vec3::Unit(k));
+                    };
+                    const double slope =
+                        (at(step).energy - at(-step).energy) / (2.0 * step);
+                    QVERIFY2(isNear(now.tension[k], slope, 1e-6 * law.warp * 0.04),
+                             told(now.tension[k], slope));
+                    if (at(step).state != now.state || at(-step).state != now.state)
+                        continue; // the derivative jumps there
+                    const Vec3 column = (at(step).tension - at(-step).tension) / (2.0 * step);
+                    QVERIFY2((now.stiffness.col(k) - column).norm() < 1e-4 * law.warp,
+                             told(Vec3(now.stiffness.col(k)), column));
+                }
+            }
+    }
+
+    // Least energy over what wrinkles take up, P: P >= 0, s >= 0 and P : s = 0 are necessary and,
+    // the energy being convex, enough (Karush, Kuhn and Tucker).
+    void isTheLeastEnergy()
+    {
+        int wrinkled = 0;
+        for (const ClothLaw& law : someLaws())
+            for (const Vec3& strain : someStrains(2000)) {
+                const ClothTension now = tensionOf(law, strain);
+                const Vec3 taken = strainOf(law, now.tension) - strain;
+                const Eigen::Matrix2d pull = matrixOf(now.tension, 1.0);
+                const Eigen::Matrix2d wrinkles = matrixOf(taken, 0.5);
+                const auto least = [](const Eigen::Matrix2d& m) {
+                    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(m).eigenvalues()[0];
+                };
+                QVERIFY2(least(pull) >= -1e-9 * law.warp, told(least(pull), 0.0));
+                QVERIFY2(least(wrinkles) >= -1e-9, told(least(wrinkles), 0.0));
+                QVERIFY2(isNear((pull * wrinkles).trace(), 0.0, 1e-9 * law.warp * 0.04),
+                         told((pull * wrinkles).trace(), 0.0));
+                const double eigenvalue =
+                    Eigen::SelfAdjointEigenSolver<Mat3>(now.stiffness).eigenvalues()[0];
+                QVERIFY2(eigenvalue >= -1e-9 * law.warp, told(eigenvalue, 0.0));
+                wrinkled += now.state == ClothState::Wrinkled;
+            }
+        QVERIFY(wrinkled > 1000);
+    }
+
+    void slackPullsNowhere()
+    {
+        for (const ClothLaw& law : someLaws()) {
+            const ClothTension slack = tensionOf(law, {-0.01, -0.02, 0.001});
+            QVERIFY(slack.state == ClothState::Slack);
+            QVERIFY(slack.tension.isZero(0.0) && slack.energy == 0.0);
+        }
+    }
+
+    // Pure shear of an isotropic panel, wrinkled: the pull is E t g / 2 along the diagonal (Wagner
+    // 1929), so that its shear component is E t g / 4.
+    void wagnerPanel()
+    {
+        const ClothLaw law = ClothLaw::of(40e3, 40e3, 0.3, 40e3 / 2.6);
+        const ClothTension now = tensionOf(law, {0.0, 0.0, 0.01});
+        QVERIFY2(isNear(now.tension[2], 100.0, 1e-6), told(now.tension[2], 100.0));
+        QVERIFY2(isNear(now.tension[0], 100.0, 1e-6), told(now.tension[0], 100.0));
+    }
+
+    void boardsPush()
+    {
+        ClothLaw law = clothA;
+        law.pushes = true;
+        const ClothTension now = tensionOf(law, {-0.01, 0.0, 0.0});
+        QVERIFY2(isNear(now.tension[0], -0.01 * law.warp, 1e-9), told(now.tension[0], -400.0));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestClothLaw)
+#include "test_cloth_law.moc"
