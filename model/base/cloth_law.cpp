@@ -41,7 +41,14 @@ class Wrinkles
 {
 public:
     Wrinkles(double e11, double e22, double g, double first, double second, double both)
-        : m_e11(e11), m_e22(e22), m_g(g), m_first(first), m_second(second), m_both(both)
+        : m_e11(e11)
+        , m_e22(e22)
+        , m_g(g)
+        , m_first(first)
+        , m_second(second)
+        , m_both(both)
+        , m_slope{g * first, 2.0 * e22 * first - e11 * both, e22 * both - 2.0 * e11 * second,
+                  -g * second}
     {}
 
     double strain(double u) const { return m_e11 + u * (m_g + u * m_e22); }
@@ -54,40 +61,56 @@ public:
         return along > 0.0 ? along * along / compliance(u) : 0.0;
     }
 
-    // Positive where the pull grows with u.
-    double slope(double u) const
-    {
-        const double half = u * (m_both + 2.0 * u * u * m_second); // of the derivative of D
-        return (m_g + 2.0 * u * m_e22) * compliance(u) - strain(u) * half;
-    }
-
-    // The greatest pull for 0 <= u <= `last`; samples stand closer near 0, where stiff threads make
-    // a narrow peak.
+    // Where the pull is greatest for 0 <= u <= `last`. A peak in between is a root of the slope.
+    // There is one positive root, or there are three: a peak near each axis, and samples, which
+    // stand closer near 0, part them.
     double greatest(double last) const
     {
+        const bool hasTwoPeaks = m_slope[1] < 0.0 && m_slope[2] > 0.0;
+        if (!hasTwoPeaks)
+            return slope(last) > 0.0 ? last : peak(0.0, last);
         constexpr int samples = 14;
-        std::array<double, samples> u{};
-        for (int i = samples - 1; i > 0; --i, last *= 0.5)
-            u[std::size_t(i)] = last;
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < samples; ++i)
-            if (pull(u[i]) > pull(u[best]))
-                best = i;
-        double low = u[best > 0 ? best - 1 : 0];
-        double high = u[std::min<std::size_t>(best + 1, samples - 1)];
-        if (!(slope(low) > 0.0))
-            return low;
-        if (!(slope(high) < 0.0))
-            return high;
-        for (int i = 0; i < 60 && low < high; ++i) {
-            const double middle = 0.5 * (low + high);
-            (slope(middle) > 0.0 ? low : high) = middle;
+        double best = last;
+        double high = last;
+        for (int i = 0; i < samples; ++i) {
+            const double low = i + 1 < samples ? 0.5 * high : 0.0;
+            const bool isBetween = slope(low) > 0.0 && !(slope(high) > 0.0);
+            const double found = isBetween ? peak(low, high) : low;
+            if (pull(found) > pull(best))
+                best = found;
+            high = low;
         }
-        return 0.5 * (low + high);
+        return best;
     }
 
 private:
+    // Positive where the pull grows with u.
+    double slope(double u) const
+    {
+        return m_slope[0] + u * (m_slope[1] + u * u * (m_slope[2] + u * m_slope[3]));
+    }
+
+    // Newton's method between two places; where it leaves them, they are halved.
+    double peak(double low, double high) const
+    {
+        double u = 0.5 * (low + high);
+        for (int i = 0; i < 60; ++i) {
+            const double value = slope(u);
+            (value > 0.0 ? low : high) = u;
+            const double rise = m_slope[1] + u * u * (3.0 * m_slope[2] + 4.0 * u * m_slope[3]);
+            double next = u - value / rise;
+            if (!(next >= low && next <= high))
+                next = 0.5 * (low + high);
+            const double way = std::abs(next - u);
+            u = next;
+            if (!(way > 1e-15 * u))
+                break;
+        }
+        return u;
+    }
+
     double m_e11, m_e22, m_g, m_first, m_second, m_both;
+    std::array<double, 4> m_slope; // of 1, u, u^3, u^4
 };
 
 // Tension r (1, u^2, u), r = e / D, and its derivatives, in the order of the axes that u belongs to.
