@@ -24,6 +24,7 @@ const Section sections[] = {
     {"Cloth", clothCases},
     {"Materials", materialCases},
     {"Defaults of a new scene", defaultCases},
+    {"Elastic panels", membraneCases},
     {"Bending", bendingCases},
     {"Conservation and invariance", invarianceCases},
     {"Repeats", repeatCases},

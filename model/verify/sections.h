@@ -25,6 +25,7 @@ std::vector<Case> ropeCases();
 std::vector<Case> clothCases();
 std::vector<Case> materialCases();
 std::vector<Case> defaultCases();
+std::vector<Case> membraneCases();
 std::vector<Case> bendingCases();
 std::vector<Case> invarianceCases();
 std::vector<Case> repeatCases();
