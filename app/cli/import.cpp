@@ -41,6 +41,7 @@ struct ImportOptions
     std::optional<double> membrane;
     std::optional<double> shearStiffness;
     std::optional<double> bending;
+    std::string fabric = "threads";
     std::string structural;
     std::string shear;
     std::string bend;
@@ -104,6 +105,7 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
         material.bendingStiffness = options.bending.value_or(material.bendingStiffness);
     }
     fabric.isPerFileMaterial = options.materials == "file";
+    fabric.carrier = options.fabric == "panels" ? FabricKind::Panels : FabricKind::Threads;
     fabric.structural = styleCalled(options.structural);
     fabric.shear = styleCalled(options.shear);
     fabric.bend = styleCalled(options.bend);
@@ -344,6 +346,13 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
         ->check(numberBetween(1e-6, 1e9));
     command.add_option("--bending", options.bending, "Bending stiffness, N m")
         ->check(numberBetween(0.0, 1e6));
+    command
+        .add_option("--fabric", options.fabric,
+                    "What carries the pull: threads are links along edges and across, panels are "
+                    "elastic triangles with warp, weft and shear")
+        ->check(CLI::IsMember({"threads", "panels"}))
+        ->capture_default_str()
+        ->type_name("threads|panels");
     const auto style = [&](const char* name, std::string& value, const char* help) {
         command.add_option(name, value, help)
             ->check(CLI::IsMember({"none", "springs", "rods"}))

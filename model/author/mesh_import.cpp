@@ -253,6 +253,8 @@ Weave defaultWeave(const PreparedMesh& mesh, const Material& material)
 Weave weaveOf(const PreparedMesh& mesh, const MeshFabric& fabric)
 {
     Weave weave = defaultWeave(mesh, fabric.material);
+    if (fabric.carrier == FabricKind::Panels)
+        weave = {LinkStyle::None, LinkStyle::None, LinkStyle::None};
     weave.structural = fabric.structural.value_or(weave.structural);
     weave.shear = fabric.shear.value_or(weave.shear);
     weave.bend = fabric.bend.value_or(weave.bend);
@@ -302,6 +304,8 @@ Result<MeshImport> fabricOf(const PreparedMesh& mesh, const MeshFabric& fabric,
         if (!weaveInto(network, surface, weave, materials, *density,
                        stageOf(progress, double(i) / count, double(i + 1) / count)))
             return Failure{"The import was cancelled."};
+        if (fabric.carrier == FabricKind::Panels)
+            network.carryByPanels();
         const Part& part = network.part();
         result.particles += part.particles.size();
         result.panels += part.panels.size();

@@ -57,6 +57,7 @@ struct MeshFabric
     Id existing{};                       // noId for the new one
     Material material;                   // as it is in the scene, or is to be
     std::optional<double> density;       // kg/m^2, where the material does not say
+    FabricKind carrier = FabricKind::Threads;
     bool isPerFileMaterial = false;      // one new material for each of the file, with its name and
                                          // colour and the numbers of `material`
     double bendStiffness = 0.0;          // N/m, of bend links; 0: 0.02 of the fabric's stiffness
@@ -70,7 +71,8 @@ Material materialFrom(const Preset& preset);
 
 // Rods along edges, which no stiffness makes unstable, and shear links where there are quads:
 // triangles resist shear as they are. Without a shear stiffness these are springs, so that they
-// give. No bend links: a material has a bending stiffness for that.
+// give. No bend links: a material has a bending stiffness for that. No links at all where panels carry
+// the pull.
 Weave defaultWeave(const PreparedMesh& mesh, const Material& material);
 Weave weaveOf(const PreparedMesh& mesh, const MeshFabric& fabric); // what is chosen, and the rest
 

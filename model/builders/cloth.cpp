@@ -29,6 +29,7 @@ constexpr Parameter parameters[]{
     {"density",   "kg/m^2", 0.25, 0.005, 10, false, "Mass of the fabric per area; 0.25 is a knit, 0.045 a kite fabric.", "Fabric"},
     {"stiffness", "N/m",    100,  0, 1e6,  false, "Of structural springs: the tension of the fabric per strain; light knits have 25 to 130."},
     {"membrane",  "N/m",    0,    0, 1e7,  false, "Membrane stiffness E t of the fabric along its threads; above 0 it replaces the stiffness, and the sheet stretches alike at every resolution."},
+    {"panels",    "",       0,    0, 1,    true,  "1 has panels carry the fabric's pull instead of springs: with warp, weft, shear and wrinkles, and the same on every mesh."},
     {"shear",     "",       0.3,  0, 2,    false, "Stiffness of shear springs over that of structural ones; of the membrane, shear stiffness over membrane stiffness."},
     {"bend",      "",       0.02, 0, 2,    false, "Stiffness of bend springs over that of structural ones."},
     {"bending",   "N m",    0,    0, 10,   false, "Bending stiffness of the fabric, its moment per width and curvature; garments have 1e-5 to 1e-4."},
@@ -71,11 +72,15 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     material.damping = p.at("damping");
     material.tearRule = p.at("tear") > 0.0 ? TearRule::Strain : TearRule::Never;
     material.tearLimit = p.at("tear") > 0.0 ? p.at("tear") : material.tearLimit;
-    if (p.at("membrane") > 0.0) {
-        material.membraneStiffness = p.at("membrane");
+    const bool byPanels = p.at("panels") > 0.0;
+    const double membrane = p.at("membrane") > 0.0 || !byPanels ? p.at("membrane") : p.at("stiffness");
+    if (membrane > 0.0) {
+        material.membraneStiffness = membrane;
         if (p.at("shear") > 0.0)
-            material.shearStiffness = p.at("shear") * p.at("membrane");
+            material.shearStiffness = p.at("shear") * membrane;
     }
+    if (byPanels && membrane > 0.0)
+        material.dampingTime = p.at("damping") / membrane;
     material.arealDensity = p.at("density");
     material.bendingStiffness = p.at("bending");
     const auto add = [&](const char* name, const char* color, double share) {
@@ -87,6 +92,8 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     };
     Materials materials{};
     materials.cloth = add("cloth", "#3d7ea6", 1.0);
+    if (byPanels)
+        return materials;
     materials.structural = add("structural", "#2c5d7c", 1.0);
     materials.shear = add("shear", "#5c96b8", p.at("shear"));
     materials.bend = add("bend", "#a8c5d6", p.at("bend"));
@@ -165,7 +172,7 @@ public:
                               {1, 1, materials.shear},      {1, -1, materials.shear},
                               {0, 2, materials.bend},       {2, 0, materials.bend}};
         for (const Reach& reach : reaches)
-            for (int row = 0; row <= m_rows; ++row)
+            for (int row = 0; row <= m_rows && reach.material != noId; ++row)
                 for (int column = 0; column <= m_columns; ++column)
                     if (joins(row, column, row + reach.rows, column + reach.columns)) {
                         network.spring(at(row, column),
@@ -299,6 +306,8 @@ Result<Scene> buildCloth(const Parameters& p)
     const Sheet sheet(network, p);
     sheet.weave(network, materials);
     network.addFabricMass(p.at("density"));
+    if (p.at("panels") > 0.0)
+        network.carryByPanels();
 
     std::vector<Id> held;
     if (hang == byCorners)

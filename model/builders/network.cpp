@@ -4,6 +4,8 @@
 // from these numbers alone.
 #include "builders/network.h"
 
+#include "scene/flat_panel.h"
+
 #include <Eigen/Geometry>
 
 #include <utility>
@@ -105,6 +107,13 @@ void Network::addFabricMass(double density)
         for (const Id corner : {panel.a, panel.b, panel.c})
             row(corner).mass += share;
     }
+}
+
+void Network::carryByPanels()
+{
+    m_part.fabric = FabricKind::Panels;
+    for (Panel& panel : m_part.panels)
+        layFlat(panel, row(panel.a), row(panel.b), row(panel.c));
 }
 
 void Network::shareMass(Id apart)

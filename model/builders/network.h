@@ -41,6 +41,9 @@ public:
     // Gives each corner of the panel its third of the fabric's mass; density in kg/m^2.
     void addFabricMass(double density);
 
+    // Has the panels so far carry the pull of the fabric, cut as they lie.
+    void carryByPanels();
+
     // Gives all particles so far an equal share of what they weigh together, but for `apart`, which
     // keeps its mass.
     void shareMass(Id apart = noId);

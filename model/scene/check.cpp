@@ -164,6 +164,15 @@ private:
                             named(Kind::Panel, row.id), part.name),
                     row.id);
         }
+        const auto threads = std::ranges::count_if(part.links, [](const Link& link) {
+            return link.role != LinkRole::Line && link.width > 0.0;
+        });
+        if (threads > 0)
+            add("both", Severity::Warning,
+                Message("%1 has panels that carry the pull of its fabric and %2 threads that carry "
+                        "it as well: remove the threads, or have threads carry it.",
+                        part.name, std::size_t(threads)),
+                id);
         for (const Id used : materials) {
             const auto* material = findItem<Material>(m_scene, used);
             if (!material || !material->membraneStiffness) {

@@ -49,4 +49,21 @@ void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     panel.grain = lies ? std::atan2(y, x) / degree : 0.0;
 }
 
+void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c)
+{
+    const Vec3 ab = b.position - a.position;
+    const Vec3 ac = c.position - a.position;
+    const double ub = b.textureU - a.textureU, uc = c.textureU - a.textureU;
+    const double vb = b.textureV - a.textureV, vc = c.textureV - a.textureV;
+    const double turn = ub * vc - uc * vb;
+    const double largest = std::max({std::abs(ub), std::abs(uc), std::abs(vb), std::abs(vc)});
+    const bool isPrinted = std::abs(turn) > thinnest * largest * largest && largest > 0.0;
+    const Vec3 across = ab.cross(ac);
+    const bool isLevel = std::hypot(across.x(), across.z()) < 1e-3 * across.norm();
+    const Vec3 warp = isPrinted ? Vec3((ub * ac - uc * ab) / turn)
+                      : isLevel ? Vec3(Vec3::UnitX())
+                                : Vec3(Vec3::UnitY());
+    layFlat(panel, a.position, b.position, c.position, warp);
+}
+
 } // namespace ripstop

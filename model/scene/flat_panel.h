@@ -30,4 +30,8 @@ std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3
 // the panel; a warp across it leaves the grain at 0.
 void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp);
 
+// The same, with the warp in the direction in which the picture that is printed on the fabric goes
+// up; where it has none, upright (y), and on what lies level along x.
+void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c);
+
 } // namespace ripstop

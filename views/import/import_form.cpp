@@ -160,6 +160,17 @@ void ImportForm::addFabricRows(QFormLayout& form)
     form.addRow(QString(), m_perMaterial);
     addRow(form, tr("Mass per area"), m_density,
            tr("Each triangle gives a third of its mass to each of its corners."));
+    m_carrier = new QComboBox;
+    m_carrier->setObjectName(QStringLiteral("carrier"));
+    m_carrier->addItems({tr("Threads"), tr("Panels")});
+    addRow(form, tr("Pull carried by"), m_carrier,
+           tr("Threads are links along edges and across faces; they tear. Panels are elastic "
+              "triangles with warp, weft and shear: they wrinkle as cloth does, and the mesh makes "
+              "no difference."));
+    connect(m_carrier, &QComboBox::currentIndexChanged, this, [this] {
+        m_ownStyle = {};
+        emit changed();
+    });
     const char* const names[]{"structural", "shear", "bend"};
     const QString labels[]{tr("Along edges"), tr("Across faces"), tr("Over two edges")};
     const QString help[]{
@@ -267,6 +278,7 @@ MeshFabric ImportForm::fabric() const
     fabric.density = 1e-3 * m_density->value();
     if (choice.existing == noId)
         fabric.material.arealDensity = fabric.density;
+    fabric.carrier = FabricKind(m_carrier->currentIndex());
     fabric.isPerFileMaterial = mayColor() && m_perMaterial->isChecked();
     std::optional<LinkStyle>* const styles[]{&fabric.structural, &fabric.shear, &fabric.bend};
     for (std::size_t i = 0; i < m_styles.size(); ++i)
