@@ -10,13 +10,6 @@
 namespace ripstop {
 namespace {
 
-Mat3 stiffnessOf(const ClothLaw& law)
-{
-    Mat3 stiffness;
-    stiffness << law.warp, law.coupling, 0.0, law.coupling, law.weft, 0.0, 0.0, 0.0, law.shear;
-    return stiffness;
-}
-
 bool pushesNowhere(const Vec3& tension)
 {
     return tension[0] >= 0.0 && tension[1] >= 0.0
@@ -183,6 +176,13 @@ ClothLaw ClothLaw::of(double warp, double weft, double poisson, double shear)
     law.coupling = poisson * weft * share;
     law.shear = shear;
     return law;
+}
+
+Mat3 stiffnessOf(const ClothLaw& law)
+{
+    Mat3 stiffness;
+    stiffness << law.warp, law.coupling, 0.0, law.coupling, law.weft, 0.0, 0.0, 0.0, law.shear;
+    return stiffness;
 }
 
 ClothTension tensionOf(const ClothLaw& law, const Vec3& strain)

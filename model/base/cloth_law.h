@@ -64,6 +64,9 @@ struct ClothTension
 // The law at a strain; `strain` as above: e1, e2 and g.
 ClothTension tensionOf(const ClothLaw& law, const Vec3& strain);
 
+// Of a taut cloth: the derivative of its tension by the strain, N/m.
+Mat3 stiffnessOf(const ClothLaw& law);
+
 // The strain that threads have where the tension is this one; what wrinkles take up is not in it.
 Vec3 strainOf(const ClothLaw& law, const Vec3& tension);
 

@@ -70,6 +70,18 @@ const ClothLaw& lawOf(const System& system, const Membrane& membrane)
     return system.cloth[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
 }
 
+// What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
+// cloth that folds switches between the two from one iteration to the next, and with nothing to
+// resist that it goes too far each time.
+constexpr double kept = 1e-3;
+
+Mat3 tangentOf(const ClothLaw& law, const ClothTension& now)
+{
+    if (now.state == ClothState::Taut)
+        return now.stiffness;
+    return (1.0 - kept) * now.stiffness + kept * stiffnessOf(law);
+}
+
 // The strain of the threads; wrinkles take none of it.
 Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
 {
@@ -152,7 +164,6 @@ void ElasticPanels::start(const System& system, std::span<const std::uint8_t> go
         panel.gone = gone[std::size_t(membrane.panel)] != 0;
         const Corners corners = cornersOf(system, membrane, past.before);
         const Vec3 last = strainAt(membrane, corners);
-        panel.tension = panel.before = tensionOf(law, last).tension;
         panel.offset.setZero();
         panel.weight = past.reach * past.reach * membrane.area;
         if (law.dampingTime == 0.0)
@@ -168,7 +179,6 @@ void ElasticPanels::start(const System& system, std::span<const std::uint8_t> go
         const double share = law.dampingTime / (law.dampingTime + past.reach);
         panel.offset = share * pulling;
         panel.weight /= 1.0 - share;
-        panel.tension *= 1.0 - share;
     }
 }
 
@@ -200,14 +210,15 @@ double ElasticPanels::energy() const { return energyOfPulls(); }
 PanelBlock ElasticPanels::block(const System& system, const ElasticPanel& panel) const
 {
     const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-    const Vec3 pulling = pullingPart(panel.tension);
+    const Vec3 pulling = pullingPart(panel.law.tension);
     std::array<Mat3, 3> perMove, pullPerMove;
     std::array<std::array<double, 2>, 3> g;
     PanelBlock block;
+    const Mat3 tangent = tangentOf(lawOf(system, membrane), panel.law);
     for (std::size_t k = 0; k < 3; ++k) {
         g[k] = gradient(membrane, int(k));
         perMove[k] = strainPerMove(panel.axes, g[k]);
-        pullPerMove[k] = panel.weight * (panel.law.stiffness * perMove[k]);
+        pullPerMove[k] = panel.weight * (tangent * perMove[k]);
         block.pull[k] = -panel.weight * (perMove[k].transpose() * panel.law.tension);
     }
     const auto across = [&](std::size_t i, std::size_t j) {
@@ -236,7 +247,7 @@ void ElasticPanels::foresee(const System& system, std::span<const Row> move)
         for (std::size_t k = 0; k < 3; ++k)
             change += strainPerMove(panel.axes, gradient(membrane, int(k)))
                       * at(move[panel.row[k]]);
-        panel.tension = panel.law.tension + panel.law.stiffness * change;
+        panel.tension = panel.law.tension + tangentOf(lawOf(system, membrane), panel.law) * change;
     }
 }
 

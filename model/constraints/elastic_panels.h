@@ -3,10 +3,8 @@
 //
 // A panel adds h^2 A w(e) to the sum that is minimised, w being the energy per area at Green's
 // strain e. Its block of the matrix is that of Newton's method: B^T C B for the law, and the tension
-// across the way of each corner, g_i . s g_j. As with rods the tension in the latter is the one that
-// the linear system gave before, at first that of the start of the substep: taken from the stretch
-// of the guess it would freeze all swinging. Tension that pushes counts as 0 there, which keeps the
-// matrix positive.
+// across the way of each corner, g_i . s g_j. Tension that pushes counts as 0 in the latter, and
+// what is wrinkled or slack keeps a thousandth of its taut stiffness: the matrix stays positive.
 //
 // Damping is Kelvin and Voigt's, as of rods (rod_damping.h): the strain that the threads had, e_b,
 // is looked back to, and the law is that of e - r e_b, stiffer by 1 / (1 - r).
@@ -37,7 +35,6 @@ struct ElasticPanel
     ClothTension law;                  // where the corners are now, without what damping adds
     Vec3 tension = Vec3::Zero();       // N/m, that the linear system gave
     Vec3 before = Vec3::Zero();        // N/m, of the iteration before
-    bool acts = false;                 // takes part in this iteration
 };
 
 // What a panel adds to the matrix and to the right-hand side.
@@ -61,8 +58,7 @@ public:
     bool empty() const { return m_panels.empty(); }
     std::span<const ElasticPanel> panels() const { return m_panels; }
 
-    // Before a substep: which panels are left, what damping looks back to, and the tension at its
-    // start.
+    // Before a substep: which panels are left, and what damping looks back to.
     void start(const System& system, std::span<const std::uint8_t> gone, const RodPast& past);
 
     // Twice the energy of their pulls at the start, kg m^2.

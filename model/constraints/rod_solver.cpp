@@ -34,6 +34,7 @@ double allowed(Resists resists, double multiplier)
 // load of 65 000 times the mass of its line flew off. A sheet in the wind folds at every cell and
 // may need twenty.
 constexpr int enoughIterations = 30;
+constexpr int enoughForPanels = 40; // which wrinkle as well
 
 } // namespace
 
@@ -77,7 +78,9 @@ void RodSolver::projectDirect(const RodTask& task, int iterations)
     for (const int rod : m_direct.rods())
         m_multiplier[std::size_t(rod)] = m_tension[std::size_t(rod)] * (task.h * task.h);
     m_direct.start(task, m_multiplier);
-    m_direct.project(task, m_multiplier, iterations, task.tolerance);
+    const int most = task.system.membranes.empty() ? iterations
+                                                   : std::max(iterations, enoughForPanels);
+    m_direct.project(task, m_multiplier, most, task.tolerance);
     for (const int rod : m_direct.rods())
         m_tension[std::size_t(rod)] = m_multiplier[std::size_t(rod)] / (task.h * task.h);
 }
