@@ -28,6 +28,8 @@
 namespace ripstop {
 namespace {
 
+constexpr double stiffest = 1e10; // N/m, of panels; steel of 50 mm
+
 // The thing as the subject of a sentence: "Particle 17".
 Message named(Kind kind, Id id)
 {
@@ -185,6 +187,12 @@ private:
             }
             const double warp = *material->membraneStiffness;
             const double weft = material->weftStiffness.value_or(warp);
+            if (std::max({warp, weft, material->shearStiffness.value_or(0.0)}) > stiffest)
+                add("stiffest", Severity::Error,
+                    Message("Material %1 has panels stiffer than %2 N/m, which no step can solve "
+                            "and no fabric is: check the unit.",
+                            material->name, Message::number("%.0e", stiffest)),
+                    used);
             if (!(material->poissonRatio * material->poissonRatio * weft < 0.98 * warp))
                 add("poisson", Severity::Error,
                     Message("Material %1 would get energy out of being strained: its Poisson's "
