@@ -156,7 +156,9 @@ Json report(const Simulation& simulation, double wallSeconds)
     result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
     result["hash"] = hashText(stateHash(state));
     result["torn"] = tornLinks(*frame);
-    result["max_strain"] = largest == frame->strain.end() ? 0.0 : *largest;
+    result["max_strain"] =
+        std::max(largest == frame->strain.end() ? 0.0 : double(*largest),
+                 largestPanelStrain(simulation.system(), simulation.state()));
     result["accuracy"] = accuracyOf(frame->accuracy);
     result["energy"] = energy.total();
     result["energies"] = {

@@ -3,6 +3,7 @@
 // first corner being minus the sum of the others.
 #include "constraints/elastic_panels.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
@@ -108,6 +109,17 @@ ClothTension tensionIn(const System& system, const Membrane& membrane, const Cor
 {
     const ClothLaw& law = lawOf(system, membrane);
     return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
+}
+
+double largestStrain(const System& system, const Membrane& membrane, const Corners& corners)
+{
+    const ClothLaw& law = lawOf(system, membrane);
+    if (!law.isElastic())
+        return 0.0;
+    const Vec3 strain = pullingStrain(law, strainAt(membrane, corners));
+    const double mean = 0.5 * (strain[0] + strain[1]);
+    const double half = 0.5 * (strain[0] - strain[1]);
+    return std::max(mean + std::sqrt(half * half + 0.25 * strain[2] * strain[2]), 0.0);
 }
 
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,

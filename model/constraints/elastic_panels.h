@@ -101,6 +101,9 @@ Corners cornersOf(const System& system, const Membrane& membrane, const Position
 // What a panel carries with its corners at these places; without what damping adds.
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners);
 
+// The largest strain of the threads of a panel, 1; 0 where it is slack.
+double largestStrain(const System& system, const Membrane& membrane, const Corners& corners);
+
 // J, what the damping of a panel takes as it goes from one place to another within h, s.
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,
               const Corners& to, double h);

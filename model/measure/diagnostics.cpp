@@ -200,6 +200,31 @@ std::vector<double> tensions(const System& system, const State& state)
     return tension;
 }
 
+double largestPanelStrain(const System& system, const State& state)
+{
+    double most = 0.0;
+    for (const Membrane& membrane : system.membranes)
+        if (!state.panelGone[std::size_t(membrane.panel)])
+            most = std::max(most, largestStrain(system, membrane,
+                                                cornersOf(system, membrane, state.position)));
+    return most;
+}
+
+double largestPanelStrain(const System& system, const State& state, std::span<const int> panels)
+{
+    double most = 0.0;
+    for (const int panel : panels) {
+        const auto found =
+            std::ranges::lower_bound(system.membranes, panel, {}, &Membrane::panel);
+        if (found == system.membranes.end() || found->panel != panel
+            || state.panelGone[std::size_t(panel)])
+            continue;
+        most = std::max(most,
+                        largestStrain(system, *found, cornersOf(system, *found, state.position)));
+    }
+    return most;
+}
+
 std::vector<Vec3> panelLoads(const System& system, const State& state)
 {
     std::vector<PaddedVec3> load(system.panels.size());

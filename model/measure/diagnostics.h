@@ -36,6 +36,11 @@ double fabricArea(const System& system, const State& state); // m^2, without wha
 std::vector<double> strains(const System& system, const State& state);  // 1
 std::vector<double> tensions(const System& system, const State& state); // N, compression negative
 
+// Largest strain of the threads of panels that carry a pull, 1; of those with these indices,
+// ascending, or of all.
+double largestPanelStrain(const System& system, const State& state);
+double largestPanelStrain(const System& system, const State& state, std::span<const int> panels);
+
 // Air load of each panel, N, 0 where gone.
 std::vector<Vec3> panelLoads(const System& system, const State& state);
 

@@ -7,6 +7,7 @@
 #include "measure/probe.h"
 
 #include "measure/attitude.h"
+#include "measure/diagnostics.h"
 #include "measure/motion.h"
 #include "measure/wing_forces.h"
 
@@ -137,8 +138,14 @@ double Readings::value(const ProbeSpec& probe)
     case Quantity::MaxTension:
         return ofLinks(probe, tension());
     case Quantity::Strain:
-    case Quantity::MaxStrain:
         return ofLinks(probe, strain());
+    case Quantity::MaxStrain: {
+        const double links = ofLinks(probe, strain());
+        if (system.membranes.empty() || probe.panels.empty())
+            return links;
+        const double panels = largestPanelStrain(system, state, probe.panels);
+        return links > panels ? links : panels; // links may be none, which is no number
+    }
     case Quantity::Distance:
         return line().norm();
     case Quantity::Elevation: {

@@ -8,7 +8,12 @@ Message RunAccuracy::complaint() const
         return {};
     const auto percent = [](double share) { return Message::number("%.3g", 100.0 * share); };
     const Message where =
-        Message("%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a "
+        worstLink == 0
+            ? Message("%1 % of the steps missed the wanted accuracy, worst at %2 s in elastic "
+                      "panels by a factor of %3",
+                      percent(missedShare()), Message::number("%.3g", worstTime),
+                      Message::number("%.3g", worst))
+            : Message("%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a "
                 "factor of %4",
                 percent(missedShare()), Message::number("%.3g", worstTime), worstLink,
                 Message::number("%.3g", worst));

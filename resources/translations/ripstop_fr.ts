@@ -350,6 +350,11 @@
     </message>
     <message>
         <location filename="check.cpp"/>
+        <source>%1 has panels that carry the pull of its fabric and %2 threads that carry it as well: remove the threads, or have threads carry it.</source>
+        <translation>%1 a des panneaux qui portent la traction de son tissu et %2 fils qui la portent aussi : supprimez les fils, ou faites-la porter par les fils.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
         <source>%1 needs three different particles as its corners; remove it.</source>
         <translation>%1 : il faut trois particules différentes à ses coins ; le supprimer.</translation>
     </message>
@@ -357,6 +362,11 @@
         <location filename="check.cpp"/>
         <source>%1 needs two different particles as its ends; remove it.</source>
         <translation>%1 : il faut deux particules différentes à ses bouts ; la supprimer.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>%1 of %2 has no area at rest, and its part has panels carry the pull: change its rest lengths, or remove it.</source>
+        <translation>%1 de %2 n’a pas d’aire au repos, et sa pièce fait porter la traction par les panneaux : changez ses longueurs à vide, ou supprimez-le.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -402,6 +412,21 @@
         <location filename="check.cpp"/>
         <source>Control %1 shifts weights, and a collider has none: make it move, or remove the collider from its targets.</source>
         <translation>La commande %1 déporte des poids, et un obstacle n’en a pas : la faire déplacer, ou retirer l’obstacle de ses cibles.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Material %1 has panels stiffer than %2 N/m, which no step can solve and no fabric is: check the unit.</source>
+        <translation>La matière %1 a des panneaux plus raides que %2 N/m, ce qu’aucun pas ne peut résoudre et qu’aucun tissu n’est : vérifiez l’unité.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Material %1 would get energy out of being strained: its Poisson's ratio must be below %2, the root of warp over weft stiffness.</source>
+        <translation>La matière %1 gagnerait de l’énergie à être déformée : son coefficient de Poisson doit être sous %2, la racine du rapport des raideurs de chaîne et de trame.</translation>
+    </message>
+    <message>
+        <location filename="check.cpp"/>
+        <source>Panels of %1 are to carry its pull, and %2 has no membrane stiffness: they carry nothing.</source>
+        <translation>Les panneaux de %1 doivent porter sa traction, et %2 n’a pas de raideur de membrane : ils ne portent rien.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -3030,6 +3055,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
+        <source>Pull carried by</source>
+        <translation>Traction portée par</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
         <source>Scale to a size</source>
         <translation>Mettre à une taille</translation>
     </message>
@@ -3052,6 +3082,16 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="import_form.cpp"/>
         <source>The mesh is scaled until the longest side of the box around it is this long.</source>
         <translation>Le maillage est mis à l’échelle jusqu’à ce que le plus grand côté de sa boîte ait cette longueur.</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Threads</source>
+        <translation>Fils</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
+        <source>Threads are links along edges and across faces; they tear. Panels are elastic triangles with warp, weft and shear: they wrinkle as cloth does, and the mesh makes no difference.</source>
+        <translation>Les fils sont des liaisons le long des arêtes et en travers des faces ; ils se déchirent. Les panneaux sont des triangles élastiques avec chaîne, trame et cisaillement : ils plissent comme le tissu, et le maillage n’y change rien.</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
@@ -5488,6 +5528,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="run_accuracy.cpp"/>
+        <source>%1 % of the steps missed the wanted accuracy, worst at %2 s in elastic panels by a factor of %3</source>
+        <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans des panneaux élastiques, d’un facteur %3</translation>
+    </message>
+    <message>
+        <location filename="run_accuracy.cpp"/>
         <source>%1 % of the steps missed the wanted accuracy, worst at %2 s in link %3 by a factor of %4</source>
         <translation>%1 % des pas ont manqué la précision voulue, au pire à %2 s dans la liaison %3, d’un facteur %4</translation>
     </message>
@@ -6428,6 +6473,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
+        <source>%1 panels carry the pull of the fabric and are solved together with all rods; %2</source>
+        <translation>%1 panneaux portent la traction du tissu et sont résolus ensemble avec toutes les tiges ; %2</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved directly, since their load is far heavier than what holds it; %2</source>
         <translation>%1 tiges sont résolues directement, car leur charge est bien plus lourde que ce qui la tient ; %2</translation>
     </message>
@@ -6903,6 +6953,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>1 has panels carry the fabric's pull instead of springs: with warp, weft, shear and wrinkles, and the same on every mesh.</source>
+        <translation>1 fait porter la traction du tissu par les panneaux au lieu de ressorts : avec chaîne, trame, cisaillement et plis, et de même sur tout maillage.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>1 holds one end so that the rod swings, 0 lets it fall to the ground.</source>
         <translation>1 tient un bout et la tige balance, 0 la laisse tomber au sol.</translation>
     </message>
@@ -7320,6 +7375,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Angle at which a section of a wing with the vortex law meets the air when it has lost half of its circulation; 15 for a wing, 10 to 12 for a thin sail.</source>
         <translation>Angle auquel un profil d’une aile à loi tourbillonnaire rencontre l’air quand il a perdu la moitié de sa circulation ; 15 pour une aile, 10 à 12 pour une voile mince.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle from the side ab, towards c, at which the warp of the cloth runs, where panels carry the pull of the fabric.</source>
+        <translation>Angle, depuis le côté ab vers c, que suit la chaîne du tissu, là où les panneaux portent la traction du tissu.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8083,8 +8143,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>E t of a fabric along its threads, its tension per width and strain: links with the role thread get theirs from it and from their width; empty leaves it to stiffness and compliance.</source>
-        <translation>E t d’un tissu le long de ses fils, sa tension par largeur et par déformation : les liaisons de rôle fil en tirent la leur, selon leur largeur ; vide, raideur et souplesse comptent.</translation>
+        <source>E t of a fabric across its warp, where panels carry its pull; empty takes the membrane stiffness.</source>
+        <translation>E t d’un tissu en travers de sa chaîne, là où les panneaux portent sa traction ; vide prend la raideur de membrane.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>E t of a fabric along its threads, its tension per width and strain: links with the role thread get theirs from it and from their width, and so do elastic panels along their warp; empty leaves it to stiffness and compliance.</source>
+        <translation>E t d’un tissu le long de ses fils, sa tension par largeur et déformation : les liaisons au rôle de fil tirent la leur de lui et de leur largeur, et les panneaux élastiques aussi le long de leur chaîne ; vide laisse faire la raideur et la souplesse.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8120,6 +8185,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Elastic energy</source>
         <translation>Énergie élastique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Elastic panels</source>
+        <translation>Panneaux élastiques</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Elastic sheet</source>
+        <translation>Feuille élastique</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8185,6 +8260,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Fabric at tears</source>
         <translation>Tissu aux déchirures</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fabric pulls by</source>
+        <translation>Traction portée par</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8448,8 +8528,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>G t of a fabric, its shear force per width and angle: links with the role bias get theirs from it; empty leaves it to stiffness and compliance.</source>
-        <translation>G t d’un tissu, sa force de cisaillement par largeur et par angle : les liaisons de rôle biais en tirent la leur ; vide, raideur et souplesse comptent.</translation>
+        <source>G t of a fabric, its shear force per width and angle: links with the role bias and elastic panels get theirs from it; empty leaves links to stiffness and compliance, and gives panels that of a sheet without threads.</source>
+        <translation>G t d’un tissu, sa force de cisaillement par largeur et angle : les liaisons au rôle de biais et les panneaux élastiques tirent la leur de lui ; vide laisse les liaisons à la raideur et à la souplesse, et donne aux panneaux celle d’une feuille sans fils.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8495,6 +8575,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Gores, and suspension lines.</source>
         <translation>Fuseaux, et suspentes.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Grain</source>
+        <translation>Droit-fil</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8918,6 +9003,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Kite cloth of E t = 40 kN/m, G t = 1.2 kN/m: its panels carry the pull, with warp, weft and shear, and wrinkle instead of pushing.</source>
+        <translation>Toile de cerf-volant de E t = 40 kN/m, G t = 1,2 kN/m : ses panneaux portent la traction, avec chaîne, trame et cisaillement, et plissent au lieu de pousser.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Kite in gusts</source>
         <translation>Cerf-volant dans les rafales</translation>
     </message>
@@ -9010,6 +9100,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Length of the keel from the nose to the trailing edge.</source>
         <translation>Longueur de la quille du nez au bord de fuite.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of the side from a to b without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.</source>
+        <translation>Longueur du côté de a à b sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of the side from b to c without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.</source>
+        <translation>Longueur du côté de b à c sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Length of the side from c to a without load, where panels carry the pull of the fabric; 0 takes the distance of its corners in the scene.</source>
+        <translation>Longueur du côté de c à a sans charge, là où les panneaux portent la traction du tissu ; 0 prend la distance de ses coins dans la scène.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9773,6 +9878,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Panels push as a board does instead of wrinkling, where they carry the pull of the fabric.</source>
+        <translation>Les panneaux poussent comme une planche au lieu de plisser, là où ils portent la traction du tissu.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Panels with normals and texture points, and lines. Blender and most others.</source>
         <translation>Panneaux avec normales et points de texture, et lignes. Blender et la plupart des autres.</translation>
     </message>
@@ -9935,6 +10045,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Points along each side.</source>
         <translation>Points le long de chaque côté.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Poisson's ratio</source>
+        <translation>Coefficient de Poisson</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10148,6 +10263,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Resists pushing</source>
+        <translation>Résiste à la poussée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Response</source>
         <translation>Réponse</translation>
     </message>
@@ -10155,6 +10275,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Rest length</source>
         <translation>Longueur au repos</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rest length ab</source>
+        <translation>Longueur à vide ab</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rest length bc</source>
+        <translation>Longueur à vide bc</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Rest length ca</source>
+        <translation>Longueur à vide ca</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10658,6 +10793,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Strain by which a fabric that is pulled along its warp gets narrower over the strain along it, where panels carry its pull; 0.1 to 0.2 for tight coated cloth.</source>
+        <translation>Déformation dont un tissu tiré le long de sa chaîne rétrécit, sur la déformation le long d’elle, là où les panneaux portent sa traction ; 0,1 à 0,2 pour un tissu enduit serré.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Stretch of a rod per newton, 0 never stretches; empty takes the material's.</source>
         <translation>Allongement d’une tige par newton, 0 ne s’allonge jamais ; vide, celui du matériau.</translation>
     </message>
@@ -10933,11 +11073,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Threads</source>
-        <translation>Fils</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Through all in a line, on to the first again, or every one with every other.</source>
         <translation>Par toutes en ligne, puis de retour à la première, ou chacune avec chacune.</translation>
     </message>
@@ -11128,6 +11263,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Weft stiffness</source>
+        <translation>Raideur de trame</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Weight shift</source>
         <translation>Déport de poids</translation>
     </message>
@@ -11145,6 +11285,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What breaks a link: its length (m), its strain, the force in it (N), or nothing.</source>
         <translation>Ce qui rompt une liaison : sa longueur (m), sa déformation, la force en elle (N), ou rien.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What carries the pull of the fabric: threads are links, panels are elastic triangles with warp, weft and shear, which wrinkle instead of pushing and give the same answer on every mesh; links that are there carry as well.</source>
+        <translation>Ce qui porte la traction du tissu : les fils sont des liaisons, les panneaux des triangles élastiques avec chaîne, trame et cisaillement, qui plissent au lieu de pousser et donnent la même réponse sur tout maillage ; les liaisons présentes portent aussi.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11498,6 +11643,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>it has no membrane stiffness</source>
+        <translation>il n’a pas de raideur de membrane</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>its axial, membrane or shear stiffness counts instead</source>
         <translation>sa rigidité axiale, de membrane ou de cisaillement compte à la place</translation>
     </message>
@@ -11505,6 +11655,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>its links are all rods, which take the compliance</source>
         <translation>ses liaisons sont toutes des tiges, qui prennent la souplesse</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>its links are all springs, which have a damping of their own</source>
+        <translation>ses liaisons sont toutes des ressorts, qui ont leur propre amortissement</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11548,13 +11703,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>no link of it is a bias with a width</source>
-        <translation>aucune liaison n’y est un biais avec une largeur</translation>
+        <source>no link of it is a bias with a width, and no panel of it is elastic</source>
+        <translation>aucune de ses liaisons n’est un biais avec une largeur, et aucun de ses panneaux n’est élastique</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>no link of it is a thread with a width</source>
-        <translation>aucune liaison n’y est un fil avec une largeur</translation>
+        <source>no link of it is a thread with a width, and no panel of it is elastic</source>
+        <translation>aucune de ses liaisons n’est un fil avec une largeur, et aucun de ses panneaux n’est élastique</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11565,6 +11720,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>no panel is made of it</source>
         <translation>aucun panneau n’en est fait</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no panel of it carries the pull of a fabric</source>
+        <translation>aucun de ses panneaux ne porte la traction d’un tissu</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no part has a fabric that panels carry</source>
+        <translation>aucune pièce n’a de tissu porté par des panneaux</translation>
     </message>
     <message>
         <location filename="tables"/>
