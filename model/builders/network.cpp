@@ -111,7 +111,7 @@ void Network::addFabricMass(double density)
 
 void Network::carryByPanels()
 {
-    m_part.fabric = FabricKind::Panels;
+    m_part.carrier = FabricKind::Panels;
     for (Panel& panel : m_part.panels)
         layFlat(panel, row(panel.a), row(panel.b), row(panel.c));
 }

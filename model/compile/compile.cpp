@@ -124,7 +124,7 @@ void addPanels(const Scene& scene, const ElementIndex& index, System& system)
                 {{index.particle(row.a), index.particle(row.b), index.particle(row.c)},
                  airs(Key(row.material))});
             system.panelKey.push_back(Key(row.id));
-            if (part.fabric == FabricKind::Panels && !system.cloth.empty())
+            if (part.carrier == FabricKind::Panels && !system.cloth.empty())
                 addMembrane(row, system);
         }
     });

@@ -275,7 +275,7 @@ std::vector<ClothLaw> clothsOf(const Scene& scene)
 {
     bool isElastic = false;
     forEachPart(scene, [&](Id, const Part& part) {
-        isElastic |= part.fabric == FabricKind::Panels && !part.panels.empty();
+        isElastic |= part.carrier == FabricKind::Panels && !part.panels.empty();
     });
     if (!isElastic)
         return {};

@@ -117,8 +117,14 @@ private:
     bool iterate(const System& system);
     double scaleOfErrors() const; // sqrt(kg) m
     double energyOfWay(std::size_t node) const;
-    BlockCholesky::Block& diagonal(std::size_t node);
-    BlockCholesky::Block& pair(std::size_t index);
+    BlockCholesky::Block& diagonal(std::size_t node)
+    {
+        return m_iterates ? m_grid.diagonal(node) : m_factor.diagonal(node);
+    }
+    BlockCholesky::Block& pair(std::size_t index)
+    {
+        return m_iterates ? m_grid.pair(index) : m_factor.pair(index);
+    }
     void go(double share, const System& system);
     double merit() const;
     void findIslands();
@@ -158,5 +164,18 @@ private:
     std::vector<Row> m_from;              // [nodes] m, before the iteration
     std::vector<Row> m_move;              // [rows] the right-hand side, then m
 };
+
+// Twice what a node is of the sum that is minimised, kg m^2.
+RIPSTOP_INLINE double DirectSolver::energyOfWay(std::size_t i) const
+{
+    Row way;
+    pack(way.v) = pack(m_position[i].v) - pack(m_guess[i].v);
+    double twice = m_mass[i] * dot(way, way);
+    if (!m_drag.empty()) {
+        const Vec3 w(way.v[0], way.v[1], way.v[2]);
+        twice += w.dot(m_drag[i] * w);
+    }
+    return twice;
+}
 
 } // namespace ripstop

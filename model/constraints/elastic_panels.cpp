@@ -11,36 +11,8 @@ namespace {
 
 constexpr std::array<std::pair<int, int>, 3> sides{{{0, 1}, {1, 2}, {2, 0}}};
 
-using Axes = std::array<Vec3, 2>;
-
-Axes axesOf(const Membrane& membrane, const Vec3& ab, const Vec3& ac)
-{
-    const auto& s = membrane.shape;
-    return {Vec3(s[0] * ab + s[2] * ac), Vec3(s[1] * ab + s[3] * ac)};
-}
-
-Vec3 strainOf(const Axes& axes)
-{
-    return {0.5 * (axes[0].squaredNorm() - 1.0), 0.5 * (axes[1].squaredNorm() - 1.0),
-            axes[0].dot(axes[1])};
-}
-
-// d(warp, weft) of the barycentric coordinate of a corner, 1/m.
-std::array<double, 2> gradient(const Membrane& membrane, int corner)
-{
-    const auto& s = membrane.shape;
-    switch (corner) {
-    case 1:
-        return {s[0], s[1]};
-    case 2:
-        return {s[2], s[3]};
-    default:
-        return {-s[0] - s[2], -s[1] - s[3]};
-    }
-}
-
 // How the strain changes as a corner moves, 1/m: a row for each component.
-Mat3 strainPerMove(const Axes& axes, const std::array<double, 2>& g)
+Mat3 strainPerMove(const ClothAxes& axes, const std::array<double, 2>& g)
 {
     Mat3 rows;
     rows.row(0) = g[0] * axes[0].transpose();
@@ -66,11 +38,6 @@ Vec3 pullingPart(const Vec3& tension)
 
 Vec3 at(const Row& row) { return {row.v[0], row.v[1], row.v[2]}; }
 
-const ClothLaw& lawOf(const System& system, const Membrane& membrane)
-{
-    return system.cloth[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
-}
-
 // What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
 // cloth that folds switches between the two from one iteration to the next, and with nothing to
 // resist that it goes too far each time.
@@ -83,57 +50,7 @@ Mat3 tangentOf(const ClothLaw& law, const ClothTension& now)
     return (1.0 - kept) * now.stiffness + kept * stiffnessOf(law);
 }
 
-// The strain of the threads; wrinkles take none of it.
-Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
-{
-    const ClothTension now = tensionOf(law, strain);
-    switch (now.state) {
-    case ClothState::Taut:
-        return strain;
-    case ClothState::Wrinkled:
-        return strainOf(law, now.tension);
-    case ClothState::Slack:
-        break;
-    }
-    return Vec3::Zero();
-}
-
-Vec3 strainAt(const Membrane& membrane, const Corners& corners)
-{
-    return strainOf(axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]));
-}
-
 } // namespace
-
-ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
-{
-    const ClothLaw& law = lawOf(system, membrane);
-    return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
-}
-
-double largestStrain(const System& system, const Membrane& membrane, const Corners& corners)
-{
-    const ClothLaw& law = lawOf(system, membrane);
-    if (!law.isElastic())
-        return 0.0;
-    const Vec3 strain = pullingStrain(law, strainAt(membrane, corners));
-    const double mean = 0.5 * (strain[0] + strain[1]);
-    const double half = 0.5 * (strain[0] - strain[1]);
-    return std::max(mean + std::sqrt(half * half + 0.25 * strain[2] * strain[2]), 0.0);
-}
-
-double lossIn(const System& system, const Membrane& membrane, const Corners& from,
-              const Corners& to, double h)
-{
-    const ClothLaw& law = lawOf(system, membrane);
-    if (!law.isElastic() || law.dampingTime == 0.0)
-        return 0.0;
-    const Vec3 change = pullingStrain(law, strainAt(membrane, to))
-                        - pullingStrain(law, strainAt(membrane, from));
-    ClothLaw straight = law;
-    straight.pushes = true;
-    return membrane.area * law.dampingTime / h * 2.0 * tensionOf(straight, change).energy;
-}
 
 void ElasticPanels::prepare(const System& system, std::span<const std::uint32_t> row)
 {

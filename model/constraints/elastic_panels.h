@@ -10,10 +10,9 @@
 // is looked back to, and the law is that of e - r e_b, stiffer by 1 / (1 - r).
 #pragma once
 
-#include "base/cloth_law.h"
 #include "constraints/rod_damping.h"
 #include "parallel/simd_pack.h"
-#include "system/system.h"
+#include "system/membrane.h"
 
 #include <array>
 #include <cstdint>
@@ -88,24 +87,5 @@ public:
 private:
     std::vector<ElasticPanel> m_panels;
 };
-
-using Corners = std::array<Vec3, 3>; // m
-
-template <typename Positions> // [particles] m
-Corners cornersOf(const System& system, const Membrane& membrane, const Positions& position)
-{
-    const auto& [a, b, c] = system.panels[std::size_t(membrane.panel)].corner;
-    return {position[std::size_t(a)], position[std::size_t(b)], position[std::size_t(c)]};
-}
-
-// What a panel carries with its corners at these places; without what damping adds.
-ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners);
-
-// The largest strain of the threads of a panel, 1; 0 where it is slack.
-double largestStrain(const System& system, const Membrane& membrane, const Corners& corners);
-
-// J, what the damping of a panel takes as it goes from one place to another within h, s.
-double lossIn(const System& system, const Membrane& membrane, const Corners& from,
-              const Corners& to, double h);
 
 } // namespace ripstop

@@ -8,13 +8,13 @@
 #include "measure/diagnostics.h"
 
 #include "base/bytes.h"
-#include "constraints/elastic_panels.h"
 #include "forces/fabric_air.h"
 #include "forces/forces.h"
 #include "forces/line_drag.h"
 #include "forces/spring_force.h"
 #include "step/inputs.h"
 #include "system/fields.h"
+#include "system/membrane.h"
 
 #include <Eigen/Geometry>
 

@@ -2,9 +2,9 @@
 // between them, and at the end of the step takes it from the change of energy.
 #include "measure/energy_ledger.h"
 
-#include "constraints/elastic_panels.h"
 #include "measure/diagnostics.h"
 #include "step/inputs.h"
+#include "system/membrane.h"
 
 #include <algorithm>
 

@@ -12,8 +12,8 @@
 #include "base/quantity.h"
 #include "scene/canopy_shape.h"
 #include "scene/collider_shape.h"
+#include "scene/elastic_check.h"
 #include "scene/element_index.h"
-#include "scene/flat_panel.h"
 #include "scene/formula.h"
 #include "scene/step_limits.h"
 
@@ -22,13 +22,10 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace ripstop {
 namespace {
-
-constexpr double stiffest = 1e10; // N/m, of panels; steel of 50 mm
 
 // The thing as the subject of a sentence: "Particle 17".
 Message named(Kind kind, Id id)
@@ -135,72 +132,12 @@ private:
         elasticPanels();
     }
 
-    // Panels that carry a pull need a shape at rest, and their material a law that can be.
     void elasticPanels()
     {
-        for (const Entry& entry : m_scene.items)
-            if (const Part* part = std::get_if<Part>(&entry.item))
-                if (part->fabric == FabricKind::Panels)
-                    elasticPanels(entry.id, *part);
-    }
-
-    void elasticPanels(Id id, const Part& part)
-    {
-        if (m_places.empty())
-            forEachPart(m_scene, [&](Id, const Part& each) {
-                for (const Particle& particle : each.particles)
-                    m_places.push_back(&particle.position);
-            });
-        const auto place = [&](Id particle) {
-            return *m_places[std::size_t(m_index.particle(particle))];
-        };
-        std::set<Id> materials;
-        for (const Panel& row : part.panels) {
-            if (!isSound(row, m_index))
-                continue; // which is an error by itself
-            materials.insert(row.material);
-            if (!flatPanel(row, place(row.a), place(row.b), place(row.c)))
-                add("flat", Severity::Error,
-                    Message("%1 of %2 has no area at rest, and its part has panels carry the pull: "
-                            "change its rest lengths, or remove it.",
-                            named(Kind::Panel, row.id), part.name),
-                    row.id);
-        }
-        const auto threads = std::ranges::count_if(part.links, [](const Link& link) {
-            return link.role != LinkRole::Line && link.width > 0.0;
-        });
-        if (threads > 0)
-            add("both", Severity::Warning,
-                Message("%1 has panels that carry the pull of its fabric and %2 threads that carry "
-                        "it as well: remove the threads, or have threads carry it.",
-                        part.name, std::size_t(threads)),
-                id);
-        for (const Id used : materials) {
-            const auto* material = findItem<Material>(m_scene, used);
-            if (!material || !material->membraneStiffness) {
-                add("limp", Severity::Warning,
-                    Message("Panels of %1 are to carry its pull, and %2 has no membrane stiffness: "
-                            "they carry nothing.",
-                            part.name, material ? material->name : "no material"),
-                    material ? used : id);
-                continue;
-            }
-            const double warp = *material->membraneStiffness;
-            const double weft = material->weftStiffness.value_or(warp);
-            if (std::max({warp, weft, material->shearStiffness.value_or(0.0)}) > stiffest)
-                add("stiffest", Severity::Error,
-                    Message("Material %1 has panels stiffer than %2 N/m, which no step can solve "
-                            "and no fabric is: check the unit.",
-                            material->name, Message::number("%.0e", stiffest)),
-                    used);
-            if (!(material->poissonRatio * material->poissonRatio * weft < 0.98 * warp))
-                add("poisson", Severity::Error,
-                    Message("Material %1 would get energy out of being strained: its Poisson's "
-                            "ratio must be below %2, the root of warp over weft stiffness.",
-                            material->name,
-                            Message::number("%.3g", std::sqrt(0.98 * warp / weft))),
-                    used);
-        }
+        checkElasticPanels(m_scene, m_index,
+                           [this](const char* sort, Severity severity, Message message, Id id) {
+                               add(sort, severity, std::move(message), id);
+                           });
     }
 
     std::optional<Finding> first() const
@@ -495,7 +432,6 @@ private:
     std::size_t m_most;
     bool m_hasParticles = false;
     std::map<std::string_view, std::size_t> m_count;
-    std::vector<const Vec3*> m_places; // [particles] m, once they are asked for
     std::vector<Finding> m_problems;
 };
 

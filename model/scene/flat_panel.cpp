@@ -46,7 +46,8 @@ void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     const double x = warp.dot(along);
     const double y = warp.dot(across);
     const bool lies = std::hypot(x, y) > 1e-6 * warp.norm();
-    panel.grain = lies ? std::atan2(y, x) / degree : 0.0;
+    const double angle = lies ? std::atan2(y, x) / degree : 0.0;
+    panel.grain = angle < 0.0 ? angle + 180.0 : angle; // a warp runs both ways
 }
 
 void layFlat(Panel& panel, const Particle& a, const Particle& b, const Particle& c)

@@ -89,7 +89,7 @@ struct Part
 {
     std::string name = "part";
     bool shown = true;
-    FabricKind fabric = FabricKind::Threads;
+    FabricKind carrier = FabricKind::Threads;
     double selfContact = 0.0;     // m, distance that fabric keeps from fabric; 0 lets it through
     double selfFriction = 0.3;    // 1
     double canopyPressure = 0.0;  // 1, over the dynamic pressure; 0 holds no air

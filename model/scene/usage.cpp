@@ -35,7 +35,7 @@ Usage usageOf(const Scene& scene)
             count(link, at(link.material));
             count(link, usage.ofAll);
         }
-        const bool isElastic = part.fabric == FabricKind::Panels;
+        const bool isElastic = part.carrier == FabricKind::Panels;
         for (const Panel& panel : part.panels) {
             ++at(panel.material).panels;
             at(panel.material).elasticPanels += isElastic;

@@ -161,7 +161,7 @@ void ImportForm::addFabricRows(QFormLayout& form)
     addRow(form, tr("Mass per area"), m_density,
            tr("Each triangle gives a third of its mass to each of its corners."));
     m_carrier = new QComboBox;
-    m_carrier->setObjectName(QStringLiteral("carrier"));
+    m_carrier->setObjectName(QStringLiteral("pullCarrier"));
     m_carrier->addItems({tr("Threads"), tr("Panels")});
     addRow(form, tr("Pull carried by"), m_carrier,
            tr("Threads are links along edges and across faces; they tear. Panels are elastic "

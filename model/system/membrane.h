@@ -1,0 +1,49 @@
+// What a panel that carries the pull of a fabric carries, where its corners are.
+//
+// A triangle of constant strain: the gradient of where the cloth has gone is the same all over it
+// (panels.h), and so are its strain and its tension (base/cloth_law.h). Damping of its material is
+// Kelvin and Voigt's, of what its threads stretch by; what wrinkles take up has none.
+#pragma once
+
+#include "system/system.h"
+
+#include <array>
+
+namespace ripstop {
+
+// Where the warp and the weft have gone, each 1 long at rest.
+using ClothAxes = std::array<Vec3, 2>;
+
+ClothAxes axesOf(const Membrane& membrane, const Vec3& ab, const Vec3& ac); // m
+Vec3 strainOf(const ClothAxes& axes); // as ClothLaw has it
+
+// d(warp, weft) of the barycentric coordinate of a corner, 1/m.
+std::array<double, 2> gradient(const Membrane& membrane, int corner);
+
+const ClothLaw& lawOf(const System& system, const Membrane& membrane);
+
+// The strain of the threads; wrinkles take none of it.
+Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain);
+
+using Corners = std::array<Vec3, 3>; // m
+
+template <typename Positions> // [particles] m
+Corners cornersOf(const System& system, const Membrane& membrane, const Positions& position)
+{
+    const auto& [a, b, c] = system.panels[std::size_t(membrane.panel)].corner;
+    return {position[std::size_t(a)], position[std::size_t(b)], position[std::size_t(c)]};
+}
+
+Vec3 strainAt(const Membrane& membrane, const Corners& corners);
+
+// What a panel carries with its corners at these places; without what damping adds.
+ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners);
+
+// The largest strain of the threads of a panel, 1; 0 where it is slack.
+double largestStrain(const System& system, const Membrane& membrane, const Corners& corners);
+
+// J, what the damping of a panel takes as it goes from one place to another within h, s.
+double lossIn(const System& system, const Membrane& membrane, const Corners& from,
+              const Corners& to, double h);
+
+} // namespace ripstop
