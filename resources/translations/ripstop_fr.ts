@@ -350,11 +350,6 @@
     </message>
     <message>
         <location filename="check.cpp"/>
-        <source>%1 has panels that carry the pull of its fabric and %2 threads that carry it as well: remove the threads, or have threads carry it.</source>
-        <translation>%1 a des panneaux qui portent la traction de son tissu et %2 fils qui la portent aussi : supprimez les fils, ou faites-la porter par les fils.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
         <source>%1 needs three different particles as its corners; remove it.</source>
         <translation>%1 : il faut trois particules différentes à ses coins ; le supprimer.</translation>
     </message>
@@ -362,11 +357,6 @@
         <location filename="check.cpp"/>
         <source>%1 needs two different particles as its ends; remove it.</source>
         <translation>%1 : il faut deux particules différentes à ses bouts ; la supprimer.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>%1 of %2 has no area at rest, and its part has panels carry the pull: change its rest lengths, or remove it.</source>
-        <translation>%1 de %2 n’a pas d’aire au repos, et sa pièce fait porter la traction par les panneaux : changez ses longueurs à vide, ou supprimez-le.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -412,21 +402,6 @@
         <location filename="check.cpp"/>
         <source>Control %1 shifts weights, and a collider has none: make it move, or remove the collider from its targets.</source>
         <translation>La commande %1 déporte des poids, et un obstacle n’en a pas : la faire déplacer, ou retirer l’obstacle de ses cibles.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Material %1 has panels stiffer than %2 N/m, which no step can solve and no fabric is: check the unit.</source>
-        <translation>La matière %1 a des panneaux plus raides que %2 N/m, ce qu’aucun pas ne peut résoudre et qu’aucun tissu n’est : vérifiez l’unité.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Material %1 would get energy out of being strained: its Poisson's ratio must be below %2, the root of warp over weft stiffness.</source>
-        <translation>La matière %1 gagnerait de l’énergie à être déformée : son coefficient de Poisson doit être sous %2, la racine du rapport des raideurs de chaîne et de trame.</translation>
-    </message>
-    <message>
-        <location filename="check.cpp"/>
-        <source>Panels of %1 are to carry its pull, and %2 has no membrane stiffness: they carry nothing.</source>
-        <translation>Les panneaux de %1 doivent porter sa traction, et %2 n’a pas de raideur de membrane : ils ne portent rien.</translation>
     </message>
     <message>
         <location filename="check.cpp"/>
@@ -1589,6 +1564,36 @@
         <location filename="edit_rows.cpp"/>
         <source>Take back the last edit.</source>
         <translation>Annuler la dernière modification.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>%1 has panels that carry the pull of its fabric and %2 threads that carry it as well: remove the threads, or have threads carry it.</source>
+        <translation>%1 a des panneaux qui portent la traction de son tissu et %2 fils qui la portent aussi : supprimez les fils, ou faites-la porter par les fils.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>Material %1 has panels stiffer than %2 N/m, which no step can solve and no fabric is: check the unit.</source>
+        <translation>La matière %1 a des panneaux plus raides que %2 N/m, ce qu’aucun pas ne peut résoudre et qu’aucun tissu n’est : vérifiez l’unité.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>Material %1 would get energy out of being strained: its Poisson's ratio must be below %2, the root of warp over weft stiffness.</source>
+        <translation>La matière %1 gagnerait de l’énergie à être déformée : son coefficient de Poisson doit être sous %2, la racine du rapport des raideurs de chaîne et de trame.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>Panel %1 of %2 has no area at rest, and its part has panels carry the pull: change its rest lengths, or remove it.</source>
+        <translation>Le panneau %1 de %2 n’a pas d’aire au repos, et sa pièce fait porter la traction par les panneaux : changez ses longueurs à vide, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>Panels of %1 are to carry its pull, and %2 has no membrane stiffness: they carry nothing.</source>
+        <translation>Les panneaux de %1 doivent porter sa traction, et %2 n’a pas de raideur de membrane : ils ne portent rien.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>no material</source>
+        <translation>aucune matière</translation>
     </message>
     <message>
         <location filename="empty_hint.cpp"/>
