@@ -106,7 +106,8 @@ private:
     std::array<double, 4> m_slope; // of 1, u, u^3, u^4
 };
 
-// Tension r (1, u^2, u), r = e / D, and its derivatives, in the order of the axes that u belongs to.
+// Tension r (1, u^2, u), r = e / D, and its derivatives, in the order of the axes that u belongs
+// to.
 ClothTension wrinkled(const Vec3& strain, double first, double second, double both, double u)
 {
     const double compliance = first + u * u * (both + u * u * second);

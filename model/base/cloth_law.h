@@ -1,8 +1,8 @@
 // How a woven fabric pulls when it is strained in its plane: an orthotropic membrane.
 //
-// Strain is Green's, (F^T F - 1) / 2, in the frame of the cloth: along the warp, along the weft, and
-// the shear between them (twice the tensor's component, about the angle by which threads close up).
-// Tension is the second Piola and Kirchhoff's, per width of the flat cloth, N/m. They are
+// Strain is Green's, (F^T F - 1) / 2, in the frame of the cloth: along the warp, along the weft,
+// and the shear between them (twice the tensor's component, about the angle by which threads close
+// up). Tension is the second Piola and Kirchhoff's, per width of the flat cloth, N/m. They are
 // proportional (St. Venant and Kirchhoff): rotations of any size cost nothing and strains are meant
 // to be small; at 2 % of strain the pull per flat width is 2 % more than an engineer's E t times
 // strain.
@@ -56,7 +56,7 @@ enum class ClothState { Slack, Wrinkled, Taut };
 struct ClothTension
 {
     ClothState state = ClothState::Slack;
-    Vec3 tension = Vec3::Zero(); // N/m: along the warp, the weft, shear
+    Vec3 tension = Vec3::Zero();   // N/m: along the warp, the weft, shear
     Mat3 stiffness = Mat3::Zero(); // N/m, its derivative by the strain; never negative
     double energy = 0.0;           // N/m, that is J per m^2 of flat cloth
 };

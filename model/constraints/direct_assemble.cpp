@@ -1,6 +1,6 @@
-// The matrix and the right-hand side of an iteration of DirectSolver: masses and what forces fall by
-// with speed, then rods, then panels that carry a pull. Where the matrix is factorised, what is on
-// guides is multiplied by them on either side; iterations keep to guides by themselves.
+// The matrix and the right-hand side of an iteration of DirectSolver: masses and what forces fall
+// by with speed, then rods, then panels that carry a pull. Where the matrix is factorised, what is
+// on guides is multiplied by them on either side; iterations keep to guides by themselves.
 #include "constraints/direct_solver.h"
 #include "constraints/guides.h"
 

@@ -131,7 +131,8 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
         startNearer(task);
     else
         measure(system);
-    m_pulls += m_panels.energyOfPulls();
+    m_pulls += m_panels.energy();
+    m_panelErrors = 0.0;
     int taken = 0;
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());

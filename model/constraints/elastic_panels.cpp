@@ -32,8 +32,7 @@ Vec3 pullingPart(const Vec3& tension)
     if (mean + radius <= 0.0)
         return Vec3::Zero();
     const double most = 0.5 * (mean + radius);
-    return {most * (1.0 + half / radius), most * (1.0 - half / radius),
-            most * tension[2] / radius};
+    return {most * (1.0 + half / radius), most * (1.0 - half / radius), most * tension[2] / radius};
 }
 
 Vec3 at(const Row& row) { return {row.v[0], row.v[1], row.v[2]}; }
@@ -111,7 +110,7 @@ void ElasticPanels::start(const System& system, std::span<const std::uint8_t> go
     }
 }
 
-double ElasticPanels::energyOfPulls() const
+double ElasticPanels::energy() const
 {
     double twice = 0.0;
     for (const ElasticPanel& panel : m_panels)
@@ -133,8 +132,6 @@ double ElasticPanels::measure(const System& system, std::span<const Row> positio
     }
     return energy();
 }
-
-double ElasticPanels::energy() const { return energyOfPulls(); }
 
 PanelBlock ElasticPanels::block(const System& system, const ElasticPanel& panel) const
 {
@@ -168,14 +165,14 @@ PanelBlock ElasticPanels::block(const System& system, const ElasticPanel& panel)
 void ElasticPanels::foresee(const System& system, std::span<const Row> move)
 {
     for (ElasticPanel& panel : m_panels) {
-        panel.before = panel.tension;
         if (panel.gone)
             continue;
+        panel.before = panel.law.tension;
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
         Vec3 change = Vec3::Zero();
         for (std::size_t k = 0; k < 3; ++k)
-            change += strainPerMove(panel.axes, gradient(membrane, int(k)))
-                      * at(move[panel.row[k]]);
+            change +=
+                strainPerMove(panel.axes, gradient(membrane, int(k))) * at(move[panel.row[k]]);
         panel.tension = panel.law.tension + tangentOf(lawOf(system, membrane), panel.law) * change;
     }
 }
@@ -183,7 +180,8 @@ void ElasticPanels::foresee(const System& system, std::span<const Row> move)
 void ElasticPanels::settle(double share)
 {
     for (ElasticPanel& panel : m_panels)
-        panel.tension = panel.before + share * (panel.tension - panel.before);
+        if (!panel.gone)
+            panel.tension = panel.before + share * (panel.tension - panel.before);
 }
 
 ElasticPanels::Account ElasticPanels::account(const System& system) const

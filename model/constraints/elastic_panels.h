@@ -1,10 +1,11 @@
-// Panels that carry the pull of a fabric, as the direct solver has them (direct_solver.h): triangles
-// of constant strain with the law of base/cloth_law.h.
+// Panels that carry the pull of a fabric, as the direct solver has them (direct_solver.h):
+// triangles of constant strain with the law of base/cloth_law.h.
 //
 // A panel adds h^2 A w(e) to the sum that is minimised, w being the energy per area at Green's
-// strain e. Its block of the matrix is that of Newton's method: B^T C B for the law, and the tension
-// across the way of each corner, g_i . s g_j. Tension that pushes counts as 0 in the latter, and
-// what is wrinkled or slack keeps a thousandth of its taut stiffness: the matrix stays positive.
+// strain e. Its block of the matrix is that of Newton's method: B^T C B for the law, and the
+// tension across the way of each corner, g_i . s g_j. Tension that pushes counts as 0 in the
+// latter, and what is wrinkled or slack keeps a thousandth of its taut stiffness: the matrix stays
+// positive.
 //
 // Damping is Kelvin and Voigt's, as of rods (rod_damping.h): the strain that the threads had, e_b,
 // is looked back to, and the law is that of e - r e_b, stiffer by 1 / (1 - r).
@@ -24,16 +25,16 @@ namespace ripstop {
 
 struct ElasticPanel
 {
-    int membrane = 0;                  // in System::membranes
+    int membrane = 0;                   // in System::membranes
     std::array<std::uint32_t, 3> row{}; // of the solver's positions; pins come last
     std::array<int, 3> pair{};          // in the matrix: ab, bc, ca; -1 where an end is pinned
     bool gone = false;
-    double weight = 0.0;               // kg m^2 over N m: h^2 A, stiffer by damping
-    Vec3 offset = Vec3::Zero();        // r e_b above
-    std::array<Vec3, 2> axes{};        // where the warp and the weft have gone
-    ClothTension law;                  // where the corners are now, without what damping adds
-    Vec3 tension = Vec3::Zero();       // N/m, that the linear system gave
-    Vec3 before = Vec3::Zero();        // N/m, of the iteration before
+    double weight = 0.0;         // kg m^2 over N m: h^2 A, stiffer by damping
+    Vec3 offset = Vec3::Zero();  // r e_b above
+    std::array<Vec3, 2> axes{};  // where the warp and the weft have gone
+    ClothTension law;            // where the corners are now, without what damping adds
+    Vec3 tension = Vec3::Zero(); // N/m, that the linear system gave
+    Vec3 before = Vec3::Zero();  // N/m, of the law where the move began
 };
 
 // What a panel adds to the matrix and to the right-hand side.
@@ -60,12 +61,9 @@ public:
     // Before a substep: which panels are left, and what damping looks back to.
     void start(const System& system, std::span<const std::uint8_t> gone, const RodPast& past);
 
-    // Twice the energy of their pulls at the start, kg m^2.
-    double energyOfPulls() const;
-
     // Where the rows are now; returns twice the energy of the law there, kg m^2.
     double measure(const System& system, std::span<const Row> position);
-    double energy() const; // the same again
+    double energy() const; // that again
 
     PanelBlock block(const System& system, const ElasticPanel& panel) const;
 

@@ -40,9 +40,8 @@ void checkMaterial(const Part& part, Id partId, Id id, const Material* material,
             id);
 }
 
-void checkPart(const Scene& scene, const ElementIndex& index,
-               const std::vector<const Vec3*>& place, Id id, const Part& part,
-               const AddFinding& add)
+void checkPart(const Scene& scene, const ElementIndex& index, const std::vector<const Vec3*>& place,
+               Id id, const Part& part, const AddFinding& add)
 {
     std::set<Id> materials;
     for (const Panel& row : part.panels) {
@@ -50,8 +49,7 @@ void checkPart(const Scene& scene, const ElementIndex& index,
         if (std::min({a, b, c}) < 0)
             continue;
         materials.insert(row.material);
-        if (!flatPanel(row, *place[std::size_t(a)], *place[std::size_t(b)],
-                       *place[std::size_t(c)]))
+        if (!flatPanel(row, *place[std::size_t(a)], *place[std::size_t(b)], *place[std::size_t(c)]))
             add("flat", Severity::Error,
                 Message("Panel %1 of %2 has no area at rest, and its part has panels carry the "
                         "pull: change its rest lengths, or remove it.",

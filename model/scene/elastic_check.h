@@ -1,6 +1,6 @@
-// What is wrong with panels that carry the pull of a fabric: shapes at rest that are none, materials
-// without a law or with one that cannot be, and threads that carry the same pull beside them. A part
-// of check.h.
+// What is wrong with panels that carry the pull of a fabric: shapes at rest that are none,
+// materials without a law or with one that cannot be, and threads that carry the same pull beside
+// them. A part of check.h.
 #pragma once
 
 #include "scene/element_index.h"

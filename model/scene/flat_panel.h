@@ -26,8 +26,8 @@ struct FlatPanel
 // errors. Places of the corners in m.
 std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Notes how long the sides are now, and the grain that has the warp run along `warp`, projected onto
-// the panel; a warp across it leaves the grain at 0.
+// Notes how long the sides are now, and the grain that has the warp run along `warp`, projected
+// onto the panel; a warp across it leaves the grain at 0.
 void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& warp);
 
 // The same, with the warp in the direction in which the picture that is printed on the fabric goes

@@ -78,8 +78,8 @@ double lossIn(const System& system, const Membrane& membrane, const Corners& fro
     const ClothLaw& law = lawOf(system, membrane);
     if (!law.isElastic() || law.dampingTime == 0.0)
         return 0.0;
-    const Vec3 change = pullingStrain(law, strainAt(membrane, to))
-                        - pullingStrain(law, strainAt(membrane, from));
+    const Vec3 change =
+        pullingStrain(law, strainAt(membrane, to)) - pullingStrain(law, strainAt(membrane, from));
     ClothLaw straight = law;
     straight.pushes = true;
     return membrane.area * law.dampingTime / h * 2.0 * tensionOf(straight, change).energy;

@@ -15,7 +15,7 @@ namespace ripstop {
 using ClothAxes = std::array<Vec3, 2>;
 
 ClothAxes axesOf(const Membrane& membrane, const Vec3& ab, const Vec3& ac); // m
-Vec3 strainOf(const ClothAxes& axes); // as ClothLaw has it
+Vec3 strainOf(const ClothAxes& axes);                                       // as ClothLaw has it
 
 // d(warp, weft) of the barycentric coordinate of a corner, 1/m.
 std::array<double, 2> gradient(const Membrane& membrane, int corner);

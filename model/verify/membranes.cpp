@@ -66,8 +66,7 @@ FlatCloth disc(double radius, int rings)
         for (int side = 0; side < 6; ++side) {
             const auto outer = [&](int i) { return first(ring) + (side * ring + i) % (6 * ring); };
             const auto inner = [&](int i) {
-                return ring == 1 ? 0
-                                 : first(ring - 1) + (side * (ring - 1) + i) % (6 * (ring - 1));
+                return ring == 1 ? 0 : first(ring - 1) + (side * (ring - 1) + i) % (6 * (ring - 1));
             };
             for (int i = 0; i < ring; ++i)
                 cloth.triangles.push_back({inner(i), outer(i), outer(i + 1)});
@@ -253,8 +252,8 @@ void addWagner(std::vector<Case>& cases)
 {
     for (const int cells : {4, 9}) {
         const std::string mesh = ", " + std::to_string(cells) + " x " + std::to_string(cells);
-        cases.push_back({"RF-13", "panel in pure shear of 1 %, shear" + mesh, 100.0,
-                         relative(0.02), "N/m", "E t g / 4, Wagner 1929",
+        cases.push_back({"RF-13", "panel in pure shear of 1 %, shear" + mesh, 100.0, relative(0.02),
+                         "N/m", "E t g / 4, Wagner 1929",
                          [=] { return wagner(isotropic(40e3, 0.3), cells, 2); }});
         cases.push_back({"RF-13", "panel in pure shear of 1 %, along the edges" + mesh, 100.0,
                          relative(0.02), "N/m", "E t g / 4, Wagner 1929",
@@ -294,14 +293,13 @@ Bent bent(double moment, int rows)
 {
     constexpr double pull = 20.0, height = 0.5, length = 0.25, stiffness = 40e3;
     const double wrinkled = 3.0 * moment - 0.5;
-    const double curvature = 2.0 * pull / (stiffness * height * height)
-                             / std::pow(3.0 * (0.5 - moment), 2.0);
-    const double strain = 2.0 * pull / height * (0.5 - wrinkled) / std::pow(1.0 - wrinkled, 2.0)
-                          / stiffness;
-    const AtRest rest =
-        atRest(heldByEnds(rectangle(length, height, rows / 2, rows), isotropic(stiffness, 0.0), 0.0,
-                          strain, curvature),
-               0.6);
+    const double curvature =
+        2.0 * pull / (stiffness * height * height) / std::pow(3.0 * (0.5 - moment), 2.0);
+    const double strain =
+        2.0 * pull / height * (0.5 - wrinkled) / std::pow(1.0 - wrinkled, 2.0) / stiffness;
+    const AtRest rest = atRest(heldByEnds(rectangle(length, height, rows / 2, rows),
+                                          isotropic(stiffness, 0.0), 0.0, strain, curvature),
+                               0.6);
     const double whole = height * rest.mean([](const Vec3& t, const Vec3&) { return t[0]; });
     const double turned = height * rest.mean([&](const Vec3& t, const Vec3& middle) {
         return t[0] * (middle.y() - 0.5 * height);
@@ -318,9 +316,8 @@ void addBent(std::vector<Case>& cases)
                                       + std::to_string(rows) + " rows, ";
             cases.push_back({"RF-12", title + "M / (P h)", moment, relative(0.02), "",
                              "Stein and Hedgepeth 1961", [=] { return run().moment; }});
-            cases.push_back({"RF-12", title + "pull", 20.0,
-                             relative(0.02), "N", "Stein and Hedgepeth 1961",
-                             [=] { return run().pull; }});
+            cases.push_back({"RF-12", title + "pull", 20.0, relative(0.02), "N",
+                             "Stein and Hedgepeth 1961", [=] { return run().pull; }});
         }
 }
 
@@ -331,8 +328,8 @@ double clampedBias(int across)
     const AtRest rest = atRest(
         heldByEnds(rectangle(length, width, 4 * across, across), clothA(), 45.0, strain, 0.0), 0.5);
     // Along x: warp and weft lie at 45 degrees to it.
-    const double pull = rest.mean(
-        [](const Vec3& t, const Vec3&) { return 0.5 * (t[0] + t[1]) - t[2]; });
+    const double pull =
+        rest.mean([](const Vec3& t, const Vec3&) { return 0.5 * (t[0] + t[1]) - t[2]; });
     return pull / strain;
 }
 
@@ -342,7 +339,8 @@ double clampedBias(int across)
 double hencky(double poisson, int rings)
 {
     constexpr double load = 200.0; // Pa
-    Scene scene = sceneOf(disc(0.5, rings), isotropic(32.7e3, poisson), 0.0, load / standardGravity);
+    Scene scene =
+        sceneOf(disc(0.5, rings), isotropic(32.7e3, poisson), 0.0, load / standardGravity);
     scene.settings.gravity = Vec3(0.0, 0.0, -standardGravity);
     scene.settings.viscosity = 10.0;
     for (Particle& particle : particlesOf(scene))

@@ -97,8 +97,7 @@ private slots:
                     const auto at = [&](double way) {
                         return tensionOf(law, strain + way * Vec3::Unit(k));
                     };
-                    const double slope =
-                        (at(step).energy - at(-step).energy) / (2.0 * step);
+                    const double slope = (at(step).energy - at(-step).energy) / (2.0 * step);
                     QVERIFY2(isNear(now.tension[k], slope, 1e-6 * law.warp * 0.04),
                              told(now.tension[k], slope));
                     if (at(step).state != now.state || at(-step).state != now.state)

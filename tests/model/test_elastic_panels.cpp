@@ -120,10 +120,10 @@ private slots:
             for (int p = 0; p < 4; ++p)
                 for (int c = 0; c < 3; ++c) {
                     constexpr double step = 1e-6;
-                    const double slope = 0.5
-                                         * (energyAt(p, step * Vec3::Unit(c))
-                                            - energyAt(p, -step * Vec3::Unit(c)))
-                                         / (2.0 * step);
+                    const double slope =
+                        0.5
+                        * (energyAt(p, step * Vec3::Unit(c)) - energyAt(p, -step * Vec3::Unit(c)))
+                        / (2.0 * step);
                     QVERIFY2(isNear(pull[std::size_t(p)][c], -slope, 1e-5 * (scale + 1.0)),
                              told(pull[std::size_t(p)][c], -slope));
                 }
@@ -198,8 +198,7 @@ private slots:
         scene.settings.gravity = Vec3::Zero();
         scene.settings.airDensity = 0.0;
         for (Particle& particle : partOf(scene).particles)
-            particle.velocity = Vec3(0.3, 0.1, 0.0)
-                                + Vec3(0.5, 0.0, 3.0).cross(particle.position)
+            particle.velocity = Vec3(0.3, 0.1, 0.0) + Vec3(0.5, 0.0, 3.0).cross(particle.position)
                                 + Vec3(0.0, 0.0, std::sin(7.0 * particle.position.x()));
         Simulation simulation(*compile(scene));
         const auto turning = [&] {
@@ -243,8 +242,8 @@ private slots:
             QVERIFY(place.allFinite());
         double most = 0.0; // strain
         for (const Membrane& membrane : system->membranes) {
-            const ClothTension now =
-                tensionIn(*system, membrane, cornersOf(*system, membrane, simulation.state().position));
+            const ClothTension now = tensionIn(
+                *system, membrane, cornersOf(*system, membrane, simulation.state().position));
             most = std::max(most, largestTension(now.tension) / 40e3);
         }
         QVERIFY2(most < 0.02, told(most, 0.02));
@@ -262,6 +261,18 @@ private slots:
             QVERIFY(hash == 0 || hash == now);
             hash = now;
         }
+    }
+
+    // Nothing of the run is left in the solver.
+    void goesOnFromACheckpoint()
+    {
+        const auto system = *compile(sheet(12, 1, 8.0));
+        Simulation simulation(system);
+        QVERIFY(simulation.runUntil(0.5));
+        Simulation other(system, simulation.state());
+        QVERIFY(simulation.runUntil(0.8));
+        QVERIFY(other.runUntil(0.8));
+        QCOMPARE(stateHash(other.state()), stateHash(simulation.state()));
     }
 
     // Solvers that sweep rods solve panels together all the same.
