@@ -222,6 +222,7 @@ bool DirectSolver::hasSamePins(const System& system) const
 void DirectSolver::takeValues(const System& system)
 {
     m_h = 0.0;
+    m_hasOneWay = false;
     std::fill(m_islandMass.begin(), m_islandMass.end(), 0.0);
     for (std::size_t i = 0; i < nodes(); ++i) {
         m_mass[i] = 1.0 / system.inverseMass[std::size_t(m_particle[i])];
@@ -231,6 +232,7 @@ void DirectSolver::takeValues(const System& system)
     for (Bar& bar : m_bars) {
         const Rod& rod = system.rods[std::size_t(bar.rod)];
         bar.resists = rod.resists;
+        m_hasOneWay |= rod.resists != Resists::Both;
         bar.isElastic = rod.compliance > 0.0;
         bar.weight =
             system.inverseMass[std::size_t(rod.a)] + system.inverseMass[std::size_t(rod.b)];

@@ -180,7 +180,7 @@ void DirectSolver::takeShare(double share, const System& system)
 
 bool DirectSolver::hasImpact() const
 {
-    return std::ranges::any_of(m_bars, [](const Bar& bar) {
+    return m_hasOneWay && std::ranges::any_of(m_bars, [](const Bar& bar) {
         return bar.resists != Resists::Both && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
     });
 }

@@ -148,6 +148,7 @@ private:
     BlockCholesky m_factor; // of the matrix, or
     Multigrid m_grid;       // for a large one
     std::vector<Bar> m_bars;
+    bool m_hasOneWay = false; // a line or a strut among them
     bool m_takesPanels = false;
     ElasticPanels m_panels;
     double m_panelErrors = 0.0; // kg m^2, the sum of what their pulls differ by from their law

@@ -18,24 +18,40 @@ constexpr double usualFall = 0.02;           // of the square of the error, in a
 constexpr double toSpare = 3.0;
 
 using Block = BlockCholesky::Block;
+using RoundedBlock = Multigrid::RoundedBlock;
 
-RIPSTOP_INLINE Pack times(const Block& block, const Row& x)
+RIPSTOP_INLINE Pack columnOf(const Block& block, int c) { return pack(block.column[c]); }
+
+RIPSTOP_INLINE Pack columnOf(const RoundedBlock& block, int c)
 {
-    return pack(block.column[0]) * x.v[0] + pack(block.column[1]) * x.v[1]
-           + pack(block.column[2]) * x.v[2];
+    return __builtin_convertvector(block.column[c], Pack);
+}
+
+template <class AnyBlock>
+RIPSTOP_INLINE Pack times(const AnyBlock& block, const Row& x)
+{
+    return columnOf(block, 0) * x.v[0] + columnOf(block, 1) * x.v[1] + columnOf(block, 2) * x.v[2];
 }
 
 // Of the block below the diagonal that mirrors this one above it.
-template <bool symmetric>
-RIPSTOP_INLINE Pack timesMirrored(const Block& block, const Row& x)
+template <bool symmetric, class AnyBlock>
+RIPSTOP_INLINE Pack timesMirrored(const AnyBlock& block, const Row& x)
 {
     if constexpr (symmetric)
         return times(block, x);
     Pack result{};
     for (int c = 0; c < 3; ++c) {
-        const Pack product = pack(block.column[c]) * pack(x.v);
+        const Pack product = columnOf(block, c) * pack(x.v);
         result[c] = (product[0] + product[1]) + product[2];
     }
+    return result;
+}
+
+RIPSTOP_INLINE RoundedBlock rounded(const Block& block)
+{
+    RoundedBlock result;
+    for (int c = 0; c < 3; ++c)
+        result.column[c] = __builtin_convertvector(columnOf(block, c), RoundedBlock::Column);
     return result;
 }
 
@@ -91,6 +107,10 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
         m_pair.push_back(std::uint32_t(std::ranges::lower_bound(graph.pairs, ordered(pair))
                                        - graph.pairs.begin()));
 
+    const auto giveSweeps = [](Level& level) {
+        level.inverse.assign(level.diagonal.size(), RoundedBlock{});
+        level.rounded.assign(level.block.size(), RoundedBlock{});
+    };
     m_levels.clear();
     for (;;) {
         Level& level = m_levels.emplace_back();
@@ -98,6 +118,7 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
         for (const auto& [a, b] : graph.pairs) {
             ++level.start[a + 1];
             level.column.push_back(b);
+            level.reach = std::max(level.reach, std::size_t(b - a));
         }
         for (std::size_t i = 0; i < graph.nodes; ++i)
             level.start[i + 1] += level.start[i];
@@ -110,14 +131,14 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
         Coarsening next = coarsened(graph);
         if (next.graph.nodes == 0 || next.graph.nodes > graph.nodes * 4 / 5) // no use
             break;
-        level.inverse.assign(graph.nodes, Block{});
+        giveSweeps(level);
         level.up = std::move(next.up);
         level.target = std::move(next.target);
         graph = std::move(next.graph);
     }
     m_factorises = graph.nodes <= mostFactorised;
     if (!m_factorises) {
-        m_levels.back().inverse.assign(graph.nodes, Block{});
+        giveSweeps(m_levels.back());
         graph = {};
     }
     std::vector<std::pair<int, int>> last;
@@ -142,8 +163,10 @@ bool Multigrid::factorize()
         makeCoarser(m_levels[l], m_levels[l + 1]);
     }
     Level& last = m_levels.back();
-    if (!m_factorises)
+    if (!m_factorises) {
+        roundBlocks(last);
         return invert(last);
+    }
     m_coarsest.setZero();
     for (std::size_t i = 0; i < last.diagonal.size(); ++i)
         m_coarsest.diagonal(i) = last.diagonal[i];
@@ -167,9 +190,17 @@ bool Multigrid::invert(Level& level)
             return false;
         const double s = 1.0 / determinant;
         const double D = (a * f - c * c) * s, E = (b * c - a * e) * s, F = (a * d - b * b) * s;
-        level.inverse[i] = {{{A * s, B * s, C * s, 0.0}, {B * s, D, E, 0.0}, {C * s, E, F, 0.0}}};
+        level.inverse[i] =
+            rounded({{{A * s, B * s, C * s, 0.0}, {B * s, D, E, 0.0}, {C * s, E, F, 0.0}}});
     }
     return true;
+}
+
+// Of a level that has no coarser one; makeCoarser() does so as it reads the blocks.
+void Multigrid::roundBlocks(Level& level)
+{
+    for (std::size_t k = 0; k < level.block.size(); ++k)
+        level.rounded[k] = rounded(level.block[k]);
 }
 
 // What makeCoarser() adds of the block k of row a, which is not symmetric.
@@ -199,7 +230,7 @@ void Multigrid::addMirrored(const Level& fine, std::size_t a, std::uint32_t k,
 }
 
 RIPSTOP_CLONES
-void Multigrid::makeCoarser(const Level& fine, Level& coarse) const
+void Multigrid::makeCoarser(Level& fine, Level& coarse) const
 {
     std::fill(coarse.block.begin(), coarse.block.end(), Block{});
     std::fill(coarse.diagonal.begin(), coarse.diagonal.end(), Block{});
@@ -209,6 +240,7 @@ void Multigrid::makeCoarser(const Level& fine, Level& coarse) const
     for (std::size_t a = 0; a < nodes; ++a)
         for (std::uint32_t k = fine.start[a]; k < fine.start[a + 1]; ++k) {
             const std::size_t b = fine.column[k];
+            fine.rounded[k] = rounded(fine.block[k]);
             if (!m_isSymmetric) {
                 addMirrored(fine, a, k, target, coarse);
                 continue;
@@ -246,9 +278,10 @@ void Multigrid::makeCoarser(const Level& fine, Level& coarse) const
 
 // The loops over a level, once for blocks that are symmetric and once for others.
 template <bool symmetric>
-RIPSTOP_INLINE void Multigrid::multiplyAs(const Level& level, const Row* x, Row* y)
+RIPSTOP_INLINE double Multigrid::multiplyAs(const Level& level, const Row* x, Row* y)
 {
     const std::size_t nodes = level.diagonal.size();
+    Pack product{};
     for (std::size_t i = 0; i < nodes; ++i)
         pack(y[i].v) = times(level.diagonal[i], x[i]);
     for (std::size_t i = 0; i < nodes; ++i) {
@@ -261,67 +294,78 @@ RIPSTOP_INLINE void Multigrid::multiplyAs(const Level& level, const Row* x, Row*
             pack(y[j].v) += timesMirrored<symmetric>(block, own);
         }
         pack(y[i].v) = sum;
+        product += sum * pack(own.v);
     }
+    return (product[0] + product[1]) + product[2];
 }
 
 template <bool symmetric>
-RIPSTOP_INLINE void Multigrid::forwardAs(Level& level)
+RIPSTOP_INLINE void Multigrid::forwardAs(Level& level, const Row* b)
 {
     const std::size_t nodes = level.diagonal.size();
-    std::copy(level.b.begin(), level.b.end(), level.r.begin());
-    for (std::size_t i = 0; i < nodes; ++i) {
-        Row x;
-        pack(x.v) = times(level.inverse[i], level.r[i]);
-        level.x[i] = x;
-        for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-            pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.block[k], x);
-    }
-    // what the sweep has left is what nodes to the right have moved since
-    for (std::size_t i = 0; i < nodes; ++i) {
+    std::copy_n(b, std::min(level.reach, nodes), level.r.begin());
+    for (std::size_t i = 0; i < nodes + level.reach; ++i) {
+        if (i + level.reach < nodes)
+            level.r[i + level.reach] = b[i + level.reach];
+        if (i < nodes) {
+            Row x;
+            pack(x.v) = times(level.inverse[i], level.r[i]);
+            level.x[i] = x;
+            for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
+                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.rounded[k], x);
+        }
+        if (i < level.reach)
+            continue;
+        // what the sweep has left is what nodes to the right have moved since
+        const std::size_t behind = i - level.reach;
         Pack left{};
-        for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-            left -= times(level.block[k], level.x[level.column[k]]);
-        pack(level.r[i].v) = left;
+        for (std::uint32_t k = level.start[behind]; k < level.start[behind + 1]; ++k)
+            left -= times(level.rounded[k], level.x[level.column[k]]);
+        pack(level.r[behind].v) = left;
     }
 }
 
 template <bool symmetric>
-RIPSTOP_INLINE void Multigrid::backwardAs(Level& level)
+RIPSTOP_INLINE void Multigrid::backwardAs(Level& level, const Row* b)
 {
     const std::size_t nodes = level.diagonal.size();
-    std::copy(level.b.begin(), level.b.end(), level.r.begin());
-    for (std::size_t i = 0; i < nodes; ++i) {
-        const Row x = level.x[i];
-        for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-            pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.block[k], x);
-    }
-    for (std::size_t i = nodes; i-- > 0;) {
-        Row left = level.r[i];
-        for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-            pack(left.v) -= times(level.block[k], level.x[level.column[k]]);
-        pack(level.x[i].v) = times(level.inverse[i], left);
+    for (std::size_t ahead = nodes + level.reach; ahead-- > 0;) {
+        if (ahead >= level.reach) {
+            const std::size_t i = ahead - level.reach;
+            level.r[i] = b[i];
+            const Row x = level.x[i];
+            for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
+                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.rounded[k], x);
+        }
+        if (ahead >= nodes)
+            continue;
+        Row left = level.r[ahead];
+        for (std::uint32_t k = level.start[ahead]; k < level.start[ahead + 1]; ++k)
+            pack(left.v) -= times(level.rounded[k], level.x[level.column[k]]);
+        pack(level.x[ahead].v) = times(level.inverse[ahead], left);
     }
 }
 
-// y = A x
+// y = A x. Returns x^T A x.
 RIPSTOP_CLONES
-void Multigrid::multiply(const Level& level, const Row* x, Row* y) const
+double Multigrid::multiply(const Level& level, const Row* x, Row* y) const
 {
-    m_isSymmetric ? multiplyAs<true>(level, x, y) : multiplyAs<false>(level, x, y);
+    return m_isSymmetric ? multiplyAs<true>(level, x, y) : multiplyAs<false>(level, x, y);
 }
 
-// One sweep forth from x = 0 for A x = b, then r = b - A x.
+// One sweep forth from x = 0 for A x = b, then r = b - A x. That is found as soon as the sweep has
+// passed all neighbours, while their blocks are still near.
 RIPSTOP_CLONES
-void Multigrid::forward(Level& level) const
+void Multigrid::forward(Level& level, const Row* b) const
 {
-    m_isSymmetric ? forwardAs<true>(level) : forwardAs<false>(level);
+    m_isSymmetric ? forwardAs<true>(level, b) : forwardAs<false>(level, b);
 }
 
 // One sweep back from x.
 RIPSTOP_CLONES
-void Multigrid::backward(Level& level) const
+void Multigrid::backward(Level& level, const Row* b) const
 {
-    m_isSymmetric ? backwardAs<true>(level) : backwardAs<false>(level);
+    m_isSymmetric ? backwardAs<true>(level, b) : backwardAs<false>(level, b);
 }
 
 RIPSTOP_CLONES
@@ -344,25 +388,24 @@ void Multigrid::prolongFrom(Level& fine, const Level& coarse)
     }
 }
 
-// Fills x of a level from its b.
-void Multigrid::cycle(std::size_t l)
+// Fills x of a level from a right-hand side.
+void Multigrid::cycle(std::size_t l, const Row* b)
 {
     Level& level = m_levels[l];
-    if (l + 1 == m_levels.size() && !m_factorises) {
-        forward(level);
-        backward(level);
-        return;
-    }
-    if (l + 1 == m_levels.size()) {
-        std::copy(level.b.begin(), level.b.end(), level.x.begin());
+    const bool isLast = l + 1 == m_levels.size();
+    if (isLast && m_factorises) {
+        std::copy(b, b + level.x.size(), level.x.begin());
         m_coarsest.solve(level.x);
         return;
     }
-    forward(level);
-    restrictTo(level, m_levels[l + 1]);
-    cycle(l + 1);
-    prolongFrom(level, m_levels[l + 1]);
-    backward(level);
+    forward(level, b);
+    if (!isLast) {
+        Level& coarse = m_levels[l + 1];
+        restrictTo(level, coarse);
+        cycle(l + 1, coarse.b.data());
+        prolongFrom(level, coarse);
+    }
+    backward(level, b);
 }
 
 double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
@@ -377,8 +420,7 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
     double now = 0.0; // the square of the error's energy, as the cycle estimates it
     int taken = 0;
     for (double before = 0.0;; ++taken) {
-        std::copy(m_r.begin(), m_r.end(), finest.b.begin());
-        cycle(0);
+        cycle(0, m_r.data());
         keep(finest.x);
         const Row* const z = finest.x.data();
         now = dotOf(m_r.data(), z, count);
@@ -391,9 +433,8 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
         before = now;
         for (std::size_t i = 0; i < count; ++i)
             pack(m_p[i].v) = pack(z[i].v) + share * pack(m_p[i].v);
-        multiply(finest, m_p.data(), m_q.data());
-        keep(m_q);
-        const double step = now / dotOf(m_p.data(), m_q.data(), count);
+        const double step = now / multiply(finest, m_p.data(), m_q.data());
+        keep(m_q); // and p has nothing of what that takes out
         for (std::size_t i = 0; i < count; ++i)
             pack(m_x[i].v) += step * pack(m_p[i].v);
         // The next cycle would show what is left. It is not needed where the fall so far tells it.

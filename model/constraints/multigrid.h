@@ -32,6 +32,14 @@ class Multigrid
 public:
     using Block = BlockCholesky::Block;
 
+    // A block in single precision: half of what there is to fetch, and a preconditioner need not be
+    // exact.
+    struct RoundedBlock
+    {
+        using Column = float __attribute__((vector_size(16)));
+        Column column[3];
+    };
+
     // Analyses a pattern, which takes memory; nothing else does.
     //   pairs    places off the diagonal, each pair of nodes once or more, in any order
     //   anchors  pairs of a node and something that is held, numbered from `nodes` on
@@ -71,28 +79,31 @@ private:
         std::vector<std::uint32_t> column; // [blocks] ascending in each row
         std::vector<Block> block;          // [blocks]
         std::vector<Block> diagonal;       // [nodes]
-        std::vector<Block> inverse;        // [nodes] of the diagonal
+        std::vector<RoundedBlock> rounded; // [blocks] what sweeps read
+        std::vector<RoundedBlock> inverse; // [nodes] of the diagonal
+        std::size_t reach = 0;             // nodes, from a row to the furthest of its columns
         Prolongation up;                   // to the next level
         std::vector<std::uint32_t> target; // of products there
         std::vector<Row> x, b, r;          // [nodes] scratch of the cycle
     };
 
-    void makeCoarser(const Level& fine, Level& coarse) const;
+    void makeCoarser(Level& fine, Level& coarse) const;
     static void addMirrored(const Level& fine, std::size_t a, std::uint32_t k,
                             const std::uint32_t*& target, Level& coarse);
     template <bool symmetric>
-    static void multiplyAs(const Level& level, const Row* x, Row* y);
+    static double multiplyAs(const Level& level, const Row* x, Row* y);
     template <bool symmetric>
-    static void forwardAs(Level& level);
+    static void forwardAs(Level& level, const Row* b);
     template <bool symmetric>
-    static void backwardAs(Level& level);
-    void cycle(std::size_t level);
+    static void backwardAs(Level& level, const Row* b);
+    void cycle(std::size_t level, const Row* b);
     static bool invert(Level& level);
-    void multiply(const Level& level, const Row* x, Row* y) const;
-    void forward(Level& level) const;
+    static void roundBlocks(Level& level);
+    double multiply(const Level& level, const Row* x, Row* y) const;
+    void forward(Level& level, const Row* b) const;
     static void restrictTo(const Level& fine, Level& coarse);
     static void prolongFrom(Level& fine, const Level& coarse);
-    void backward(Level& level) const;
+    void backward(Level& level, const Row* b) const;
 
     std::vector<Level> m_levels;       // the finest first
     std::vector<std::uint32_t> m_pair; // [pairs] block of the finest level
