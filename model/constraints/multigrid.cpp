@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t smallEnough = 48;      // nodes, of the coarsest level
 constexpr std::size_t mostFactorised = 2000; // nodes, where a network has no coarser one
+constexpr std::size_t mostNear = 40'000;     // blocks, that a processor keeps near
 constexpr double nothing = 1e-5;             // of the energy's root
 constexpr double usualFall = 0.02;           // of the square of the error, in an iteration
 constexpr double toSpare = 3.0;
@@ -109,7 +110,8 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
 
     const auto giveSweeps = [](Level& level) {
         level.inverse.assign(level.diagonal.size(), RoundedBlock{});
-        level.rounded.assign(level.block.size(), RoundedBlock{});
+        if (level.block.size() > mostNear)
+            level.rounded.assign(level.block.size(), RoundedBlock{});
     };
     m_levels.clear();
     for (;;) {
@@ -199,7 +201,7 @@ bool Multigrid::invert(Level& level)
 // Of a level that has no coarser one; makeCoarser() does so as it reads the blocks.
 void Multigrid::roundBlocks(Level& level)
 {
-    for (std::size_t k = 0; k < level.block.size(); ++k)
+    for (std::size_t k = 0; k < level.rounded.size(); ++k)
         level.rounded[k] = rounded(level.block[k]);
 }
 
@@ -240,7 +242,8 @@ void Multigrid::makeCoarser(Level& fine, Level& coarse) const
     for (std::size_t a = 0; a < nodes; ++a)
         for (std::uint32_t k = fine.start[a]; k < fine.start[a + 1]; ++k) {
             const std::size_t b = fine.column[k];
-            fine.rounded[k] = rounded(fine.block[k]);
+            if (!fine.rounded.empty())
+                fine.rounded[k] = rounded(fine.block[k]);
             if (!m_isSymmetric) {
                 addMirrored(fine, a, k, target, coarse);
                 continue;
@@ -299,49 +302,51 @@ RIPSTOP_INLINE double Multigrid::multiplyAs(const Level& level, const Row* x, Ro
     return (product[0] + product[1]) + product[2];
 }
 
-template <bool symmetric>
-RIPSTOP_INLINE void Multigrid::forwardAs(Level& level, const Row* b)
+template <bool symmetric, class AnyBlock>
+RIPSTOP_INLINE void Multigrid::forwardAs(Level& level, const AnyBlock* block, const Row* b)
 {
     const std::size_t nodes = level.diagonal.size();
-    std::copy_n(b, std::min(level.reach, nodes), level.r.begin());
-    for (std::size_t i = 0; i < nodes + level.reach; ++i) {
-        if (i + level.reach < nodes)
-            level.r[i + level.reach] = b[i + level.reach];
+    const std::size_t lag = level.rounded.empty() ? nodes : level.reach;
+    std::copy_n(b, lag, level.r.begin());
+    for (std::size_t i = 0; i < nodes + lag; ++i) {
+        if (i + lag < nodes)
+            level.r[i + lag] = b[i + lag];
         if (i < nodes) {
             Row x;
             pack(x.v) = times(level.inverse[i], level.r[i]);
             level.x[i] = x;
             for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.rounded[k], x);
+                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(block[k], x);
         }
-        if (i < level.reach)
+        if (i < lag)
             continue;
         // what the sweep has left is what nodes to the right have moved since
-        const std::size_t behind = i - level.reach;
+        const std::size_t behind = i - lag;
         Pack left{};
         for (std::uint32_t k = level.start[behind]; k < level.start[behind + 1]; ++k)
-            left -= times(level.rounded[k], level.x[level.column[k]]);
+            left -= times(block[k], level.x[level.column[k]]);
         pack(level.r[behind].v) = left;
     }
 }
 
-template <bool symmetric>
-RIPSTOP_INLINE void Multigrid::backwardAs(Level& level, const Row* b)
+template <bool symmetric, class AnyBlock>
+RIPSTOP_INLINE void Multigrid::backwardAs(Level& level, const AnyBlock* block, const Row* b)
 {
     const std::size_t nodes = level.diagonal.size();
-    for (std::size_t ahead = nodes + level.reach; ahead-- > 0;) {
-        if (ahead >= level.reach) {
-            const std::size_t i = ahead - level.reach;
+    const std::size_t lag = level.rounded.empty() ? nodes : level.reach;
+    for (std::size_t ahead = nodes + lag; ahead-- > 0;) {
+        if (ahead >= lag) {
+            const std::size_t i = ahead - lag;
             level.r[i] = b[i];
             const Row x = level.x[i];
             for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(level.rounded[k], x);
+                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(block[k], x);
         }
         if (ahead >= nodes)
             continue;
         Row left = level.r[ahead];
         for (std::uint32_t k = level.start[ahead]; k < level.start[ahead + 1]; ++k)
-            pack(left.v) -= times(level.rounded[k], level.x[level.column[k]]);
+            pack(left.v) -= times(block[k], level.x[level.column[k]]);
         pack(level.x[ahead].v) = times(level.inverse[ahead], left);
     }
 }
@@ -353,19 +358,29 @@ double Multigrid::multiply(const Level& level, const Row* x, Row* y) const
     return m_isSymmetric ? multiplyAs<true>(level, x, y) : multiplyAs<false>(level, x, y);
 }
 
-// One sweep forth from x = 0 for A x = b, then r = b - A x. That is found as soon as the sweep has
-// passed all neighbours, while their blocks are still near.
+// One sweep forth from x = 0 for A x = b, then r = b - A x. On large levels that is found as soon
+// as the sweep has passed all neighbours, while their blocks are still near.
 RIPSTOP_CLONES
 void Multigrid::forward(Level& level, const Row* b) const
 {
-    m_isSymmetric ? forwardAs<true>(level, b) : forwardAs<false>(level, b);
+    if (level.rounded.empty())
+        m_isSymmetric ? forwardAs<true>(level, level.block.data(), b)
+                      : forwardAs<false>(level, level.block.data(), b);
+    else
+        m_isSymmetric ? forwardAs<true>(level, level.rounded.data(), b)
+                      : forwardAs<false>(level, level.rounded.data(), b);
 }
 
 // One sweep back from x.
 RIPSTOP_CLONES
 void Multigrid::backward(Level& level, const Row* b) const
 {
-    m_isSymmetric ? backwardAs<true>(level, b) : backwardAs<false>(level, b);
+    if (level.rounded.empty())
+        m_isSymmetric ? backwardAs<true>(level, level.block.data(), b)
+                      : backwardAs<false>(level, level.block.data(), b);
+    else
+        m_isSymmetric ? backwardAs<true>(level, level.rounded.data(), b)
+                      : backwardAs<false>(level, level.rounded.data(), b);
 }
 
 RIPSTOP_CLONES

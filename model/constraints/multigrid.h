@@ -79,7 +79,7 @@ private:
         std::vector<std::uint32_t> column; // [blocks] ascending in each row
         std::vector<Block> block;          // [blocks]
         std::vector<Block> diagonal;       // [nodes]
-        std::vector<RoundedBlock> rounded; // [blocks] what sweeps read
+        std::vector<RoundedBlock> rounded; // [blocks] what sweeps read; of large levels
         std::vector<RoundedBlock> inverse; // [nodes] of the diagonal
         std::size_t reach = 0;             // nodes, from a row to the furthest of its columns
         Prolongation up;                   // to the next level
@@ -92,10 +92,10 @@ private:
                             const std::uint32_t*& target, Level& coarse);
     template <bool symmetric>
     static double multiplyAs(const Level& level, const Row* x, Row* y);
-    template <bool symmetric>
-    static void forwardAs(Level& level, const Row* b);
-    template <bool symmetric>
-    static void backwardAs(Level& level, const Row* b);
+    template <bool symmetric, class AnyBlock>
+    static void forwardAs(Level& level, const AnyBlock* block, const Row* b);
+    template <bool symmetric, class AnyBlock>
+    static void backwardAs(Level& level, const AnyBlock* block, const Row* b);
     void cycle(std::size_t level, const Row* b);
     static bool invert(Level& level);
     static void roundBlocks(Level& level);
