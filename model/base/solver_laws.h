@@ -9,6 +9,7 @@ namespace ripstop {
 enum class Integrator {
     ExplicitEuler,
     SemiImplicitEuler,
+    ImplicitEuler,  // of springs, rods and air; other forces are those of the start
     Verlet,         // Verlet 1967
     VelocityVerlet, // Swope, Andersen, Berens and Wilson 1982
     Bdf2,           // backward differences of second order (Curtiss and Hirschfelder 1952)
@@ -16,8 +17,22 @@ enum class Integrator {
     Auto            // what step/solver_plan.h chooses
 };
 template <>
-inline constexpr std::array<std::string_view, 7> choiceNames<Integrator>{
-    "explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet", "bdf2", "rk4", "auto"};
+inline constexpr std::array<std::string_view, 8> choiceNames<Integrator>{"explicit_euler",
+                                                                         "semi_implicit_euler",
+                                                                         "implicit_euler",
+                                                                         "verlet",
+                                                                         "velocity_verlet",
+                                                                         "bdf2",
+                                                                         "rk4",
+                                                                         "auto"};
+
+// Whether springs may be solved together with rods, instead of pulling as they did at the start of
+// a substep.
+constexpr bool isImplicit(Integrator integrator)
+{
+    return integrator == Integrator::ImplicitEuler || integrator == Integrator::Bdf2
+           || integrator == Integrator::Auto;
+}
 
 // Whether it goes on from State::drift instead of from the velocity.
 constexpr bool isVerlet(Integrator integrator)

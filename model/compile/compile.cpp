@@ -9,6 +9,7 @@
 #include "constraints/rod_order.h"
 #include "scene/check.h"
 #include "scene/flat_panel.h"
+#include "scene/step_limits.h"
 
 #include <span>
 
@@ -53,15 +54,21 @@ RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
     std::vector<const Link*> springs;
     std::vector<const Link*> rods;
     std::vector<RodEnds> ends;
+    const auto isStiff = [&](const Link& row) {
+        return springNumbers(row, materialOf(scene, index, row.material)).stiffness > 0.0;
+    };
+    const bool together = springsAreTogether(scene, index);
     rods.reserve(system.links.capacity());
     ends.reserve(system.links.capacity());
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Link& row : part.links) {
             const int a = index.particle(row.from);
             const int b = index.particle(row.to);
-            const bool spring = row.kind == LinkKind::Spring;
+            const bool spring = row.kind == LinkKind::Spring && !(together && isStiff(row));
             auto& rows = spring ? springs : rods;
-            system.links.push_back({Key(row.id), row.kind, int(rows.size()), a, b});
+            const LinkKind kind = spring ? LinkKind::Spring : LinkKind::Rod;
+            system.links.push_back({Key(row.id), kind, int(rows.size()), a, b});
+            system.springsAsRods += kind != row.kind;
             system.linkStuff.push_back(stuffOf(row));
             rows.push_back(&row);
             if (!spring)
@@ -95,9 +102,7 @@ RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
 // Of the last panel; the check before has found those that have no area.
 void addMembrane(const Panel& row, System& system)
 {
-    const auto at = [&](int corner) -> Vec3 {
-        return system.start.position[std::size_t(corner)];
-    };
+    const auto at = [&](int corner) -> Vec3 { return system.start.position[std::size_t(corner)]; };
     const auto& [a, b, c] = system.panels.back().corner;
     const std::optional<FlatPanel> flat = flatPanel(row, at(a), at(b), at(c));
     if (!flat)
@@ -106,8 +111,8 @@ void addMembrane(const Panel& row, System& system)
     const double scale = 0.5 / area;
     system.membranes.push_back({int(system.panels.size()) - 1,
                                 area,
-                                {flat->ac.y() * scale, -flat->ac.x() * scale,
-                                 -flat->ab.y() * scale, flat->ab.x() * scale}});
+                                {flat->ac.y() * scale, -flat->ac.x() * scale, -flat->ab.y() * scale,
+                                 flat->ab.x() * scale}});
 }
 
 void addPanels(const Scene& scene, const ElementIndex& index, System& system)

@@ -5,7 +5,9 @@
 
 #include "compile/compile.h"
 #include "compile/patch.h"
+#include "compile/resolve.h"
 #include "scene/element_index.h"
+#include "scene/step_limits.h"
 #include "system/system_memory.h"
 
 #include <algorithm>
@@ -80,6 +82,7 @@ private:
 
     void note(const SetValues& change);
     bool isSound() const;
+    bool movesSprings() const;
     Patch patch() const;
     void patchLink(Id id, Patch& patch) const;
     void patchPanel(Id id, Patch& patch) const;
@@ -87,6 +90,7 @@ private:
     Scene m_scene;
     ElementIndex m_index; // of the scene when m_noted.structure is false
     Noted m_noted;
+    bool m_springsTogether = false; // in what the last update has made
     SystemMemory m_memory;
 };
 
@@ -188,7 +192,8 @@ std::variant<Update, Finding> LiveSystem::Private::update(std::uint64_t generati
             return std::move(*error);
 
     Update update;
-    if (m_noted.structure) {
+    if (m_noted.structure || movesSprings()) {
+        m_springsTogether = springsAreTogether(m_scene, m_index);
         const std::shared_ptr<System> system = m_memory.take();
         system->generation = generation;
         system->run = run;
@@ -203,6 +208,24 @@ std::variant<Update, Finding> LiveSystem::Private::update(std::uint64_t generati
     m_noted = {};
     m_noted.structure = false;
     return update;
+}
+
+// Whether springs go over to rods or come back from there. Of springs that are rods, no patch of a
+// material knows.
+bool LiveSystem::Private::movesSprings() const
+{
+    const bool some = m_noted.settings || !m_noted.materials.empty() || !m_noted.particles.empty()
+                      || !m_noted.links.empty();
+    if (!some)
+        return false;
+    const auto isLimp = [this](Id id) { // it stays a force
+        const Link& row = rowOf<Link>(m_scene, id);
+        return row.kind == LinkKind::Spring
+               && springNumbers(row, materialOf(m_scene, m_index, row.material)).stiffness == 0.0;
+    };
+    return springsAreTogether(m_scene, m_index) != m_springsTogether
+           || (m_springsTogether
+               && (!m_noted.materials.empty() || std::ranges::any_of(m_noted.links, isLimp)));
 }
 
 // Whether what was noted has no error; all else had none at the last update.
@@ -250,7 +273,7 @@ void LiveSystem::Private::patchLink(Id id, Patch& patch) const
     const int a = m_index.particle(row.from);
     const int b = m_index.particle(row.to);
     patch.linkStuff.emplace_back(link, stuffOf(row));
-    if (row.kind == LinkKind::Spring)
+    if (row.kind == LinkKind::Spring && !m_springsTogether)
         patch.springs.emplace_back(link, springOf(row, material, a, b));
     else
         patch.rods.emplace_back(link, rodOf(row, material, a, b));

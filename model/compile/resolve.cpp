@@ -21,6 +21,18 @@ namespace {
 
 enum Own : std::uint8_t { OwnStiffness = 1, OwnDamping = 2, OwnCompliance = 4, OwnTearLimit = 8 };
 
+// The same law, for whoever solves it at once.
+Rod asRod(const Spring& spring)
+{
+    return {spring.a,
+            spring.b,
+            spring.restLength,
+            1.0 / spring.stiffness,
+            spring.resists,
+            spring.tear,
+            spring.damping / spring.stiffness};
+}
+
 void takeTear(const Material& material, std::uint8_t own, TearLimit& tear)
 {
     tear.rule = material.tearRule;
@@ -200,6 +212,8 @@ Spring springOf(const Link& row, const Material& material, int a, int b)
 
 Rod rodOf(const Link& row, const Material& material, int a, int b)
 {
+    if (row.kind == LinkKind::Spring)
+        return asRod(springOf(row, material, a, b));
     Rod rod{a,
             b,
             row.restLength,
@@ -264,8 +278,8 @@ ClothLaw clothOf(const Material& material)
     const double warp = *material.membraneStiffness;
     const double weft = material.weftStiffness.value_or(warp);
     const double ofSheet = std::sqrt(warp * weft) / (2.0 * (1.0 + material.poissonRatio));
-    ClothLaw law = ClothLaw::of(warp, weft, material.poissonRatio,
-                                material.shearStiffness.value_or(ofSheet));
+    ClothLaw law =
+        ClothLaw::of(warp, weft, material.poissonRatio, material.shearStiffness.value_or(ofSheet));
     law.dampingTime = material.dampingTime;
     law.pushes = material.resistsPushing;
     return law;

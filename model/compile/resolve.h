@@ -18,7 +18,7 @@ GuidedParticle guidedOf(const Particle& row, int place);
 
 LinkStuff stuffOf(const Link& row);
 Spring springOf(const Link& row, const Material& material, int a, int b); // particle indices
-Rod rodOf(const Link& row, const Material& material, int a, int b);
+Rod rodOf(const Link& row, const Material& material, int a, int b); // or of a spring held as one
 MaterialAir airOf(Id id, const Material& material);
 std::vector<MaterialAir> materialAirOf(const Scene& scene);
 Bending bendingOf(const Material& material);

@@ -126,12 +126,13 @@ private:
         row.to = particleId(link.b);
         if (m_halved.contains(origin)) {
             const auto index = std::size_t(link.index);
-            const bool spring = link.kind == LinkKind::Spring;
-            const TearLimit& tear =
-                spring ? m_system.springs[index].tear : m_system.rods[index].tear;
-            if (spring) {
-                row.stiffness = m_system.springs[index].stiffness;
-                row.damping = m_system.springs[index].damping;
+            const bool held = link.kind == LinkKind::Rod;
+            const TearLimit& tear = held ? m_system.rods[index].tear : m_system.springs[index].tear;
+            if (row.kind == LinkKind::Spring) {
+                const Spring spring =
+                    held ? asSpring(m_system.rods[index]) : m_system.springs[index];
+                row.stiffness = spring.stiffness;
+                row.damping = spring.damping;
             } else {
                 row.compliance = m_system.rods[index].compliance;
             }

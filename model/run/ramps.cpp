@@ -98,11 +98,12 @@ NotedLinks::NotedLinks(const System& system, const State& state)
 }
 
 double NotedLinks::lastsFor(const System& edited, std::span<const Ramp> ramps,
-                            const KeyIndex& noted) const
+                            std::span<const LinkKind> kind, const KeyIndex& noted) const
 {
     Eigen::AlignedBox3d box;
     double strain = 0.0;
-    for (const Ramp& ramp : ramps) {
+    for (std::size_t i = 0; i < ramps.size(); ++i) {
+        const Ramp& ramp = ramps[i];
         const Link& link = m_links[std::size_t(noted(ramp.link))];
         box.extend(link.ends[0]);
         box.extend(link.ends[1]);
@@ -110,7 +111,7 @@ double NotedLinks::lastsFor(const System& edited, std::span<const Ramp> ramps,
         const double stretch = length - ramp.from.restLength;
         if (length > 0.0)
             strain = std::max(strain,
-                              wayOf(ramp, link.kind, isSlack(link.resists, stretch) ? 0.0 : stretch)
+                              wayOf(ramp, kind[i], isSlack(link.resists, stretch) ? 0.0 : stretch)
                                   / length);
     }
     return std::max(edited.rampTime, ramps.empty() ? 0.0 : strain * box.diagonal().norm() / calm);
@@ -122,9 +123,10 @@ std::vector<Ramp> NotedLinks::rampsTo(const System& edited) const
     for (std::size_t i = 0; i < m_links.size(); ++i)
         index.add(m_links[i].key, int(i));
     std::vector<Ramp> ramps, begun;
+    std::vector<LinkKind> kinds; // of those that begin
     for (const LinkPlace& link : edited.links) {
         const int place = index(link.key);
-        if (place < 0 || m_links[std::size_t(place)].kind != link.kind)
+        if (place < 0)
             continue;
         const Link& noted = m_links[std::size_t(place)];
         const Ramp::Numbers to = numbersOf(edited, link);
@@ -133,12 +135,21 @@ std::vector<Ramp> NotedLinks::rampsTo(const System& edited) const
             continue;
         }
         Ramp::Numbers from = noted.numbers;
+        if (noted.kind != link.kind) {
+            // A spring that got too stiff for a force gets so by and by. One that was may not be
+            // as stiff as before for a moment, but what gets softer throws nothing.
+            const bool stiffens = link.kind == LinkKind::Rod && from.stiffness > 0.0;
+            from.stiffness = stiffens ? 1.0 / from.stiffness : to.stiffness;
+            from.damping = to.damping;
+        }
         if (noted.rule != tearOf(edited, link).rule) // a limit of something else
             from.limit = to.limit;
-        if (from != to && edited.rampTime > 0.0)
+        if (from != to && edited.rampTime > 0.0) {
             begun.push_back({link.key, m_time, 0.0, from, to});
+            kinds.push_back(link.kind);
+        }
     }
-    const double lasts = lastsFor(edited, begun, index);
+    const double lasts = lastsFor(edited, begun, kinds, index);
     for (Ramp& ramp : begun)
         ramp.lasts = lasts;
     ramps.insert(ramps.end(), begun.begin(), begun.end());

@@ -45,7 +45,8 @@ private:
         Ramp::Numbers numbers;
     };
 
-    double lastsFor(const System& edited, std::span<const Ramp> ramps, const KeyIndex& noted) const;
+    double lastsFor(const System& edited, std::span<const Ramp> ramps,
+                    std::span<const LinkKind> kind, const KeyIndex& noted) const;
     double m_time;             // s
     std::vector<Link> m_links; // [links]
     std::vector<Ramp> m_ramps; // under way

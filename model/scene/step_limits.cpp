@@ -9,52 +9,125 @@
 
 namespace ripstop {
 
+namespace {
+
+constexpr double toSpare = 1.05;
+constexpr int substepsOfEuler = 4; // that bdf2 may make one of (step/solver_plan.cpp)
+
+struct Sums // of the forces at a particle
+{
+    double stiffness = 0.0; // N/m
+    double damping = 0.0;   // N s/m
+
+    double limit(const Particle& particle, Integrator integrator) const
+    {
+        return particle.pinned ? std::numeric_limits<double>::infinity()
+                               : springStepLimit(particle.mass, stiffness, damping, integrator);
+    }
+};
+
+template <typename Visit> // visit(link)
+void forEachSpring(const Scene& scene, Visit visit)
+{
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Link& link : part.links)
+            if (link.kind == LinkKind::Spring)
+                visit(link);
+    });
+}
+
+bool hasLinks(const Scene& scene, LinkKind kind)
+{
+    bool found = false;
+    forEachPart(scene, [&](Id, const Part& part) {
+        found |= std::ranges::any_of(part.links, [=](const Link& l) { return l.kind == kind; });
+    });
+    return found;
+}
+
+// Whether the solver and the integrator may solve springs together with rods.
+bool mayBeTogether(const Settings& settings)
+{
+    return settings.solver == Solver::Auto
+               ? isImplicit(settings.integrator)
+               : settings.solver == Solver::Direct
+                     && settings.integrator == Integrator::ImplicitEuler;
+}
+
+// s, where bdf2 may come into it that of bdf2.
+double longestSubstep(const Scene& scene)
+{
+    const Settings& settings = scene.settings;
+    const bool mayBeLong =
+        settings.integrator == Integrator::Auto && hasLinks(scene, LinkKind::Rod);
+    return settings.timeStep
+           / (mayBeLong ? (settings.substeps + substepsOfEuler - 1) / substepsOfEuler
+                        : settings.substeps);
+}
+
+std::vector<Sums> sumsOfSprings(const Scene& scene, const ElementIndex& index, bool onlyDampers)
+{
+    static const Material none;
+    std::size_t particles = 0;
+    forEachPart(scene, [&](Id, const Part& part) { particles += part.particles.size(); });
+    std::vector<Sums> at(particles);
+    forEachSpring(scene, [&](const Link& link) {
+        const int place = index.material(link.material);
+        const auto [stiffness, damping] = springNumbers(
+            link, place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item));
+        if (onlyDampers && stiffness > 0.0)
+            return;
+        for (const Id end : {link.from, link.to})
+            if (const int particle = index.particle(end); particle >= 0) {
+                at[std::size_t(particle)].stiffness += stiffness;
+                at[std::size_t(particle)].damping += damping;
+            }
+    });
+    return at;
+}
+
+} // namespace
+
+SpringNumbers springNumbers(const Link& link, const Material& material)
+{
+    return {
+        link.stiffness.value_or(springStiffness(material, link.role, link.width, link.restLength)),
+        link.damping.value_or(material.damping)};
+}
+
+bool springsAreTogether(const Scene& scene, const ElementIndex& index)
+{
+    const Settings& settings = scene.settings;
+    if (!mayBeTogether(settings) || !hasLinks(scene, LinkKind::Spring))
+        return false;
+    if (settings.integrator == Integrator::ImplicitEuler)
+        return true;
+    const std::vector<Sums> springs = sumsOfSprings(scene, index, false);
+    const double longest = toSpare * longestSubstep(scene);
+    const bool isBdf2 = longest > toSpare * settings.timeStep / settings.substeps;
+    const Integrator integrator = isBdf2 ? Integrator::Bdf2 : settings.integrator;
+    bool tooStiff = false;
+    std::size_t next = 0;
+    forEachPart(scene, [&](Id, const Part& part) {
+        for (const Particle& particle : part.particles)
+            tooStiff |= springs[next++].limit(particle, integrator) < longest;
+    });
+    return tooStiff;
+}
+
 StepLimits stepLimitsOf(const Scene& scene, const ElementIndex& index)
 {
-    struct Sums
-    {
-        double stiffness = 0.0; // N/m
-        double damping = 0.0;   // N s/m
-        bool forces = false;
-    };
-    std::vector<Sums> at;
-    forEachPart(scene, [&](Id, const Part& part) { at.resize(at.size() + part.particles.size()); });
-    forEachPart(scene, [&](Id, const Part& part) {
-        for (const Link& link : part.links) {
-            if (link.kind != LinkKind::Spring)
-                continue;
-            const int place = index.material(link.material);
-            const Material* material =
-                place < 0 ? nullptr : &std::get<Material>(scene.items[std::size_t(place)].item);
-            for (const Id end : {link.from, link.to}) {
-                const int particle = index.particle(end);
-                if (particle < 0)
-                    continue;
-                Sums& sums = at[std::size_t(particle)];
-                sums.stiffness += link.stiffness.value_or(
-                    material ? springStiffness(*material, link.role, link.width, link.restLength)
-                             : 0.0);
-                sums.damping += link.damping.value_or(material ? material->damping : 0.0);
-                sums.forces = true;
-            }
-        }
-    });
-    const std::vector<double> bends = bendSumsOf(scene, index);
-    for (std::size_t k = 0; k < bends.size(); ++k) {
-        at[k].stiffness += bends[k];
-        at[k].forces |= bends[k] > 0.0;
-    }
     StepLimits limits;
+    limits.springsTogether = springsAreTogether(scene, index);
+    std::vector<Sums> at = sumsOfSprings(scene, index, limits.springsTogether);
+    const std::vector<double> bends = bendSumsOf(scene, index);
+    for (std::size_t k = 0; k < bends.size(); ++k)
+        at[k].stiffness += bends[k];
     limits.bends = std::ranges::any_of(bends, [](double sum) { return sum > 0.0; });
     forEachPart(scene, [&](Id, const Part& part) {
-        for (const Particle& particle : part.particles) {
-            const Sums& sums = at[limits.timeStep.size()];
-            limits.timeStep.push_back(particle.pinned || !sums.forces
-                                          ? std::numeric_limits<double>::infinity()
-                                          : springStepLimit(particle.mass, sums.stiffness,
-                                                            sums.damping,
-                                                            scene.settings.integrator));
-        }
+        for (const Particle& particle : part.particles)
+            limits.timeStep.push_back(
+                at[limits.timeStep.size()].limit(particle, scene.settings.integrator));
     });
     return limits;
 }

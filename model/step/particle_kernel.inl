@@ -191,6 +191,7 @@ void run(ParticlePass pass, Integrator integrator, const ParticleMotion& m, std:
     case Integrator::ExplicitEuler:
         return runWith<Integrator::ExplicitEuler>(pass, m, first, last);
     case Integrator::SemiImplicitEuler:
+    case Integrator::ImplicitEuler: // what is implicit about it, the global solve does
         return runWith<Integrator::SemiImplicitEuler>(pass, m, first, last);
     case Integrator::Verlet:
         return runWith<Integrator::Verlet>(pass, m, first, last);

@@ -193,10 +193,10 @@ public:
         if (!m_given.empty())
             plan.direct = m_direct;
         if (!m_system.membranes.empty())
-            plan.reason = Message("%1 panels carry the pull of the fabric and are solved together "
-                                  "with all rods; %2",
-                                  m_system.membranes.size(),
-                                  substepsBy(plan.integrator, plan.substeps));
+            plan.reason =
+                Message("%1 panels carry the pull of the fabric and are solved together "
+                        "with all rods; %2",
+                        m_system.membranes.size(), substepsBy(plan.integrator, plan.substeps));
         else if (m_system.rods.empty())
             plan.reason = Message("there are no rods");
         else if (!m_given.empty() && substeps <= 1.0)
@@ -235,13 +235,17 @@ private:
     {
         if (m_system.integrator != Integrator::Auto)
             return m_system.integrator;
-        const bool calmsItself = std::ranges::all_of(m_system.rods, [&](const Rod& rod) {
-            return !moves(rod) || (rod.compliance > 0.0 && rod.dampingTime > 0.0);
-        }) && std::ranges::all_of(m_system.membranes, [&](const Membrane& membrane) {
-            const auto air = std::size_t(m_system.panels[std::size_t(membrane.panel)].air);
-            const ClothLaw& law = m_system.cloth[air];
-            return !law.isElastic() || law.dampingTime > 0.0;
-        });
+        const bool calmsItself =
+            std::ranges::all_of(m_system.rods,
+                                [&](const Rod& rod) {
+                                    return !moves(rod)
+                                           || (rod.compliance > 0.0 && rod.dampingTime > 0.0);
+                                })
+            && std::ranges::all_of(m_system.membranes, [&](const Membrane& membrane) {
+                   const auto air = std::size_t(m_system.panels[std::size_t(membrane.panel)].air);
+                   const ClothLaw& law = m_system.cloth[air];
+                   return !law.isElastic() || law.dampingTime > 0.0;
+               });
         return together && calmsItself && std::isinf(stiffStepLimit(m_system))
                    ? Integrator::Bdf2
                    : Integrator::SemiImplicitEuler;
@@ -289,9 +293,17 @@ SolverPlan planFor(const System& system)
     const double tooMany = tooManySubsteps * system.timeStep / 0.01;
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
 
-    if (system.integrator == Integrator::Bdf2)
-        planner.give(planner.networksOf(isAny), [](std::size_t count, const Message& rest) {
-            return Message("%1 rods are solved together, as bdf2 needs it; %2", count, rest);
+    if (system.integrator == Integrator::Bdf2 || system.integrator == Integrator::ImplicitEuler)
+        planner.give(planner.networksOf(isAny), [&](std::size_t count, const Message& rest) {
+            return Message("%1 rods are solved together, as %2 needs it; %3", count,
+                           Message::word(choiceNames<Integrator>[std::size_t(system.integrator)]),
+                           rest);
+        });
+    if (system.springsAsRods > 0)
+        planner.give(planner.networksOf(isAny), [&](std::size_t count, const Message& rest) {
+            return Message("%1 links, springs among them that are too stiff for the substep, are "
+                           "solved together; %2",
+                           count, rest);
         });
     const auto isTooStiff = [&](const Rod& rod) {
         return rod.compliance > 0.0 && substepsForPull(system, rod) > manyForPull;

@@ -155,7 +155,9 @@ int Stepper::substepsForDamping(const System& system, const State& state) const
 // Whether what forces take from motion joins the masses (dampImplicitly()).
 bool Stepper::dampsImplicitly(const System& system) const
 {
-    return system.solver == Solver::Auto && m_plan.together && m_integrator == Integrator::Bdf2
+    const bool isImplicit =
+        m_integrator == Integrator::Bdf2 || m_integrator == Integrator::ImplicitEuler;
+    return system.solver == Solver::Auto && m_plan.together && isImplicit
            && system.airDensity > 0.0;
 }
 

@@ -1,8 +1,10 @@
 // Springs and rods, and the links that the author knows them by.
 //
 // A link of the scene becomes a spring (a force, forces/spring_force.h) or a rod (a constraint,
-// constraints/rod_solver.h). Rods stand in the order of the sweeps; LinkPlace says which spring or
-// rod a link became. What tears is told by tearing/tearing.h.
+// constraints/rod_solver.h). A spring that is too stiff for a force becomes a rod of the same law,
+// with the compliance 1 / k and the damping time nu / k (scene/step_limits.h). Rods stand in the
+// order of the sweeps; LinkPlace says which spring or rod a link became. What tears is told by
+// tearing/tearing.h.
 #pragma once
 
 #include "base/link_laws.h"
@@ -36,8 +38,8 @@ struct Spring
 };
 
 // A link that is a constraint. Damping pulls along with the stretch C: (C + dampingTime C') /
-// compliance, Kelvin and Voigt's solid; it pulls only where the stretch does, and not at all on rods
-// without compliance.
+// compliance, Kelvin and Voigt's solid; it pulls only where the stretch does, and not at all on
+// rods without compliance.
 struct Rod
 {
     int a; // particle index
@@ -50,6 +52,18 @@ struct Rod
 
     friend bool operator==(const Rod&, const Rod&) = default;
 };
+
+// The spring of the same law.
+inline Spring asSpring(const Rod& rod)
+{
+    return {rod.a,
+            rod.b,
+            rod.restLength,
+            1.0 / rod.compliance,
+            rod.dampingTime / rod.compliance,
+            rod.resists,
+            rod.tear};
+}
 
 // A link as the author sees it: which spring or rod it became, and whom it joins.
 struct LinkPlace

@@ -103,6 +103,7 @@ struct System
     std::vector<GuidedParticle> guided; // in ascending order of particle
 
     std::vector<Spring> springs;
+    std::size_t springsAsRods = 0;        // springs of the author that stand in rods
     std::vector<Rod> rods;                // in the order of rod_order.h
     std::vector<int> colorStart;          // [colours + 1] places in rods
     std::vector<int> chunkStart;          // [chunks + 1] colours

@@ -109,7 +109,7 @@ private slots:
         QTest::newRow("zero radius")           << "collider.radius"     << "0"          << "must be above 0";
         QTest::newRow("too much bounce")       << "collider.restitution" << "1.5"       << "must be at most 1";
         QTest::newRow("step too long")         << "settings.timeStep"   << "1"          << "must be at most 0.1";
-        QTest::newRow("unknown choice")        << "settings.integrator" << "leapfrog"   << "must be one of explicit_euler, semi_implicit_euler, verlet, velocity_verlet, bdf2, rk4, auto";
+        QTest::newRow("unknown choice")        << "settings.integrator" << "leapfrog"   << "must be one of explicit_euler, semi_implicit_euler, implicit_euler, verlet, velocity_verlet, bdf2, rk4, auto";
         QTest::newRow("choice in capitals")    << "settings.integrator" << "Verlet"     << "must be one of";
         QTest::newRow("colour by name")        << "material.color"      << "red"        << "must be a colour as #rrggbb";
         QTest::newRow("colour, wrong digit")   << "material.color"      << "#12345g"    << "must be a colour as #rrggbb";
