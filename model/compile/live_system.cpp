@@ -5,7 +5,6 @@
 
 #include "compile/compile.h"
 #include "compile/patch.h"
-#include "compile/resolve.h"
 #include "scene/element_index.h"
 #include "scene/step_limits.h"
 #include "system/system_memory.h"
@@ -210,22 +209,19 @@ std::variant<Update, Finding> LiveSystem::Private::update(std::uint64_t generati
     return update;
 }
 
-// Whether springs go over to rods or come back from there. Of springs that are rods, no patch of a
-// material knows.
+// Whether springs go over to rods or come back from there. No patch knows of springs that are rods.
 bool LiveSystem::Private::movesSprings() const
 {
     const bool some = m_noted.settings || !m_noted.materials.empty() || !m_noted.particles.empty()
                       || !m_noted.links.empty();
     if (!some)
         return false;
-    const auto isLimp = [this](Id id) { // it stays a force
-        const Link& row = rowOf<Link>(m_scene, id);
-        return row.kind == LinkKind::Spring
-               && springNumbers(row, materialOf(m_scene, m_index, row.material)).stiffness == 0.0;
+    const auto isSpring = [this](Id id) {
+        return rowOf<Link>(m_scene, id).kind == LinkKind::Spring;
     };
     return springsAreTogether(m_scene, m_index) != m_springsTogether
            || (m_springsTogether
-               && (!m_noted.materials.empty() || std::ranges::any_of(m_noted.links, isLimp)));
+               && (!m_noted.materials.empty() || std::ranges::any_of(m_noted.links, isSpring)));
 }
 
 // Whether what was noted has no error; all else had none at the last update.
@@ -273,7 +269,7 @@ void LiveSystem::Private::patchLink(Id id, Patch& patch) const
     const int a = m_index.particle(row.from);
     const int b = m_index.particle(row.to);
     patch.linkStuff.emplace_back(link, stuffOf(row));
-    if (row.kind == LinkKind::Spring && !m_springsTogether)
+    if (row.kind == LinkKind::Spring)
         patch.springs.emplace_back(link, springOf(row, material, a, b));
     else
         patch.rods.emplace_back(link, rodOf(row, material, a, b));

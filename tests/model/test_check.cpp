@@ -166,6 +166,7 @@ private slots:
             [](Scene& s) { part(s).particles.push_back({Id{14}}); });
 
         row("time step above the limit", warning, 13, "shorten the time step", [](Scene& s) {
+            s.settings.integrator = Integrator::SemiImplicitEuler;
             s.settings.timeStep = 0.1;
             s.settings.substeps = 1;
             part(s).links[1].kind = LinkKind::Spring;
@@ -339,6 +340,7 @@ private slots:
             rope.links.push_back(link);
         }
         Scene scene;
+        scene.settings.integrator = Integrator::SemiImplicitEuler;
         scene.items = {{partId, rope}};
 
         const auto limit = stepLimit(scene);

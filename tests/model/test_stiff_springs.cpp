@@ -3,7 +3,6 @@
 #include "builders/network.h"
 #include "compile/compile.h"
 #include "compile/live_system.h"
-#include "compile/patch.h"
 #include "run/simulation.h"
 #include "scene/check.h"
 #include "scene/step_limits.h"
@@ -57,13 +56,13 @@ SetValues cordStiffness(const Scene& scene, double stiffness)
     return {findProperty(Kind::Material, "stiffness"), {cordOf(scene)}, {stiffness}};
 }
 
+// m/s, of the load.
 double fastestIn(Simulation& simulation, double seconds)
 {
     double fastest = 0.0;
     const double end = simulation.state().time + seconds;
     while (simulation.state().time < end && simulation.step())
-        for (const PaddedVec3& velocity : simulation.state().velocity)
-            fastest = std::max(fastest, velocity.norm());
+        fastest = std::max(fastest, simulation.state().velocity.back().norm());
     return fastest;
 }
 
@@ -176,7 +175,8 @@ private slots:
         QVERIFY(std::abs(again.damping - 50.0) < 1e-12);
     }
 
-    // Pulled by a slider in flight from what a force can do to what it cannot, and back.
+    // Pulled by a slider in flight from what a force can do to what it cannot, and back: the load
+    // moves no faster than the 10 m/s that ramps allow (run/ramps.h).
     void editsInFlightThrowNothing()
     {
         LiveSystem live(chain(10, 20.0));
@@ -187,7 +187,8 @@ private slots:
         simulation.load(std::get<Update>(live.update(2, 1)));
         QCOMPARE(simulation.system().springsAsRods, std::size_t(10));
         QVERIFY(!simulation.state().ramps.empty());
-        QVERIFY(fastestIn(simulation, 4.0) < 10.0);
+        const double up = fastestIn(simulation, 4.0);
+        QVERIFY2(up < 10.0, qPrintable(QString::number(up)));
         const double stiff = stretchOf(10, 1e6);
         QVERIFY(std::abs(-1.0 - lowest(simulation) - stiff) < 0.01 * stiff);
 
@@ -198,19 +199,18 @@ private slots:
         QVERIFY(!simulation.trouble());
     }
 
-    // An edit in place and a compile of what it leads to are the same system.
-    void editsInPlaceAreAsCompiled()
+    // A number of one of them makes a new system, the same as that of a compile.
+    void editsAreAsCompiled()
     {
         LiveSystem live(chain(4, 1e6));
         Simulation simulation(std::get<Update>(live.update(1, 1)).system);
         const Id link = std::get<Part>(live.scene().items.back().item).links[2].id;
-        live.apply(
-            {Message("test"), {SetValues{findProperty(Kind::Link, "stiffness"), {link}, {5e7}}}});
-        const Update update = std::get<Update>(live.update(2, 1));
-        QVERIFY(update.patch);
-        simulation.load(update);
-        const auto whole = *compile(live.scene(), 2, 1);
-        QVERIFY(simulation.system() == *whole);
+        for (const double stiffness : {5e7, 0.0, 1e3}) {
+            live.apply({Message("test"),
+                        {SetValues{findProperty(Kind::Link, "stiffness"), {link}, {stiffness}}}});
+            simulation.load(std::get<Update>(live.update(2, 1)));
+            QVERIFY(simulation.system() == **compile(live.scene(), 2, 1));
+        }
     }
 };
 
