@@ -23,6 +23,12 @@ void checkMaterial(const Part& part, Id partId, Id id, const Material* material,
             material ? id : partId);
         return;
     }
+    if (material->tearRule != TearRule::Never)
+        add("whole", Severity::Warning,
+            Message("Panels of %1 do not tear: the tear limit of %2 holds for links alone. Have "
+                    "threads carry the pull of what is to tear.",
+                    part.name, material->name),
+            id);
     const double warp = *material->membraneStiffness;
     const double weft = material->weftStiffness.value_or(warp);
     if (std::max({warp, weft, material->shearStiffness.value_or(0.0)}) > stiffest)

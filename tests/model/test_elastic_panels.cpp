@@ -338,6 +338,10 @@ private slots:
         Simulation falls(*compile(limp));
         QVERIFY(falls.runUntil(0.1));
 
+        Scene brittle = scene;
+        materialOf(brittle).tearRule = TearRule::Strain;
+        QVERIFY(said(brittle).find("do not tear") != std::string::npos);
+
         Scene odd = scene;
         materialOf(odd).poissonRatio = 0.9;
         materialOf(odd).weftStiffness = 80e3;
