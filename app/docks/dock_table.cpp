@@ -54,7 +54,7 @@ QWidget* makeTuning(const PanelParts& parts, const Panels& above, QDockWidget& d
 QWidget* makePlots(const PanelParts& parts, const Panels&, QDockWidget& dock)
 {
     auto* plots = new PlotPanel(parts.document, parts.player, &dock);
-    plots->markEventsOf(parts.recordings);
+    plots->follow(parts.recordings);
     QObject::connect(plots, &PlotPanel::said, &dock, parts.say);
     return plots;
 }
