@@ -1,3 +1,5 @@
+// Kinematics first, that is axes, gradients and strain; then what the law makes of the strain: the
+// tension, the strain that the threads have, the numbers that people read, and what damping takes.
 #include "system/membrane.h"
 
 #include <algorithm>

@@ -9088,8 +9088,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Largest error of the pulls in links that a step may leave, against what their stiffness says; the automatic solver takes what that needs, and every run says where it was missed.</source>
-        <translation>Plus grande erreur des tractions dans les liaisons qu’un pas peut laisser, par rapport à ce que dit leur raideur ; le solveur automatique prend ce qu’il faut, et chaque simulation dit où elle a été manquée.</translation>
+        <source>Largest error of the pulls in links and elastic panels that a step may leave, against what their stiffness says; the automatic solver takes what that needs, and every run says where it was missed.</source>
+        <translation>Plus grande erreur des tractions dans les liaisons et les panneaux élastiques qu’un pas peut laisser, par rapport à ce que dit leur raideur ; le solveur automatique prend ce qu’il faut, et chaque simulation dit où elle a été manquée.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11329,7 +11329,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Weft stiffness</source>
-        <translation>Raideur de trame</translation>
+        <translation>Rigidité de trame</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11750,6 +11750,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>material</source>
         <translation>matériau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link is a rod and no panel is elastic, and springs need no solver</source>
+        <translation>aucune liaison n’est une tige et aucun panneau n’est élastique, et les ressorts n’ont pas besoin de solveur</translation>
     </message>
     <message>
         <location filename="tables"/>
