@@ -8,6 +8,7 @@
 #include "views/small_scenes.h"
 
 #include <QBuffer>
+#include <QToolTip>
 #include <QtTest>
 #include <qcustomplot.h>
 
@@ -186,6 +187,25 @@ private slots:
         QCOMPARE(desk.samplesWithBands(), std::size_t(0)); // the run stands at its start
         desk.fly(0.2);
         QCOMPARE(desk.samplesWithBands(), std::size_t(21)); // and is the recorded one
+    }
+
+    // The mouse on a band is told what it says; the value is that of the certified run.
+    void tellTheirNumbers()
+    {
+        Desk desk;
+        desk.certify(0.4);
+        desk.fly(0.4);
+        QCOMPARE(desk.bandsInSight(), 2);
+        QCustomPlot& plot = desk.plots.chart().plot();
+        const QCPAxisRect& heights = *plot.axisRects().front();
+        const double value = desk.plots.history().valuesOf(8)[30];
+        QTest::mouseMove(&plot, QPointF(heights.axis(QCPAxis::atBottom)->coordToPixel(30 * h),
+                                        heights.axis(QCPAxis::atLeft)->coordToPixel(value))
+                                    .toPoint());
+        QTRY_VERIFY(QToolTip::text().startsWith("height: "));
+        const double half = 1.25 * 0.5 * g * 30 * h * h; // m
+        QVERIFY2(QToolTip::text().contains(QString("± %1 m").arg(half, 0, 'g', 2)),
+                 qPrintable(QToolTip::text()));
     }
 
     // The table that is saved has a column of errors beside each value.
