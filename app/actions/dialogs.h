@@ -34,8 +34,8 @@ public:
 
     void showKeys(KeyMap& keys);
     void showPalette();
-    void showVerification(); // runs its cases when they have not been
-    void showPolar();        // of the selected material
+    void showVerification();                  // runs its cases when they have not been
+    void showPolar();                         // of the selected material
     void showCertify(Recordings& recordings); // which get the certificate
     void showCondition();
     void showRigidity();
