@@ -39,6 +39,8 @@ constexpr Other others[]{
     {"views/document/autosave.cpp",     "file title",         "the note beside unsaved work"},
     {"views/document/rescue.cpp",       "file title",         "the note beside unsaved work"},
     {"views/import/import_form.cpp",    "material name size", "names of widgets"},
+    {"views/look/quantity_values.h",    "material",           "what the view can be coloured by"},
+    {"views/plots/band_graphs.cpp",     "grid",               "a layer of the plot"},
     {"views/plots/chart.cpp",           "grid",               "a layer of the plot"},
     {"views/start/start_page.cpp",      "builder",            "names of pictures"},
     {"views/timeline/timeline.cpp",     "step",               "names of pictures"},

@@ -11,6 +11,7 @@
 #include "dialogs/settle_dialog.h"
 #include "dialogs/verification_dialog.h"
 #include "document/document.h"
+#include "document/recordings.h"
 #include "document/selection.h"
 #include "viewport/viewport.h"
 
@@ -71,10 +72,13 @@ void Dialogs::showPolar()
     bringUp(*m_polar);
 }
 
-void Dialogs::showCertify()
+void Dialogs::showCertify(Recordings& recordings)
 {
-    if (!m_certify)
+    if (!m_certify) {
         m_certify = new CertifyDialog(m_document, &m_window); // deletes itself when closed
+        QObject::connect(m_certify, &CertifyDialog::certified, &recordings,
+                         &Recordings::takeCertificate);
+    }
     bringUp(*m_certify);
 }
 

@@ -20,6 +20,7 @@ class Document;
 class KeyMap;
 class Player;
 class PolarDialog;
+class Recordings;
 class RigidityDialog;
 class Selection;
 class SettleDialog;
@@ -33,9 +34,9 @@ public:
 
     void showKeys(KeyMap& keys);
     void showPalette();
-    void showVerification(); // runs its cases when they have not been
-    void showPolar();        // of the selected material
-    void showCertify();
+    void showVerification();                  // runs its cases when they have not been
+    void showPolar();                         // of the selected material
+    void showCertify(Recordings& recordings); // which get the certificate
     void showCondition();
     void showRigidity();
     void showSettle(Player& player, std::function<void()> adoptPose);

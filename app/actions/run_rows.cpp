@@ -99,7 +99,7 @@ MenuRows runRows(const Workbench& bench)
         {"&Run", "unpinHands", tr("Pull &out pins"), nullptr,    {},                tr("Let go of all that was pinned by hand in this run."), unpin},
         line,
         {"&Run", "settle",     tr("S&ettle…"),       nullptr,    QKeySequence("Ctrl+Shift+Space"), tr("Run until all hangs still, then pause."), settle},
-        {"&Run", "certify",    tr("Certif&y…"),      nullptr,    {},                               tr("Fly the design three times, to tell which digits of its probes hold."), [&bench] { bench.dialogs.showCertify(); }},
+        {"&Run", "certify",    tr("Certif&y…"),      nullptr,    {},                               tr("Fly the design three times, to tell which digits of its probes hold."), [&bench] { bench.dialogs.showCertify(bench.recordings); }},
         {"&Run", "adoptPose",  tr("&Adopt pose…"),   nullptr,    QKeySequence("Ctrl+Shift+A"), tr("Make the shape of the run the design. Undo brings the old design back."), adopt},
     };
     // clang-format on

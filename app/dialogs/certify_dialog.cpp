@@ -28,6 +28,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <optional>
 
 namespace ripstop {
 namespace {
@@ -139,16 +140,18 @@ void CertifyDialog::start()
     }
     if (!(**made).stopped.empty())
         return m_state->setText(translated((**made).stopped));
-    m_certificate = std::move((**made).certificate);
+    m_certificate = std::make_shared<const Certificate>(std::move((**made).certificate));
     m_recording = (**made).flown;
-    m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time.")
+    m_state->setText(tr("After %1 s. Select a probe to see how far it may be off over time. The "
+                        "plots show it, too, when the design runs as it is now.")
                          .arg(number(seconds, 6)));
     fill();
+    emit certified(m_certificate);
 }
 
 void CertifyDialog::fill()
 {
-    const bool some = m_certificate.has_value();
+    const bool some = m_certificate != nullptr;
     m_chart->setVisible(some);
     m_saveTable->setEnabled(some);
     m_saveRecording->setEnabled(m_recording != nullptr);

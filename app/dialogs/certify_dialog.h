@@ -10,7 +10,7 @@
 
 #include <QDialog>
 
-#include <optional>
+#include <memory>
 
 class QLabel;
 class QPushButton;
@@ -32,6 +32,9 @@ public:
 
     void start();
 
+signals:
+    void certified(const std::shared_ptr<const ripstop::Certificate>& certificate);
+
 private:
     void layOut();
     void fill();
@@ -47,8 +50,8 @@ private:
     QLabel* m_state;
     QTableWidget* m_table;
     BandChart* m_chart;
-    std::optional<Certificate> m_certificate;
-    std::shared_ptr<const Recording> m_recording; // of the run as it is, with the certificate
+    std::shared_ptr<const Certificate> m_certificate; // or null
+    std::shared_ptr<const Recording> m_recording;     // of the run as it is, with the certificate
 };
 
 } // namespace ripstop

@@ -54,7 +54,7 @@ QWidget* makeTuning(const PanelParts& parts, const Panels& above, QDockWidget& d
 QWidget* makePlots(const PanelParts& parts, const Panels&, QDockWidget& dock)
 {
     auto* plots = new PlotPanel(parts.document, parts.player, &dock);
-    plots->markEventsOf(parts.recordings);
+    plots->follow(parts.recordings);
     QObject::connect(plots, &PlotPanel::said, &dock, parts.say);
     return plots;
 }
@@ -109,7 +109,7 @@ std::vector<DockRow> dockTable()
         {"outline",   tr("Outline"),   left,  250, comes, makeOutline,
             tr("Outline"), tr("Everything that the scene is made of: parts, materials, groups, controls, colliders. The tab History goes back to any step.")},
         {"history",   tr("History"),   left,  0,   stays, makeHistory, {}, {}},
-        {"inspector", tr("Inspector"), right, 300, stays, makeInspector,
+        {"inspector", tr("Inspector"), right, 320, stays, makeInspector,
             tr("Inspector"), tr("The values of what is selected, one thing or thousands. Type with units (12 cm, 25 g), drag a label sideways, or change a value while the simulation runs.")},
         {"tuning",    tr("Tuning"),    right, 0,   stays, makeTuning, {}, {}},
         {"plots",     tr("Plots"),     below, 210, comes, makePlots,

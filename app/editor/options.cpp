@@ -16,8 +16,14 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
 
 const QStringList appearances{"desktop", "light", "dark"}; // in the order of ThemeChoice
-const QStringList colors{"material", "strain", "tension", "speed",
-                         "load",     "tear",   "stress"}; // in the order of ColorBy
+
+QStringList colors() // in the order of ColorBy
+{
+    QStringList names;
+    for (const std::string_view name : colorByNames)
+        names << QString::fromUtf8(name.data(), qsizetype(name.size()));
+    return names;
+}
 
 std::optional<QSize> sizeFrom(const QString& text)
 {
@@ -60,8 +66,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         "language", tr("Language of the window: system, en or fr; as chosen in the View menu."),
         "CODE");
     const QCommandLineOption colorBy(
-        "color-by", tr("Colour by material, strain, tension, speed, load or tear."), "NAME",
-        "material");
+        "color-by", tr("Colour by one of %1.").arg(colors().join(", ")), "NAME", "material");
     const QCommandLineOption select(
         "select", tr("Select the item of this name, or what meets this condition: \"mass < 1 g\"."),
         "WHAT");
@@ -111,13 +116,13 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
         return std::nullopt;
     }
     const auto appearance = appearances.indexOf(parser.value(theme));
-    const auto quantity = colors.indexOf(parser.value(colorBy));
+    const auto quantity = colors().indexOf(parser.value(colorBy));
     if (appearance < 0) {
         error = tr("--theme is one of %1").arg(appearances.join(", "));
         return std::nullopt;
     }
     if (quantity < 0) {
-        error = tr("--color-by is one of %1").arg(colors.join(", "));
+        error = tr("--color-by is one of %1").arg(colors().join(", "));
         return std::nullopt;
     }
     options.appearance = ThemeChoice(appearance);

@@ -2,8 +2,11 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 namespace ripstop {
 namespace {
@@ -50,6 +53,31 @@ QPalette paletteOf(const Colors& colors)
     return palette;
 }
 
+// Fusion takes the edge of a box to be ticked from the colour of the window, darkened, which cannot
+// be seen on a dark one: a box without its tick would not be there.
+class EdgedFusion final : public QProxyStyle
+{
+public:
+    EdgedFusion()
+        : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion")))
+    {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const QPalette& colors = option->palette;
+        if (element != PE_IndicatorCheckBox || colors.color(QPalette::Window).lightness() >= 128)
+            return;
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing, false);
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(colors.color(QPalette::PlaceholderText));
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+    }
+};
+
 } // namespace
 
 void applyThemeChoice(QApplication& application, ThemeChoice appearance)
@@ -57,7 +85,7 @@ void applyThemeChoice(QApplication& application, ThemeChoice appearance)
     const bool desktopIsDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
     const bool isDark =
         appearance == ThemeChoice::Dark || (appearance == ThemeChoice::Desktop && desktopIsDark);
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new EdgedFusion); // the application's
     QApplication::setPalette(paletteOf(isDark ? dark : light));
     QFile sheet(":/style/ripstop.qss");
     if (sheet.open(QIODevice::ReadOnly))

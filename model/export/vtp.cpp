@@ -90,7 +90,8 @@ std::uint64_t edgeOf(int a, int b)
     return std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
 }
 
-// The strain of a panel is the largest of the links along its edges.
+// The strain of a panel that carries the pull of its fabric is that of its threads, of others the
+// largest of the links along their edges.
 std::vector<double> panelStrains(const Frame& frame, const Standing& whole)
 {
     std::unordered_map<std::uint64_t, double> along; // by edge
@@ -102,6 +103,10 @@ std::vector<double> panelStrains(const Frame& frame, const Standing& whole)
     }
     std::vector<double> strains;
     for (const std::size_t i : whole.panels) {
+        if (!frame.panelPull.empty() && frame.panelPull[i].carries) {
+            strains.push_back(frame.panelPull[i].strain);
+            continue;
+        }
         const auto& corner = frame.layout->panelCorners[i];
         std::optional<double> largest;
         for (const std::size_t k : {0u, 1u, 2u})
@@ -111,6 +116,24 @@ std::vector<double> panelStrains(const Frame& frame, const Standing& whole)
         strains.push_back(largest.value_or(0.0));
     }
     return strains;
+}
+
+// Of a scene in which panels carry the pull of a fabric: how hard, and how they lie. Links have
+// neither.
+void addPulls(std::string& text, const Frame& frame, const Standing& whole)
+{
+    if (frame.panelPull.empty())
+        return;
+    std::vector<double> tension(whole.links.size(), 0.0);
+    constexpr std::int64_t none = -1;
+    std::vector<std::int64_t> state(whole.links.size(), none);
+    for (const std::size_t i : whole.panels) {
+        const PanelPull& pull = frame.panelPull[i];
+        tension.push_back(pull.tension);
+        state.push_back(pull.carries ? std::int64_t(pull.state) : none);
+    }
+    addNumbers(text, "panel tension (N/m)", tension);
+    addArray(text, "cloth (0 slack, 1 wrinkled, 2 taut)", "Int64", 1, state);
 }
 
 void addCellData(std::string& text, const Frame& frame, const Standing& whole)
@@ -136,6 +159,7 @@ void addCellData(std::string& text, const Frame& frame, const Standing& whole)
     addNumbers(text, "tension (N)", tension);
     addVectors(text, "panel load (N)", load);
     addArray(text, "id", "Int64", 1, id);
+    addPulls(text, frame, whole);
     text += "</CellData>\n";
 }
 

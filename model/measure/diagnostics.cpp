@@ -225,6 +225,16 @@ double largestPanelStrain(const System& system, const State& state, std::span<co
     return most;
 }
 
+std::vector<PanelPull> panelPulls(const System& system, const State& state)
+{
+    std::vector<PanelPull> pulls(system.membranes.empty() ? 0 : system.panels.size());
+    for (const Membrane& membrane : system.membranes)
+        if (!state.panelGone[std::size_t(membrane.panel)])
+            pulls[std::size_t(membrane.panel)] =
+                pullOf(system, membrane, cornersOf(system, membrane, state.position));
+    return pulls;
+}
+
 std::vector<Vec3> panelLoads(const System& system, const State& state)
 {
     std::vector<PaddedVec3> load(system.panels.size());

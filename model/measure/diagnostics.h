@@ -3,6 +3,7 @@
 // them; none fails.
 #pragma once
 
+#include "base/panel_pull.h"
 #include "system/system.h"
 
 #include <span>
@@ -40,6 +41,10 @@ std::vector<double> tensions(const System& system, const State& state); // N, co
 // ascending, or of all.
 double largestPanelStrain(const System& system, const State& state);
 double largestPanelStrain(const System& system, const State& state, std::span<const int> panels);
+
+// What each panel carries of the pull of its fabric, nothing where it is gone; empty where no panel
+// carries any.
+std::vector<PanelPull> panelPulls(const System& system, const State& state);
 
 // Air load of each panel, N, 0 where gone.
 std::vector<Vec3> panelLoads(const System& system, const State& state);

@@ -9,6 +9,7 @@
 #include "base/guide.h"
 #include "base/link_laws.h"
 #include "base/message.h"
+#include "base/panel_pull.h"
 #include "base/vec3.h"
 #include "run/hand_track.h"
 #include "run/run_accuracy.h"
@@ -130,6 +131,7 @@ struct Frame
     std::vector<double> tension;          // [links] N, negative in compression
     std::vector<std::uint8_t> torn;       // [links]
     std::vector<Vec3> panelLoad;          // [panels] N
+    std::vector<PanelPull> panelPull;     // [panels], or empty where no panel carries a pull
     std::vector<std::uint8_t> gone;       // [panels]
     Vec3 gust = Vec3::Zero();             // m/s, of all gusts together, the same everywhere
     Vec3 wind = Vec3::Zero();             // m/s, gusts included, in the middle of the particles

@@ -285,6 +285,7 @@ std::shared_ptr<Frame> Simulation::Private::frame()
     frame->strain = instant.strain();
     frame->tension = instant.tension();
     frame->panelLoad = instant.panelLoad();
+    frame->panelPull = panelPulls(system(), state);
     frame->probe = probes.read(instant);
 
     hands.fill(*frame, system(), state, substep());

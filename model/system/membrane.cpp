@@ -1,3 +1,5 @@
+// Kinematics first, that is axes, gradients and strain; then what the law makes of the strain: the
+// tension, the strain that the threads have, the numbers that people read, and what damping takes.
 #include "system/membrane.h"
 
 #include <algorithm>
@@ -36,9 +38,11 @@ const ClothLaw& lawOf(const System& system, const Membrane& membrane)
     return system.cloth[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
 }
 
-Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
+namespace {
+
+// What of a strain the threads have, where they pull like this.
+Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now)
 {
-    const ClothTension now = tensionOf(law, strain);
     switch (now.state) {
     case ClothState::Taut:
         return strain;
@@ -48,6 +52,20 @@ Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
         break;
     }
     return Vec3::Zero();
+}
+
+double largestOf(const Vec3& strain) // 1, never below 0
+{
+    const double mean = 0.5 * (strain[0] + strain[1]);
+    const double half = 0.5 * (strain[0] - strain[1]);
+    return std::max(mean + std::sqrt(half * half + 0.25 * strain[2] * strain[2]), 0.0);
+}
+
+} // namespace
+
+Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
+{
+    return threadStrain(law, strain, tensionOf(law, strain));
 }
 
 Vec3 strainAt(const Membrane& membrane, const Corners& corners)
@@ -61,15 +79,21 @@ ClothTension tensionIn(const System& system, const Membrane& membrane, const Cor
     return law.isElastic() ? tensionOf(law, strainAt(membrane, corners)) : ClothTension();
 }
 
-double largestStrain(const System& system, const Membrane& membrane, const Corners& corners)
+PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners)
 {
     const ClothLaw& law = lawOf(system, membrane);
     if (!law.isElastic())
-        return 0.0;
-    const Vec3 strain = pullingStrain(law, strainAt(membrane, corners));
-    const double mean = 0.5 * (strain[0] + strain[1]);
-    const double half = 0.5 * (strain[0] - strain[1]);
-    return std::max(mean + std::sqrt(half * half + 0.25 * strain[2] * strain[2]), 0.0);
+        return {};
+    const Vec3 strain = strainAt(membrane, corners);
+    const ClothTension now = tensionOf(law, strain);
+    return {true, now.state, largestOf(threadStrain(law, strain, now)),
+            largestTension(now.tension)};
+}
+
+double largestStrain(const System& system, const Membrane& membrane, const Corners& corners)
+{
+    const ClothLaw& law = lawOf(system, membrane);
+    return law.isElastic() ? largestOf(pullingStrain(law, strainAt(membrane, corners))) : 0.0;
 }
 
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,

@@ -5,6 +5,7 @@
 // Kelvin and Voigt's, of what its threads stretch by; what wrinkles take up has none.
 #pragma once
 
+#include "base/panel_pull.h"
 #include "system/system.h"
 
 #include <array>
@@ -38,6 +39,9 @@ Vec3 strainAt(const Membrane& membrane, const Corners& corners);
 
 // What a panel carries with its corners at these places; without what damping adds.
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners);
+
+// The same in the numbers that people read.
+PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners);
 
 // The largest strain of the threads of a panel, 1; 0 where it is slack.
 double largestStrain(const System& system, const Membrane& membrane, const Corners& corners);

@@ -230,8 +230,8 @@
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
-        <source>After %1 s. Select a probe to see how far it may be off over time.</source>
-        <translation>Après %1 s. Sélectionnez une sonde pour voir de combien elle peut être fausse au cours du temps.</translation>
+        <source>After %1 s. Select a probe to see how far it may be off over time. The plots show it, too, when the design runs as it is now.</source>
+        <translation>Après %1 s. Sélectionnez une sonde pour voir de combien elle peut s’écarter au cours du temps. Les graphiques le montrent aussi quand le modèle vole tel qu’il est.</translation>
     </message>
     <message>
         <location filename="certify_dialog.cpp"/>
@@ -337,6 +337,16 @@
         <location filename="certify_dialog.cpp"/>
         <source>mean of the second half</source>
         <translation>la moyenne de la seconde moitié</translation>
+    </message>
+    <message>
+        <location filename="chart.cpp"/>
+        <source>%1: %2 ± %3, by the certificate of the run</source>
+        <translation>%1 : %2 ± %3, d’après le certificat de la simulation</translation>
+    </message>
+    <message>
+        <location filename="chart.cpp"/>
+        <source>error band</source>
+        <translation>bande d’erreur</translation>
     </message>
     <message>
         <location filename="chart.cpp"/>
@@ -3566,8 +3576,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
-        <source>no link has a width</source>
-        <translation>aucune liaison n’a de largeur</translation>
+        <source>Wrinkles</source>
+        <translation>Plis</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>no elastic panels</source>
+        <translation>pas de panneaux élastiques</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>no fabric of known width</source>
+        <translation>pas de tissu de largeur connue</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -3578,6 +3598,21 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="legend.cpp"/>
         <source>peak %1</source>
         <translation>pic %1</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>slack</source>
+        <translation>lâche</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>taut</source>
+        <translation>tendu</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>wrinkled</source>
+        <translation>plissé</translation>
     </message>
     <message>
         <location filename="line_drag.cpp"/>
@@ -4126,8 +4161,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
-        <source>Colour by material, strain, tension, speed, load or tear.</source>
-        <translation>Colorer par material, strain, tension, speed, load ou tear.</translation>
+        <source>Colour by one of %1.</source>
+        <translation>Colorer selon l’un de : %1.</translation>
     </message>
     <message>
         <location filename="options.cpp"/>
@@ -4557,6 +4592,31 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="plot_arrangement.cpp"/>
         <source>Keep %1</source>
         <translation>Garder %1</translation>
+    </message>
+    <message>
+        <location filename="plot_bands.cpp"/>
+        <source>Error bands</source>
+        <translation>Bandes d’erreur</translation>
+    </message>
+    <message>
+        <location filename="plot_bands.cpp"/>
+        <source>It may be off by %1, as the certificate has it.</source>
+        <translation>Peut s’écarter de %1, d’après le certificat.</translation>
+    </message>
+    <message>
+        <location filename="plot_bands.cpp"/>
+        <source>Run &gt; Certify finds how far the values of this design may be off.</source>
+        <translation>Simulation &gt; Certifier trouve de combien les valeurs de ce modèle peuvent s’écarter.</translation>
+    </message>
+    <message>
+        <location filename="plot_bands.cpp"/>
+        <source>The certificate is of another run: the design has been edited since, or the run was steered or touched.</source>
+        <translation>Le certificat est celui d’une autre simulation : le modèle a été modifié depuis, ou la simulation a été pilotée ou touchée.</translation>
+    </message>
+    <message>
+        <location filename="plot_bands.cpp"/>
+        <source>The shade around a curve is how far its values may be off, by the certificate of this run. It ends where the run is no longer the one that was certified.</source>
+        <translation>L’ombre autour d’une courbe dit de combien ses valeurs peuvent s’écarter, d’après le certificat de cette simulation. Elle finit là où la simulation n’est plus celle qui a été certifiée.</translation>
     </message>
     <message>
         <location filename="plot_menu.cpp"/>
@@ -9028,8 +9088,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Largest error of the pulls in links that a step may leave, against what their stiffness says; the automatic solver takes what that needs, and every run says where it was missed.</source>
-        <translation>Plus grande erreur des tractions dans les liaisons qu’un pas peut laisser, par rapport à ce que dit leur raideur ; le solveur automatique prend ce qu’il faut, et chaque simulation dit où elle a été manquée.</translation>
+        <source>Largest error of the pulls in links and elastic panels that a step may leave, against what their stiffness says; the automatic solver takes what that needs, and every run says where it was missed.</source>
+        <translation>Plus grande erreur des tractions dans les liaisons et les panneaux élastiques qu’un pas peut laisser, par rapport à ce que dit leur raideur ; le solveur automatique prend ce qu’il faut, et chaque simulation dit où elle a été manquée.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11269,7 +11329,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Weft stiffness</source>
-        <translation>Raideur de trame</translation>
+        <translation>Rigidité de trame</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11690,6 +11750,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>material</source>
         <translation>matériau</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link is a rod and no panel is elastic, and springs need no solver</source>
+        <translation>aucune liaison n’est une tige et aucun panneau n’est élastique, et les ressorts n’ont pas besoin de solveur</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13297,6 +13362,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Colour by wrinkles</source>
+        <translation>Colorer par plis</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Draw a dot at each particle.</source>
         <translation>Dessiner un point à chaque particule.</translation>
     </message>
@@ -13342,8 +13412,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="view_rows.cpp"/>
-        <source>How far links are stretched.</source>
-        <translation>De combien les liaisons sont étirées.</translation>
+        <source>How far links and elastic panels are stretched.</source>
+        <translation>De combien les liaisons et les panneaux élastiques sont étirés.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -13374,6 +13444,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="view_rows.cpp"/>
         <source>How hard the air pushes panels, per area.</source>
         <translation>Avec quelle force l’air pousse les panneaux, par unité d’aire.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>How hard the fabric pulls per width: the largest tension of elastic panels, that of threads over the width that they stand for.</source>
+        <translation>Traction du tissu par largeur : la plus grande tension des panneaux élastiques, celle des fils sur la largeur qu’ils représentent.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -13502,11 +13577,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="view_rows.cpp"/>
-        <source>Tension of threads over the width of fabric that they stand for.</source>
-        <translation>Tension des fils divisée par la largeur de tissu qu'ils représentent.</translation>
-    </message>
-    <message>
-        <location filename="view_rows.cpp"/>
         <source>The camera goes with the fabric.</source>
         <translation>La caméra accompagne le tissu.</translation>
     </message>
@@ -13524,6 +13594,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="view_rows.cpp"/>
         <source>Type the values at the ends of the colours, or let them follow. A click on the colours does the same.</source>
         <translation>Saisir les valeurs aux deux bouts des couleurs, ou les laisser suivre. Un clic sur les couleurs fait de même.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Which elastic panels are slack, wrinkled or taut.</source>
+        <translation>Quels panneaux élastiques sont lâches, plissés ou tendus.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>

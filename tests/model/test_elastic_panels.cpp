@@ -69,6 +69,57 @@ class TestElasticPanels : public QObject
     Q_OBJECT
 
 private slots:
+    // A triangle of E1 = 40 kN/m, E2 = 20 kN/m along warp and weft, without Poisson's ratio. Warp
+    // pulled by a stretch s has Green's strain (s^2 - 1) / 2 and carries E1 times that; the weft,
+    // pushed together, wrinkles. Pushed together both ways it is slack.
+    void framesTellPulls()
+    {
+        Scene scene = sheet(1, 0);
+        Material& cloth = materialOf(scene);
+        cloth.weftStiffness = 20e3;
+        cloth.poissonRatio = 0.0;
+        const auto system = *compile(scene);
+        const auto stretched = [&](double along, double across) {
+            State state = system->start;
+            const Vec3 first = state.position[0];
+            for (PaddedVec3& place : state.position) { // cloth that hangs has its warp upright
+                place.x() = first.x() + across * (place.x() - first.x());
+                place.y() = first.y() + along * (place.y() - first.y());
+                place.z() = first.z() + across * (place.z() - first.z());
+            }
+            return panelPulls(*system, state);
+        };
+        const auto green = [](double s) { return 0.5 * (s * s - 1.0); };
+        struct Row
+        {
+            double along, across, strain, tension;
+            ClothState state;
+        };
+        for (const Row& row :
+             {Row{1.01, 1.001, green(1.01), 40e3 * green(1.01), ClothState::Taut},
+              Row{1.01, 1.03, green(1.03), 20e3 * green(1.03), ClothState::Taut},
+              Row{1.001, 1.01, green(1.01), 20e3 * green(1.01), ClothState::Taut},
+              Row{1.01, 0.9, green(1.01), 40e3 * green(1.01), ClothState::Wrinkled},
+              Row{0.99, 0.98, 0.0, 0.0, ClothState::Slack}}) {
+            const std::vector<PanelPull> pulls = stretched(row.along, row.across);
+            QCOMPARE(pulls.size(), std::size_t(2));
+            for (const PanelPull& pull : pulls) {
+                QVERIFY(pull.carries);
+                QCOMPARE(pull.state, row.state);
+                QVERIFY2(isNear(pull.strain, row.strain, 1e-9), told(pull.strain, row.strain));
+                QVERIFY2(isNear(pull.tension, row.tension, 1e-5), told(pull.tension, row.tension));
+            }
+        }
+        // what the frame of a run has is this; a panel that is gone carries nothing
+        Simulation simulation(system);
+        QCOMPARE(simulation.frame()->panelPull, panelPulls(*system, system->start));
+        State state = system->start;
+        state.panelGone[1] = 1;
+        QVERIFY(!panelPulls(*system, state)[1].carries);
+        const Scene threads = *build(*findBuilder("cloth"), {});
+        QVERIFY(Simulation(*compile(threads)).frame()->panelPull.empty());
+    }
+
     void laysFlat()
     {
         Panel panel;

@@ -218,6 +218,23 @@ private slots:
         QCOMPARE(vtp.integers["CellData/id"], (Wholes{21, 22, 24, 25, 26, 31}));
     }
 
+    // Where panels carry the pull of a fabric they have strain, tension and state of their own.
+    void vtpOfElasticPanels()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("sail.vtp");
+        Frame frame = square();
+        frame.panelPull = {{true, ClothState::Wrinkled, 0.002, 80.0}, {}};
+        QVERIFY(!written(frame, path.toStdString()));
+        const Vtp vtp = readVtp(path);
+        QCOMPARE(vtp.error, QString());
+        QCOMPARE(vtp.values["CellData/strain (1)"].back(), 0.002);
+        QCOMPARE(vtp.values["CellData/panel tension (N/m)"],
+                 (QVector<double>{0, 0, 0, 0, 0, 80.0}));
+        QCOMPARE(vtp.integers["CellData/cloth (0 slack, 1 wrinkled, 2 taut)"],
+                 (QVector<qint64>{-1, -1, -1, -1, -1, 1}));
+    }
+
     void vtpOfNothing()
     {
         QTemporaryDir folder;

@@ -10,6 +10,7 @@
 #include "document/selection.h"
 #include "inspector/inspector.h"
 #include "inspector/preset_chooser.h"
+#include "inspector/scrub_label.h"
 #include "scene/edit.h"
 #include "scene/path.h"
 #include "scene/presets.h"
@@ -19,6 +20,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QtTest>
 
@@ -91,6 +93,36 @@ class TestInspector : public QObject
     Q_OBJECT
 
 private slots:
+    // No page is wider than what is seen of it in a narrow dock, also with a bar to scroll it.
+    void nothingIsCutOff()
+    {
+        Form form;
+        for (const Id id : oneOfEachKind) {
+            form.selection.set({id});
+            QCoreApplication::processEvents();
+            for (const QScrollArea* area : form.inspector.findChildren<QScrollArea*>())
+                if (area->isVisible()) {
+                    const int wide = area->widget()->minimumSizeHint().width();
+                    QVERIFY2(wide <= area->viewport()->width(),
+                             qPrintable(QString("%1: %2 px in %3 px")
+                                            .arg(std::uint32_t(id))
+                                            .arg(wide)
+                                            .arg(area->viewport()->width())));
+                }
+        }
+    }
+
+    // A label takes the same room when its value is changed and it stands in bold.
+    void labelsKeepTheirWidth()
+    {
+        ScrubLabel label("Membrane stiffness");
+        const int before = label.sizeHint().width();
+        QFont font = label.font();
+        font.setBold(true);
+        label.setFont(font);
+        QCOMPARE(label.sizeHint().width(), before);
+    }
+
     // What the scene file would refuse is not taken from the keyboard either.
     void malformedTextIsRefused()
     {

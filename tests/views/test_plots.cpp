@@ -53,7 +53,7 @@ struct Desk
     Desk()
     {
         document.replace(measured());
-        plots.markEventsOf(recordings);
+        plots.follow(recordings);
         plots.resize(900, 300);
         plots.show();
     }

@@ -14,6 +14,8 @@
 #include <QLineEdit>
 #include <QtTest>
 
+#include <cmath>
+
 using namespace ripstop;
 
 namespace {
@@ -81,6 +83,55 @@ private slots:
         QVERIFY(values.isKnown);
         look.linkWidth = {0.0, 0.0};
         QVERIFY(!valuesOf(now, ColorBy::Stress, look).isKnown);
+    }
+
+    // A panel that carries the pull of its fabric has its own strain and tension, in the colours of
+    // links; one that does not has the largest of its corners.
+    void elasticPanels()
+    {
+        Frame now = frame();
+        auto layout = std::make_shared<Layout>(*now.layout);
+        layout->panelId = {31, 32};
+        layout->panelCorners = {{0, 1, 2}, {0, 2, 1}};
+        now.layout = layout;
+        now.panelPull = {{true, ClothState::Wrinkled, 0.7, 2500.0}, {}};
+        now.gone = {0, 0};
+        const Look look{.linkWidth = {0.02, 0.0}}; // m: 1500 N/m and none
+        const QuantityValues stress = valuesOf(now, ColorBy::Stress, look);
+        QCOMPARE(stress.link, (std::vector<double>{1500.0, 0.0}));
+        QCOMPARE(stress.panel, (std::vector<double>{2500.0, 2500.0}));
+        QVERIFY(stress.isKnown);
+        QCOMPARE(peakOf(now, stress).id, 31U);
+        QCOMPARE(peakOf(now, stress).value, 2500.0);
+        const QuantityValues strain = valuesOf(now, ColorBy::Strain, look);
+        QCOMPARE(strain.panel[0], 0.7);
+        const QuantityValues wrinkles = valuesOf(now, ColorBy::Wrinkles, look);
+        QCOMPARE(wrinkles.panel[0], 1.0);
+        QVERIFY(std::isnan(wrinkles.panel[1]));
+        QVERIFY(wrinkles.isKnown && wrinkles.link.empty() && wrinkles.particle.empty());
+
+        now.panelPull = {};
+        QVERIFY(valuesOf(now, ColorBy::Strain, look).panel.empty()); // by the corners, as ever
+        QVERIFY(!valuesOf(now, ColorBy::Wrinkles, look).isKnown);
+        QVERIFY(valuesOf(now, ColorBy::Stress, look).isKnown); // by the thread
+        QVERIFY(!valuesOf(now, ColorBy::Stress, Look()).isKnown);
+    }
+
+    // The legend of how panels lie has names instead of numbers, and neither peak nor range.
+    void legendOfWrinkles()
+    {
+        Legend legend;
+        legend.setScale(ColorBy::Wrinkles, {0.0, highestState}, ColorMap::sequential());
+        legend.setPeak(Peak{31, 2.0});
+        QCOMPARE(legend.title(), QString("Wrinkles"));
+        QCOMPARE(legend.labels(), (QStringList{"slack", "wrinkled", "taut"}));
+        QCOMPARE(legend.peakText(), QString());
+        RangeEditor editor(legend, nullptr);
+        editor.open();
+        QVERIFY(editor.isHidden());
+        legend.setScale(ColorBy::Stress, {0.0, 200.0}, ColorMap::sequential());
+        QCOMPARE(legend.title(), QString("Fabric stress, N/m"));
+        QCOMPARE(legend.labels().back(), QString("200"));
     }
 
     // What flies free is turned and shifted as a whole, and its ghost with it; deformed, the ghost

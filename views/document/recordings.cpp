@@ -87,6 +87,7 @@ void Recordings::clear()
     setGhost(nullptr);
     m_list.clear();
     m_live = nullptr;
+    m_certificate = nullptr;
     m_count = 0;
     setCurrent(nullptr);
 }
@@ -128,6 +129,25 @@ double Recordings::time() const
     if (count == 0)
         return 0.0;
     return m_current->timeOf(m_wantsPast ? std::min(m_frame, count - 1) : count - 1);
+}
+
+// --- how true they are -------------------------------------------------------------------------
+
+std::vector<std::shared_ptr<const Certificate>> Recordings::certificates() const
+{
+    std::vector<std::shared_ptr<const Certificate>> found;
+    if (m_certificate)
+        found.push_back(m_certificate);
+    for (const auto& recording : m_list)
+        if (auto certificate = recording->certificate())
+            found.push_back(std::move(certificate));
+    return found;
+}
+
+void Recordings::takeCertificate(std::shared_ptr<const Certificate> certificate)
+{
+    m_certificate = std::move(certificate);
+    emit certified();
 }
 
 // --- looking back ------------------------------------------------------------------------------

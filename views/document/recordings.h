@@ -40,6 +40,11 @@ public:
     void rename(const std::shared_ptr<Recording>& recording, const QString& name);
     void remove(std::shared_ptr<Recording> recording);
 
+    // --- how true they are ---
+    // What the design was certified by last, and the runs of the list that carry a certificate.
+    std::vector<std::shared_ptr<const Certificate>> certificates() const;
+    void takeCertificate(std::shared_ptr<const Certificate> certificate); // of the design
+
     // --- looking back ---
     bool isLookingBack() const { return m_player.isLookingBack(); }
     std::size_t frame() const { return m_frame; } // the newest one while not looking back
@@ -83,6 +88,7 @@ public:
 
 signals:
     void listChanged();  // the list, which run is the current one, or the name of a run
+    void certified();    // there is another certificate of the design
     void grew();         // the current recording has more frames, or other bookmarks
     void moved();        // where one looks
     void stateChanged(); // playing, speed, loop, computing
@@ -131,6 +137,7 @@ private:
     List m_list;
     std::shared_ptr<Recording> m_current;
     std::shared_ptr<Recording> m_ghost;
+    std::shared_ptr<const Certificate> m_certificate; // of the design, or null
     std::size_t m_frame = 0;
     std::size_t m_seen = 0;   // frames when grew() was last emitted
     int m_count = 0;          // of runs so far

@@ -136,7 +136,7 @@ Field choiceField(const FieldPlace& place)
     auto* box = new CalmComboBox;
     box->setFocusPolicy(Qt::StrongFocus);
     box->setPlaceholderText(mixedText());
-    box->setMinimumContentsLength(8);
+    box->setMinimumContentsLength(5); // narrow docks have room for it
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     const auto choices = place.property.choices;
     for (const std::string_view choice : choices)

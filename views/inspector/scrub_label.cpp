@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QMouseEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ripstop {
@@ -10,6 +11,15 @@ namespace ripstop {
 ScrubLabel::ScrubLabel(const QString& text, QWidget* parent)
     : QLabel(text, parent)
 {}
+
+QSize ScrubLabel::sizeHint() const
+{
+    QFont bold = font();
+    bold.setBold(true);
+    QSize size = QLabel::sizeHint();
+    size.setWidth(std::max(size.width(), QFontMetrics(bold).horizontalAdvance(text())));
+    return size;
+}
 
 void ScrubLabel::setScrubbing(bool on)
 {

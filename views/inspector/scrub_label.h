@@ -19,6 +19,10 @@ public:
     void setScrubbing(bool on);
     void setIdle(bool idle); // shows the label pale, for what does nothing
 
+    // As wide as it is in bold, so that nothing moves when its value is changed.
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
 signals:
     void began();
     void dragged(double distance); // pixels from where it began, finer or coarser with the keys

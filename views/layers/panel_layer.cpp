@@ -97,7 +97,7 @@ void PanelLayer::update(const Picture& picture)
 
 void PanelLayer::paint(const Picture& picture)
 {
-    if (picture.values.particle.empty()) {
+    if (picture.values.particle.empty() || !picture.values.panel.empty()) {
         const std::span<Color> colors = m_colors.resized(m_drawn.size());
         for (std::size_t i = 0; i < m_drawn.size(); ++i)
             colors[i] = picture.values.panel.empty()

@@ -1,6 +1,7 @@
 // valuesOf() has one case for each quantity. Quantities of links go through takeLinks(), which also
 // gives each particle the largest value of the links that end there, so that panels can be shaded
-// between their corners. Arrays of a frame may be shorter than its layout, so loops go as far as
+// between their corners; takePanels() adds those of panels that carry a pull, which are alike all
+// over a panel. Arrays of a frame may be shorter than its layout, so loops go as far as
 // both reach. peakOf() looks for the largest value in the array that the quantity belongs to.
 #include "look/quantity_values.h"
 
@@ -26,6 +27,32 @@ void takeLinks(const Frame& frame, const std::vector<double>& source, QuantityVa
             values.particle[end] = std::max(values.particle[end], source[i]);
     }
     std::ranges::replace(values.particle, none, 0.0);
+}
+
+// To what links have brought: the value of each panel that carries the pull of a fabric.
+void takePanels(const Frame& frame, double PanelPull::*value, QuantityValues& values)
+{
+    if (frame.panelPull.empty())
+        return;
+    const auto& corners = frame.layout->panelCorners;
+    values.panel.assign(corners.size(), 0.0);
+    for (std::size_t i = 0; i < std::min(corners.size(), frame.panelPull.size()); ++i) {
+        const PanelPull& pull = frame.panelPull[i];
+        for (const int corner : corners[i]) {
+            double& there = values.particle[std::size_t(corner)];
+            if (pull.carries)
+                there = std::max(there, pull.*value);
+            else
+                values.panel[i] = std::max(values.panel[i], there);
+        }
+        if (pull.carries)
+            values.panel[i] = pull.*value;
+    }
+}
+
+bool carriesAny(const Frame& frame)
+{
+    return std::ranges::any_of(frame.panelPull, &PanelPull::carries);
 }
 
 double area(const Frame& frame, const std::array<int, 3>& corners)
@@ -62,6 +89,7 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
         break;
     case ColorBy::Strain:
         takeLinks(frame, frame.strain, values);
+        takePanels(frame, &PanelPull::strain, values);
         break;
     case ColorBy::Tension:
         takeLinks(frame, frame.tension, values);
@@ -86,11 +114,21 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
         for (std::size_t i = 0; i < std::min(look.linkWidth.size(), stresses.size()); ++i)
             if (look.linkWidth[i] > 0.0)
                 stresses[i] = frame.tension[i] / look.linkWidth[i];
-        values.isKnown =
-            std::ranges::any_of(look.linkWidth, [](double width) { return width > 0.0; });
+        values.isKnown = carriesAny(frame) || std::ranges::any_of(look.linkWidth, [](double width) {
+                             return width > 0.0;
+                         });
         takeLinks(frame, stresses, values);
+        takePanels(frame, &PanelPull::tension, values);
         break;
     }
+    case ColorBy::Wrinkles:
+        values.panel.assign(frame.layout->panelCorners.size(),
+                            std::numeric_limits<double>::quiet_NaN());
+        for (std::size_t i = 0; i < std::min(values.panel.size(), frame.panelPull.size()); ++i)
+            if (frame.panelPull[i].carries)
+                values.panel[i] = double(frame.panelPull[i].state);
+        values.isKnown = carriesAny(frame);
+        break;
     case ColorBy::PanelLoad: {
         const auto& panels = frame.layout->panelCorners;
         values.panel.assign(panels.size(), 0.0);
@@ -109,14 +147,18 @@ Peak peakOf(const Frame& frame, const QuantityValues& values)
         return std::size_t(std::ranges::max_element(all) - all.begin());
     };
     const Layout& layout = *frame.layout;
+    Peak peak;
     if (!values.link.empty()) {
         const std::size_t i = largest(values.link);
-        return {layout.links[i].id, values.link[i]};
+        peak = {layout.links[i].id, values.link[i]};
     }
     if (!values.panel.empty()) {
         const std::size_t i = largest(values.panel);
-        return {layout.panelId[i], values.panel[i]};
+        if (peak.id == 0 || values.panel[i] > peak.value)
+            peak = {layout.panelId[i], values.panel[i]};
     }
+    if (peak.id != 0)
+        return peak;
     if (!values.particle.empty()) {
         const std::size_t i = largest(values.particle);
         return {layout.particleId[i], values.particle[i]};

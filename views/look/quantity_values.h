@@ -7,30 +7,37 @@
 
 #include "look/look.h"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 namespace ripstop {
 
-enum class ColorBy { Material, Strain, Tension, Speed, PanelLoad, TearLoad, Stress };
-inline constexpr std::size_t colorByCount = 7;
+enum class ColorBy { Material, Strain, Tension, Speed, PanelLoad, TearLoad, Stress, Wrinkles };
+// as the command line has them, in the order of the enumeration; never changed
+inline constexpr std::array<std::string_view, 8> colorByNames{
+    "material", "strain", "tension", "speed", "load", "tear", "stress", "wrinkles"};
+inline constexpr std::size_t colorByCount = colorByNames.size();
 
 // One quantity of one frame. Only the arrays that it has are filled; the others are empty.
 struct QuantityValues
 {
     std::vector<double> particle; // [particles]
     std::vector<double> link;     // [links]
-    std::vector<double> panel;    // [panels]
+    std::vector<double> panel;    // [panels]; not a number where it has none
     bool isKnown = true;          // false when nothing has what the quantity is measured by
 };
 
 // Strain (1) and tension (N) belong to links; a particle gets the largest of the links that end
-// there. Speed (m/s) belongs to particles. Panel load is per area (N/m^2), so that it does not
-// depend on how fine the mesh is. Tear load (1) is how much of what it tears at a link bears; links
-// that never tear read 0, and so do torn links and panels that are gone. Stress (N/m) is the
-// tension of a thread or bias over the width of the strip of fabric that it stands for: the
-// membrane force per width, as the strength of fabrics is given; links without a width read 0.
+// there. Strain belongs to panels besides, where those carry the pull of a fabric; panels among
+// them that do not have the largest of their corners. Speed (m/s) belongs to particles. Panel load
+// is per area (N/m^2), so that it does not depend on how fine the mesh is. Tear load (1) is how
+// much of what it tears at a link bears; links that never tear read 0, and so do torn links and
+// panels that are gone. Stress (N/m) is the tension of a thread or bias over the width of the strip
+// of fabric that it stands for: the membrane force per width, as the strength of fabrics is given;
+// links without a width read 0. A panel that carries the pull of a fabric has the largest principal
+// tension. Wrinkles tell how such a panel lies: 0 slack, 1 wrinkled, 2 taut; others have none.
 QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look);
 
 // The largest value of a frame, and where it is.
@@ -40,6 +47,11 @@ struct Peak
     double value = 0.0;
 };
 Peak peakOf(const Frame& frame, const QuantityValues& values);
+
+// True for quantities that are names rather than numbers: their colours have a fixed range and no
+// peak.
+constexpr bool isState(ColorBy colorBy) { return colorBy == ColorBy::Wrinkles; }
+constexpr double highestState = 2.0;
 
 // True for quantities whose values mean something else below zero than above: pressed or pulled.
 constexpr bool isSigned(ColorBy colorBy)

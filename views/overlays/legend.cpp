@@ -42,7 +42,9 @@ Caption captionOf(ColorBy colorBy)
         return {Legend::tr("Of tear limit"), QStringLiteral("%"), Legend::tr("nothing tears here")};
     case ColorBy::Stress:
         return {Legend::tr("Fabric stress"), QStringLiteral("N/m"),
-                Legend::tr("no link has a width")};
+                Legend::tr("no fabric of known width")};
+    case ColorBy::Wrinkles:
+        return {Legend::tr("Wrinkles"), {}, Legend::tr("no elastic panels")};
     }
     return {};
 }
@@ -76,12 +78,12 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
     m_shown = isShare ? 100.0 : 1.0; // per cent
     const ValueRange scaled{range.low * m_shown, range.high * m_shown};
     const auto [quantity, unit, unknown] = captionOf(colorBy);
-    const QString title =
-        quantity.isEmpty() ? QString() : QStringLiteral("%1, %2").arg(quantity, unit);
+    const QString title = unit.isEmpty() ? quantity : QStringLiteral("%1, %2").arg(quantity, unit);
     if (title == m_title && scaled == m_range && &colors == m_colors)
         return;
     m_title = title;
     m_unit = unit;
+    m_isState = isState(colorBy);
     m_unknown = unknown;
     m_range = scaled;
     m_colors = &colors;
@@ -111,8 +113,9 @@ QString Legend::peakText() const
 {
     if (!m_isKnown)
         return m_unknown;
-    return m_peak.id == 0 ? QString()
-                          : tr("peak %1").arg(locale().toString(m_peak.value * m_shown, 'g', 4));
+    return m_peak.id == 0 || m_isState
+               ? QString()
+               : tr("peak %1").arg(locale().toString(m_peak.value * m_shown, 'g', 4));
 }
 
 void Legend::mousePressEvent(QMouseEvent*) {}
@@ -120,6 +123,8 @@ void Legend::mousePressEvent(QMouseEvent*) {}
 void Legend::mouseReleaseEvent(QMouseEvent* event)
 {
     const int peakTop = height() - inset - QFontMetrics(font()).height() - gap;
+    if (m_isState)
+        return; // names have no range and no peak
     if (event->position().y() < peakTop)
         emit rangeClicked();
     else if (m_peak.id != 0)
@@ -128,6 +133,8 @@ void Legend::mouseReleaseEvent(QMouseEvent* event)
 
 std::vector<Legend::Mark> Legend::marks() const
 {
+    if (m_isState)
+        return {{1.0 / 6.0, tr("slack")}, {0.5, tr("wrinkled")}, {5.0 / 6.0, tr("taut")}};
     std::vector<Mark> result;
     const double span = m_range.high - m_range.low;
     const double step = markStep(m_range);
@@ -168,7 +175,8 @@ void Legend::paintEvent(QPaintEvent*)
 
     const QRect bar(inset, inset + metrics.height() + gap, barWidth, barHeight);
     for (int y = 0; y < bar.height(); ++y) {
-        const auto [r, g, b] = m_colors->at(1.0 - (y + 0.5) / bar.height());
+        const double share = 1.0 - (y + 0.5) / bar.height();
+        const auto [r, g, b] = m_colors->at(m_isState ? std::floor(3.0 * share) / 2.0 : share);
         painter.fillRect(bar.left(), bar.top() + y, bar.width(), 1, QColor(r, g, b));
     }
     painter.setRenderHint(QPainter::Antialiasing, false);

@@ -30,6 +30,7 @@ public:
 
     QString title() const { return m_title; }
     QString unit() const { return m_unit; }
+    bool hasRange() const { return !m_title.isEmpty() && !m_isState; }
     const ValueRange& range() const { return m_range; } // in the unit of the legend
     ValueRange meant(const ValueRange& shown) const     // in SI units
     {
@@ -63,7 +64,8 @@ private:
     QString m_unit;
     QString m_unknown; // said instead of the peak
     bool m_isKnown = true;
-    double m_shown = 1.0; // factor from SI units to the unit of the legend
+    bool m_isState = false; // marked by names, without range and peak
+    double m_shown = 1.0;   // factor from SI units to the unit of the legend
     Peak m_peak;
 };
 

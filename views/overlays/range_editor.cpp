@@ -46,7 +46,7 @@ RangeEditor::RangeEditor(Legend& legend, QWidget* parent)
 
 void RangeEditor::open()
 {
-    if (m_legend.isHidden())
+    if (m_legend.isHidden() || !m_legend.hasRange())
         return;
     const auto text = [&](double value) { return compactNumber(value) + ' ' + m_legend.unit(); };
     m_low->setText(text(m_legend.range().low));

@@ -25,7 +25,7 @@ class RangeEditor final : public QFrame
 public:
     RangeEditor(Legend& legend, QWidget* parent); // a click on its colours opens it
 
-    void open(); // not while the view shows materials, which have no range
+    void open(); // not while the view shows what has no range, as materials
 
     QLineEdit& low() { return *m_low; }
     QLineEdit& high() { return *m_high; }

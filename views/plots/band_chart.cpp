@@ -7,22 +7,14 @@
 #include <qcustomplot.h>
 
 namespace ripstop {
-namespace {
-
-enum Curve { Low, High, Value };
-
-constexpr int bandOpacity = 70; // of 255
-
-} // namespace
 
 BandChart::BandChart(QWidget* parent)
     : QWidget(parent)
     , m_plot(makePlot(*this))
+    , m_band(addBand(*m_plot, *m_plot->xAxis, *m_plot->yAxis))
+    , m_curve(m_plot->addGraph())
 {
     m_plot->xAxis->setLabel(tr("Time (s)"));
-    for (const Curve curve : {Low, High, Value})
-        m_plot->addGraph()->setVisible(curve != Low);
-    m_plot->graph(High)->setChannelFillGraph(m_plot->graph(Low));
     style();
 }
 
@@ -35,14 +27,14 @@ void BandChart::show(const QString& label, const std::vector<double>& time,
         high.push_back(value[i] + error[i]);
     }
     const QVector<double> times(time.begin(), time.end());
-    m_plot->graph(Low)->setData(times, low, true);
-    m_plot->graph(High)->setData(times, high, true);
-    m_plot->graph(Value)->setData(times, QVector<double>(value.begin(), value.end()), true);
+    m_band.low->setData(times, low, true);
+    m_band.high->setData(times, high, true);
+    m_curve->setData(times, QVector<double>(value.begin(), value.end()), true);
     m_plot->yAxis->setLabel(label);
     m_plot->xAxis->rescale();
     bool found = false;
-    const QCPRange values = m_plot->graph(High)->getValueRange(found).expanded(
-        m_plot->graph(Low)->getValueRange(found));
+    const QCPRange values =
+        m_band.high->getValueRange(found).expanded(m_band.low->getValueRange(found));
     if (found)
         m_plot->yAxis->setRange(withAir(values));
     m_plot->replot(QCustomPlot::rpQueuedReplot);
@@ -52,11 +44,9 @@ void BandChart::clear() { show({}, {}, {}, {}); }
 
 void BandChart::style()
 {
-    QColor band = curveColor(0, palette());
-    m_plot->graph(Value)->setPen(QPen(band, 2.0));
-    band.setAlpha(bandOpacity);
-    m_plot->graph(High)->setPen(Qt::NoPen);
-    m_plot->graph(High)->setBrush(band);
+    const QColor color = curveColor(0, palette());
+    m_curve->setPen(QPen(color, 1.6));
+    styleBand(m_band, color, color);
     stylePlot(*m_plot, *this);
 }
 

@@ -2,6 +2,8 @@
 // is a widget: only the window's thread uses it.
 #pragma once
 
+#include "plots/band_graphs.h"
+
 #include <QString>
 #include <QWidget>
 
@@ -35,6 +37,8 @@ private:
     void style();
 
     QCustomPlot* m_plot;
+    BandGraphs m_band;
+    QCPGraph* m_curve;
 };
 
 } // namespace ripstop

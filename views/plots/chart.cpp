@@ -1,14 +1,17 @@
 // Strips (layOut(): one for each unit, anew only when the curves themselves change), drawing
 // (fill() reduces each curve to what the pixels can tell, fitValues() moves an axis only when it
 // must), hands (m_setting tells a program's change of a range from a user's, which stops
-// following), looks. The cursors have a layer of their own: the mouse does not redraw the curves.
+// following); looks are in chart_looks.cpp. The cursors have a layer of their own: the mouse does
+// not redraw the curves.
 #include "plots/chart.h"
 
 #include "document/event_words.h"
 #include "plots/chart_style.h"
 #include "plots/curve_color.h"
+#include "plots/error_bands.h"
 
 #include <QEvent>
+#include <QLocale>
 #include <QToolTip>
 #include <qcustomplot.h>
 
@@ -20,12 +23,9 @@ namespace ripstop {
 namespace {
 
 const QString cursorLayer = QStringLiteral("cursor");
-constexpr double atFirst = 5.0;    // s, in sight when it begins
-constexpr int stripHeight = 100;   // px, at least, with its legend
-constexpr std::size_t many = 12;   // curves, above which fine lines are drawn faster
-constexpr int nearMark = 4;        // px, of the mouse
-constexpr int lastStripExtra = 28; // px, for the numbers of the time axis
-constexpr double roomy = 0.55;     // values that fill less of their axis are fitted anew
+constexpr double atFirst = 5.0; // s, in sight when it begins
+constexpr int nearMark = 4;     // px, of the mouse
+constexpr int nearBand = 3;     // px, of the mouse
 
 } // namespace
 
@@ -86,7 +86,7 @@ void Chart::layOut()
         strip.time->setTickLabels(last);
         strip.time->setLabel(last ? tr("time (s)") : QString());
         strip.values->setLabel(strip.unit); // a name would be longer than a strip is high
-        scale(strip);
+        setLogarithmic(*strip.values, m_settings.logarithmic);
     }
     addPast();
     style();
@@ -151,6 +151,8 @@ void Chart::addStrip(const QString& unit)
 
 void Chart::addCurve(Strip& strip, int curve)
 {
+    strip.bands.push_back(addBand(*m_plot, *strip.time, *strip.values));
+    strip.bands.back().high->setName(tr("error band"));
     QCPGraph* graph = m_plot->addGraph(strip.time, strip.values);
     graph->setName(m_curves[std::size_t(curve)].name);
     graph->setAdaptiveSampling(false); // drawnCurve() has done that
@@ -192,26 +194,16 @@ void Chart::setPlot(const Plot& plot)
         return;
     m_settings = plot;
     for (Strip& strip : m_strips)
-        scale(strip);
+        setLogarithmic(*strip.values, m_settings.logarithmic);
     follow();
-}
-
-void Chart::scale(Strip& strip) const
-{
-    const bool logarithmic = m_settings.logarithmic;
-    strip.values->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    const QSharedPointer<QCPAxisTicker> ticker(logarithmic ? new QCPAxisTickerLog
-                                                           : new QCPAxisTicker);
-    ticker->setTickCount(4);
-    strip.values->setTicker(ticker);
-    strip.values->setNumberPrecision(logarithmic ? 3 : 6); // 80, not 8e+01
 }
 
 // --- drawing ---------------------------------------------------------------------------------
 
-void Chart::draw(const History& history)
+void Chart::draw(const History& history, const ErrorBands* bands)
 {
     m_history = &history;
+    m_bands = bands;
     fillMarks();
     if (!m_strips.empty()) {
         const QScopedValueRollback setting(m_setting, true);
@@ -232,7 +224,7 @@ void Chart::fill(Strip& strip)
     if (!m_history)
         return;
     const QCPRange range = strip.time->range();
-    const int columnWidth = m_curves.size() > many ? 2 : 1; // px
+    const int columnWidth = isCrowded() ? 2 : 1; // px
     const TimeWindow window{range.lower, range.upper,
                             std::max(100, strip.rect->width() / columnWidth),
                             m_settings.logarithmic};
@@ -242,19 +234,30 @@ void Chart::fill(Strip& strip)
         graph.setData(drawn.time, drawn.value, true);
         return drawn;
     };
-    for (const int curve : strip.curves) {
-        const DrawnCurve drawn = show(*m_graphs[std::size_t(curve)], *m_history, curve);
-        if (!drawn.any)
-            continue;
-        DrawnCurve& all = strip.inSight;
-        all.low = all.any ? std::min(all.low, drawn.low) : drawn.low;
-        all.high = all.any ? std::max(all.high, drawn.high) : drawn.high;
-        all.any = true;
-    }
+    for (const int curve : strip.curves)
+        strip.inSight.span(show(*m_graphs[std::size_t(curve)], *m_history, curve));
+    fillBands(strip, window);
     auto graph = strip.past.begin();
     for (const EarlierRun& run : m_earlier)
         for (const int curve : strip.curves)
             show(**graph++, *run.history, curve);
+}
+
+void Chart::fillBands(Strip& strip, const TimeWindow& window)
+{
+    bool some = false;
+    for (std::size_t i = 0; i < strip.bands.size(); ++i) {
+        const Curve& curve = m_curves[std::size_t(strip.curves[i])];
+        auto band = m_bands ? m_bands->of(curve.probe) : ErrorBands::Band();
+        if (band.low.size() > m_history->time().size())
+            band = {}; // the history has become shorter since they were found
+        const DrawnCurve drawn = fillBand(strip.bands[i], m_history->time().first(band.low.size()),
+                                          band.low, band.high, window);
+        strip.inSight.span(drawn);
+        some = some || drawn.any;
+    }
+    if (std::exchange(strip.showsBands, some) != some)
+        fitLegend(strip);
 }
 
 void Chart::setMarks(std::vector<Mark> marks)
@@ -320,25 +323,14 @@ QCPRange Chart::timeToShow() const
 
 void Chart::fitValues(Strip& strip)
 {
-    QCPRange wanted = strip.inSight.any ? fitted(strip) : strip.values->range();
+    const QCPRange shown = strip.values->range();
+    const QCPRange values(strip.inSight.low, strip.inSight.high);
+    QCPRange wanted =
+        strip.inSight.any ? fittedRange(values, shown, m_settings.logarithmic) : shown;
     wanted.lower = m_settings.low.value_or(wanted.lower);
     wanted.upper = m_settings.high.value_or(wanted.upper);
     if (wanted.lower < wanted.upper)
         strip.values->setRange(wanted);
-}
-
-QCPRange Chart::fitted(const Strip& strip) const
-{
-    const QCPRange values(strip.inSight.low, strip.inSight.high);
-    if (m_settings.logarithmic) {
-        constexpr double room = 1.3; // times
-        return {values.lower / room, values.upper * room};
-    }
-    const QCPRange wanted = withAir(values);
-    const QCPRange shown = strip.values->range();
-    const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
-                      && wanted.size() > roomy * shown.size();
-    return fits ? shown : wanted; // an axis that moved with every sample could not be read
 }
 
 // --- hands on it -----------------------------------------------------------------------------
@@ -383,7 +375,8 @@ void Chart::hover(const QPointF& place)
     emit hovered(inside ? std::optional(m_strips.front().time->pixelToCoord(place.x()))
                         : std::nullopt);
     const Mark* mark = inside ? markAt(place.x()) : nullptr;
-    QToolTip::showText(m_plot->mapToGlobal(place.toPoint()), mark ? mark->text : QString(), this);
+    const QString text = mark ? mark->text : inside ? bandAt(place) : QString();
+    QToolTip::showText(m_plot->mapToGlobal(place.toPoint()), text, this);
 }
 
 const Mark* Chart::markAt(double x) const
@@ -400,75 +393,36 @@ const Mark* Chart::markAt(double x) const
     return nearest;
 }
 
+// What the band under the mouse means, or nothing.
+QString Chart::bandAt(const QPointF& place) const
+{
+    for (const Strip& strip : m_strips) {
+        if (!strip.showsBands || m_history->time().empty()
+            || !strip.rect->rect().contains(place.toPoint()))
+            continue;
+        const std::size_t sample = m_history->nearest(strip.time->pixelToCoord(place.x()));
+        for (const int index : strip.curves) {
+            const Curve& curve = m_curves[std::size_t(index)];
+            const auto band = m_bands->of(curve.probe);
+            if (sample >= band.low.size()
+                || place.y() < strip.values->coordToPixel(band.high[sample]) - nearBand
+                || place.y() > strip.values->coordToPixel(band.low[sample]) + nearBand)
+                continue;
+            const double error = 0.5 * (band.high[sample] - band.low[sample]);
+            return tr("%1: %2 ± %3, by the certificate of the run")
+                .arg(curve.name,
+                     QLocale().toString(0.5 * (band.high[sample] + band.low[sample]), 'g', 6),
+                     QLocale().toString(error, 'g', 2) + ' ' + curve.unit);
+        }
+    }
+    return {};
+}
+
 bool Chart::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Leave)
         emit hovered(std::nullopt);
     return QWidget::eventFilter(watched, event);
-}
-
-// --- looks -----------------------------------------------------------------------------------
-
-void Chart::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        style();
-        fitLegends();
-        m_plot->replot(QCustomPlot::rpQueuedReplot);
-    }
-}
-
-void Chart::style()
-{
-    m_plot->setBackground(palette().base());
-    for (Strip& strip : m_strips)
-        style(strip);
-}
-
-void Chart::style(Strip& strip)
-{
-    for (QCPAxis* axis : strip.rect->axes())
-        styleAxis(*axis, *this);
-    for (const QCPAxis::AxisType side : {QCPAxis::atTop, QCPAxis::atRight}) {
-        strip.rect->axis(side)->setTicks(false);
-        strip.rect->axis(side)->setTickLabels(false);
-    }
-    for (std::size_t kind = 0; kind < strip.marks.size(); ++kind)
-        strip.marks[kind]->setPen(
-            QPen(eventColor(RunEvent::Kind(kind), palette()), 1, Qt::DashLine));
-    strip.cursor->setPen(QPen(palette().color(QPalette::Highlight), 1.5));
-    const bool fine = m_curves.size() > many;
-    for (const int curve : strip.curves) {
-        QCPGraph& graph = *m_graphs[std::size_t(curve)];
-        graph.setPen(QPen(m_curves[std::size_t(curve)].color, fine ? 1.0 : 1.6));
-        graph.setAntialiased(!fine);
-    }
-    styleLegend(*strip.legend, *this);
-}
-
-void Chart::fitLegends()
-{
-    for (const Strip& strip : m_strips) {
-        std::vector<QCPAbstractPlottable*> curves;
-        for (const int curve : strip.curves)
-            curves.push_back(m_graphs[std::size_t(curve)]);
-        fitLegend(*strip.legend, curves, width(), 1);
-    }
-}
-
-void Chart::resizeEvent(QResizeEvent* event)
-{
-    QWidget::resizeEvent(event);
-    fitLegends();
-    const QScopedValueRollback setting(m_setting, true);
-    fill(); // the number of pixel columns has changed
-}
-
-QSize Chart::minimumSizeHint() const
-{
-    const int strips = std::max(1, int(m_strips.size()));
-    return {200, strips * stripHeight + lastStripExtra};
 }
 
 double Chart::timeFrom() const { return m_strips.front().time->range().lower; }
@@ -479,6 +433,15 @@ int Chart::pointCount() const
     int count = 0;
     for (const QCPGraph* graph : m_graphs)
         count += graph->dataCount();
+    return count;
+}
+
+int Chart::bandCount() const
+{
+    int count = 0;
+    for (const Strip& strip : m_strips)
+        for (const BandGraphs& band : strip.bands)
+            count += band.high->dataCount() > 0 ? 1 : 0;
     return count;
 }
 

@@ -9,6 +9,7 @@
 // uses it. PlotView shows it as one of its pages.
 #pragma once
 
+#include "plots/band_graphs.h"
 #include "plots/drawn_curve.h"
 #include "plots/history.h"
 #include "run/run_event.h"
@@ -31,6 +32,8 @@ class QCPRange;
 class QCustomPlot;
 
 namespace ripstop {
+
+class ErrorBands;
 
 // A probe as the chart draws it.
 struct Curve
@@ -60,7 +63,9 @@ public:
 
     void setCurves(std::vector<Curve> curves);
     const std::vector<Curve>& curves() const { return m_curves; }
-    void draw(const History& history); // kept by address: it must outlive the next drawing
+    // Both are kept by address and must outlive the next drawing. `bands` are of that history; null
+    // where none are to be seen.
+    void draw(const History& history, const ErrorBands* bands = nullptr);
     void setEarlier(const std::vector<EarlierRun>& earlier); // drawn thin, behind the curves
     void setMarks(std::vector<Mark> marks); // tears are taken from the history instead
     void setPlot(const Plot& plot);         // its length of time, its scale and its range of values
@@ -85,6 +90,7 @@ public:
     int stripCount() const { return int(m_strips.size()); }
     int pointCount() const;
     int markCount(RunEvent::Kind kind) const;
+    int bandCount() const; // that are in sight
 
     QSize minimumSizeHint() const override;
 
@@ -107,29 +113,35 @@ private:
         QCPLegend* legend;
         std::array<QCPGraph*, runEventNames.size()> marks;
         QCPGraph* cursor;
-        std::vector<int> curves;     // indices into m_curves
-        std::vector<QCPGraph*> past; // of earlier runs, curve by curve for each
-        DrawnCurve inSight;          // without points: what its curves span
-        bool held = false;           // the user has chosen the range of values
+        std::vector<int> curves;       // indices into m_curves
+        std::vector<BandGraphs> bands; // [curves]
+        std::vector<QCPGraph*> past;   // of earlier runs, curve by curve for each
+        DrawnCurve inSight;            // without points: what its curves span
+        bool showsBands = false;       // and says so in the legend
+        bool held = false;             // the user has chosen the range of values
     };
+
+    static constexpr int stripHeight = 100; // px, at least, with its legend
 
     void layOut();
     void addStrip(const QString& unit);
     void addCurve(Strip& strip, int curve);
     void addPast();
-    void scale(Strip& strip) const;
+    bool isCrowded() const; // so that curves are drawn coarser
     void style();
     void style(Strip& strip);
     void fitLegends();
+    void fitLegend(const Strip& strip);
     void fill();
     void fill(Strip& strip);
+    void fillBands(Strip& strip, const TimeWindow& window);
     void fillMarks();
     void drawCursors();
     void drawCursor(const Strip& strip) const;
     QCPRange timeToShow() const; // the time to show
     void fitValues(Strip& strip);
-    QCPRange fitted(const Strip& strip) const;
-    const Mark* markAt(double x) const;   // px
+    const Mark* markAt(double x) const; // px
+    QString bandAt(const QPointF& place) const;
     void takeTime(const QCPRange& range); // from one strip to all
     void aim(const QPointF& place);       // which axis the mouse is about to move
     void hover(const QPointF& place);
@@ -141,9 +153,10 @@ private:
     std::vector<Strip> m_strips;
     std::vector<Mark> m_marks;
     Plot m_settings;
-    const History* m_history = nullptr; // that was drawn last
-    std::optional<double> m_cursor;     // s
-    std::optional<double> m_hover;      // s
+    const History* m_history = nullptr;  // that was drawn last
+    const ErrorBands* m_bands = nullptr; // around its curves, or null
+    std::optional<double> m_cursor;      // s
+    std::optional<double> m_hover;       // s
     bool m_following = true;
     bool m_setting = false; // ranges change by program, not by hand
 };

@@ -139,6 +139,28 @@ QCPRange withAir(const QCPRange& values)
     return {values.center() - half, values.center() + half};
 }
 
+QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic)
+{
+    constexpr double room = 1.3;   // times
+    constexpr double roomy = 0.55; // values that fill less of their axis are fitted anew
+    if (logarithmic)
+        return {values.lower / room, values.upper * room};
+    const QCPRange wanted = withAir(values);
+    const bool fits = shown.contains(values.lower) && shown.contains(values.upper)
+                      && wanted.size() > roomy * shown.size();
+    return fits ? shown : wanted;
+}
+
+void setLogarithmic(QCPAxis& axis, bool logarithmic)
+{
+    axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    const QSharedPointer<QCPAxisTicker> ticker(logarithmic ? new QCPAxisTickerLog
+                                                           : new QCPAxisTicker);
+    ticker->setTickCount(4);
+    axis.setTicker(ticker);
+    axis.setNumberPrecision(logarithmic ? 3 : 6); // 80, not 8e+01
+}
+
 void tighten(QCPAxisRect& rect) { rect.setMinimumMargins({2, 3, 8, 2}); }
 
 void stylePlot(QCustomPlot& plot, const QWidget& chart)

@@ -32,6 +32,12 @@ void fitLegend(QCPLegend& legend, const std::vector<QCPAbstractPlottable*>& curv
 // empty range.
 QCPRange withAir(const QCPRange& values);
 
+// The range that an axis takes which shows `shown` and is to show these values: as it is where they
+// fit, because an axis that moved with every sample could not be read.
+QCPRange fittedRange(const QCPRange& values, const QCPRange& shown, bool logarithmic);
+
+void setLogarithmic(QCPAxis& axis, bool logarithmic); // its scale and its few numbers
+
 // Leaves little room around the axes beyond what their numbers need.
 void tighten(QCPAxisRect& rect);
 

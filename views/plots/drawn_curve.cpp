@@ -131,6 +131,15 @@ private:
 
 } // namespace
 
+void DrawnCurve::span(const DrawnCurve& other)
+{
+    if (!other.any)
+        return;
+    low = any ? std::min(low, other.low) : other.low;
+    high = any ? std::max(high, other.high) : other.high;
+    any = true;
+}
+
 DrawnCurve drawnCurve(std::span<const double> time, std::span<const double> values,
                       const TimeWindow& window)
 {

@@ -20,6 +20,8 @@ struct DrawnCurve
     bool any = false;      // whether there is a value in sight
     double low = 0.0;      // lowest of all samples in sight, drawn or not
     double high = 0.0;     // highest of all samples in sight
+
+    void span(const DrawnCurve& other); // takes in the lowest and the highest of another one
 };
 
 struct TimeWindow

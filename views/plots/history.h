@@ -37,6 +37,10 @@ public:
     std::size_t nearest(double time) const;
 
     std::uint64_t run() const { return m_run; } // that the samples are of
+    const std::shared_ptr<const Layout>& layout() const
+    {
+        return m_layout;
+    } // of the newest; null: none
 
     // Grows whenever samples other than the newest have changed.
     int revision() const { return m_revision; }

@@ -46,6 +46,7 @@ void PlotPanel::showMenu(const QPoint& place)
     follow->setEnabled(!chart().follows());
     addWays(menu);
     addRanges(menu);
+    addBands(menu);
     menu.addSeparator();
     addPanels(menu);
     menu.addSeparator();

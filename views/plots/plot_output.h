@@ -9,9 +9,11 @@ class QIODevice;
 namespace ripstop {
 
 // Writes a header with units and a row for each sample, with an empty cell where a curve has no
-// value. Numbers have as many digits as are needed to read the same bits back, and a point whatever
-// the language. Errors stay with the device, which the caller has opened.
+// value. With bands (plots/error_bands.h) each curve that has one is followed by the error of its
+// values, "height error (m)", as tables of the command line have it. Numbers have as many digits as
+// are needed to read the same bits back, and a point whatever the language. Errors stay with the
+// device, which the caller has opened.
 void writeCurves(QIODevice& device, const History& history, const std::vector<Curve>& curves,
-                 char separator = ',');
+                 const ErrorBands* bands = nullptr, char separator = ',');
 
 } // namespace ripstop

@@ -33,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ripstop {
 namespace {
@@ -280,6 +281,8 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
         return showPast(*frame);
     for (PlotView* view : m_views)
         view->chart().setCursor({});
+    if (std::exchange(m_played, nullptr))
+        giveMarks();
     if (frame->run != m_history.run())
         keepRun();
     m_history.add(*frame);
@@ -290,11 +293,13 @@ void PlotPanel::take(const std::shared_ptr<const Frame>& frame)
     drawSoon();
 }
 
-// While the user looks back, the curves stay and a line shows the instant that is looked at.
+// While the user looks back, the curves stay and a line shows the instant that is looked at; only a
+// recording that is certified brings curves of its own.
 void PlotPanel::showPast(const Frame& frame)
 {
     for (PlotView* view : m_views)
         view->chart().setCursor(frame.time);
+    takePlayed(frame);
     drawSoon();
 }
 
@@ -310,8 +315,9 @@ void PlotPanel::drawSoon()
 
 void PlotPanel::draw()
 {
+    m_bands.match(shownHistory());
     for (PlotView* view : m_views)
-        view->draw(m_history, m_earlier);
+        view->draw(shownHistory(), shownBands(), m_earlier);
     showValues();
 }
 
@@ -341,11 +347,16 @@ void PlotPanel::giveEarlier()
         view->chart().setEarlier(m_earlier);
 }
 
-void PlotPanel::markEventsOf(const Recordings& recordings)
+void PlotPanel::follow(const Recordings& recordings)
 {
-    const auto take = [this, &recordings] { takeEvents(recordings); };
-    connect(&recordings, &Recordings::grew, this, take);
-    connect(&recordings, &Recordings::listChanged, this, take);
+    m_recordings = &recordings;
+    const auto takeAll = [this] {
+        takeEvents(*m_recordings);
+        takeCertificates();
+    };
+    connect(&recordings, &Recordings::grew, this, [this] { takeEvents(*m_recordings); });
+    connect(&recordings, &Recordings::listChanged, this, takeAll);
+    connect(&recordings, &Recordings::certified, this, &PlotPanel::takeCertificates);
 }
 
 void PlotPanel::takeEvents(const Recordings& recordings)
@@ -363,7 +374,7 @@ void PlotPanel::takeEvents(const Recordings& recordings)
 void PlotPanel::giveMarks()
 {
     std::vector<Mark> marks;
-    if (m_eventRun == m_history.run())
+    if (m_eventRun == shownHistory().run())
         for (const RunEvent& event : m_events)
             marks.push_back({event.kind, event.time, describe(event, m_document.scene())});
     for (PlotView* view : m_views)
@@ -373,18 +384,18 @@ void PlotPanel::giveMarks()
 // Shows in the list what the probes read at the time under the mouse, or now.
 void PlotPanel::showValues()
 {
-    const bool past = m_hovered && !m_history.time().empty();
-    const std::size_t sample = past ? m_history.nearest(*m_hovered) : 0;
+    const History& history = shownHistory();
+    const bool past = m_hovered && !history.time().empty();
+    const std::size_t sample = past ? history.nearest(*m_hovered) : 0;
     m_list->setHeaderLabels(
         {m_views.size() > 1 ? QString::fromStdString(plotOf(m_current).name) : tr("Probe"),
-         past ? tr("at %1 s").arg(QLocale().toString(m_history.time()[sample], 'f', 2))
-              : tr("now")});
+         past ? tr("at %1 s").arg(QLocale().toString(history.time()[sample], 'f', 2)) : tr("now")});
     const auto& frame = m_player.frame();
     for (std::size_t i = 0; i < m_probes.size(); ++i) {
         const auto id = std::uint32_t(m_probes[i].id);
         double value = std::nan("");
         if (past) {
-            const auto values = m_history.valuesOf(id);
+            const auto values = history.valuesOf(id);
             if (sample < values.size())
                 value = values[sample];
         } else if (frame) {
@@ -394,7 +405,9 @@ void PlotPanel::showValues()
                     value = frame->probe[p];
         }
         const QSignalBlocker quiet(m_list);
-        m_list->topLevelItem(int(i))->setText(1, shown(value, unitOf(m_probes[i].id)));
+        QTreeWidgetItem& row = *m_list->topLevelItem(int(i));
+        row.setText(1, shown(value, unitOf(m_probes[i].id)));
+        row.setToolTip(1, errorText(id, past ? m_hovered : std::nullopt));
     }
     m_list->viewport()->update(); // the blocked signals would have repainted it
 }
@@ -456,7 +469,7 @@ void PlotPanel::clear()
 
 void PlotPanel::writeCsv(QIODevice& device, char separator) const
 {
-    writeCurves(device, m_history, m_views[m_current]->curves(), separator);
+    writeCurves(device, shownHistory(), m_views[m_current]->curves(), shownBands(), separator);
 }
 
 } // namespace ripstop

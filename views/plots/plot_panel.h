@@ -6,10 +6,12 @@
 // are cleared. Panels that the scene keeps are changed by edits, so that undo covers them; the
 // panel that belongs to no Plot is changed in place.
 //
-// It is a widget: only the window's thread uses it. Three sources share it: plot_panel.cpp, the
-// context menu in plot_menu.cpp, and the edits of panels in plot_arrangement.cpp.
+// It is a widget: only the window's thread uses it. Four sources share it: plot_panel.cpp, the
+// context menu in plot_menu.cpp, the edits of panels in plot_arrangement.cpp, and the bands of
+// certificates in plot_bands.cpp.
 #pragma once
 
+#include "plots/error_bands.h"
 #include "plots/plot_view.h"
 #include "scene/scene.h"
 
@@ -41,8 +43,13 @@ public:
     const std::vector<EarlierRun>& earlier() const { return m_earlier; }
     void forgetEarlier();
 
-    // Marks what happens in the run that is drawn, as its recording has it.
-    void markEventsOf(const Recordings& recordings);
+    // Marks what happens in the run that is drawn, as its recording has it, and shades how far its
+    // values may be off, as certificates of recordings and of the design have it.
+    void follow(const Recordings& recordings);
+    void showErrorBands(bool shown); // they are, at first
+    bool showsErrorBands() const { return m_wantsBands; }
+    // Of the samples that are drawn; as of the latest drawing.
+    const ErrorBands& errorBands() const { return m_bands; }
 
     // --- panels ---
     int viewCount() const { return int(m_views.size()); }
@@ -85,6 +92,15 @@ private:
     void giveEarlier();
     void takeEvents(const Recordings& recordings);
     void giveMarks();
+
+    // certificates (plot_bands.cpp)
+    void takeCertificates();
+    void takePlayed(const Frame& frame);
+    const History& shownHistory() const { return m_played ? m_playedHistory : m_history; }
+    const ErrorBands* shownBands() const { return m_wantsBands ? &m_bands : nullptr; }
+    QString errorText(std::uint32_t probe, std::optional<double> time) const;
+    void addBands(QMenu& menu);
+
     void showValues();
     void tick(QTreeWidgetItem* item); // draws a probe, or not
     QString unitOf(Id probe) const;   // as the newest frame has it
@@ -116,6 +132,12 @@ private:
     std::vector<RunEvent> m_events;  // of that run
     std::optional<double> m_hovered; // s
     QTimer m_redraw;
+    const Recordings* m_recordings = nullptr; // null until follow()
+    ErrorBands m_bands;
+    bool m_wantsBands = true;
+    // The certified recording that is looked back at, with its values; null: none is.
+    std::shared_ptr<const Certificate> m_played;
+    History m_playedHistory;
 
     QStackedWidget* m_pages;
     QTreeWidget* m_list;

@@ -122,10 +122,11 @@ void PlotView::styleTitle()
     m_bar->setBackgroundRole(QPalette::AlternateBase);
 }
 
-void PlotView::draw(const History& history, const std::vector<EarlierRun>& earlier)
+void PlotView::draw(const History& history, const ErrorBands* bands,
+                    const std::vector<EarlierRun>& earlier)
 {
     if (m_pages->currentIndex() == OverTime)
-        return m_chart->draw(history);
+        return m_chart->draw(history, bands);
     if (m_pages->currentIndex() == Hint)
         return;
     // Curves of one unit have it on their axis, others beside their names.

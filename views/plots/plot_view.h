@@ -27,7 +27,9 @@ public:
     enum class Title { Hidden, Shown, Current }; // the list and the menu are about the current one
     void setTitle(Title title);
 
-    void draw(const History& history, const std::vector<EarlierRun>& earlier);
+    // `bands` around curves over time, or null; see Chart::draw().
+    void draw(const History& history, const ErrorBands* bands,
+              const std::vector<EarlierRun>& earlier);
     double drawingTime() const; // ms, mean of the latest drawings
 
     Chart& chart() { return *m_chart; }

@@ -140,6 +140,13 @@ void Stage::takeDesign(const Scene& scene)
     m_designGhost.show(designGhost(m_design, *m_frame));
 }
 
+ValueRange Stage::range() const
+{
+    if (isState(m_colorBy))
+        return {0.0, highestState};
+    return fixedRange().value_or(m_range.range());
+}
+
 const ColorMap& Stage::colors() const
 {
     return range().low < 0.0 ? ColorMap::diverging() : ColorMap::sequential();
@@ -219,6 +226,13 @@ void Stage::takeBounds()
 void Stage::takeRange()
 {
     const QuantityValues& values = m_values;
+    if (isState(m_colorBy))
+        return;
+    if (!values.link.empty() && !values.panel.empty()) {
+        std::vector<double> both = values.link;
+        both.insert(both.end(), values.panel.begin(), values.panel.end());
+        return m_range.take(both, isSigned(m_colorBy));
+    }
     m_range.take(!values.link.empty()    ? values.link
                  : !values.panel.empty() ? values.panel
                                          : values.particle,

@@ -74,7 +74,7 @@ public:
     ColorBy colorBy() const { return m_colorBy; }
     Peak peak() const { return m_frame ? peakOf(*m_frame, m_values) : Peak{}; }
     bool isKnown() const { return m_values.isKnown; } // something has that quantity
-    ValueRange range() const { return fixedRange().value_or(m_range.range()); }
+    ValueRange range() const;
     const ColorMap& colors() const;
 
     // Places of all that is shown but the ground, m.
