@@ -24,6 +24,8 @@ const Section sections[] = {
     {"Cloth", clothCases},
     {"Materials", materialCases},
     {"Defaults of a new scene", defaultCases},
+    {"Cables", lineCases},
+    {"Cable nets and trusses", netCases},
     {"Elastic panels", membraneCases},
     {"Bending", bendingCases},
     {"Conservation and invariance", invarianceCases},

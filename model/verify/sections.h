@@ -25,6 +25,8 @@ std::vector<Case> ropeCases();
 std::vector<Case> clothCases();
 std::vector<Case> materialCases();
 std::vector<Case> defaultCases();
+std::vector<Case> lineCases();
+std::vector<Case> netCases();
 std::vector<Case> membraneCases();
 std::vector<Case> bendingCases();
 std::vector<Case> invarianceCases();
