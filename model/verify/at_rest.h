@@ -31,5 +31,6 @@ struct AtRest
 };
 
 AtRest restOf(const Scene& scene, double seconds);
+AtRest restOf(std::shared_ptr<const System> system, const State& from, double seconds);
 
 } // namespace ripstop

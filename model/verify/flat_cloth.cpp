@@ -1,3 +1,5 @@
+// Networks of cells and of rings, the cloths of the cases, and the scene that one of them makes. The
+// warp is laid by texture: v runs along it.
 #include "verify/flat_cloth.h"
 
 #include <cmath>
@@ -5,7 +7,7 @@
 
 namespace ripstop {
 
-FlatCloth rectangle(double length, double width, int along, int across, bool mirrored)
+FlatCloth rectangle(double length, double width, int along, int across, Parted parted)
 {
     FlatCloth cloth;
     for (int row = 0; row <= across; ++row)
@@ -16,28 +18,19 @@ FlatCloth rectangle(double length, double width, int along, int across, bool mir
         for (int column = 0; column < along; ++column) {
             const int a = at(row, column), b = at(row, column + 1);
             const int c = at(row + 1, column + 1), d = at(row + 1, column);
-            if (mirrored)
-                cloth.triangles.insert(cloth.triangles.end(), {{a, b, d}, {b, c, d}});
-            else
-                cloth.triangles.insert(cloth.triangles.end(), {{a, b, c}, {a, c, d}});
-        }
-    return cloth;
-}
-
-FlatCloth crossed(double length, double width, int along, int across)
-{
-    FlatCloth cloth = rectangle(length, width, along, across);
-    cloth.triangles.clear();
-    const auto at = [&](int row, int column) { return row * (along + 1) + column; };
-    for (int row = 0; row < across; ++row)
-        for (int column = 0; column < along; ++column) {
-            const int middle = int(cloth.place.size());
-            cloth.place.emplace_back(length * (column + 0.5) / along, width * (row + 0.5) / across,
-                                     0.0);
-            const std::array around{at(row, column), at(row, column + 1), at(row + 1, column + 1),
-                                    at(row + 1, column)};
-            for (std::size_t i = 0; i < 4; ++i)
-                cloth.triangles.push_back({middle, around[i], around[(i + 1) % 4]});
+            auto& triangles = cloth.triangles;
+            if (parted == Parted::Crosswise) {
+                const int middle = int(cloth.place.size());
+                cloth.place.push_back(
+                    0.5 * (cloth.place[std::size_t(a)] + cloth.place[std::size_t(c)]));
+                triangles.insert(triangles.end(),
+                                 {{middle, a, b}, {middle, b, c}, {middle, c, d}, {middle, d, a}});
+            } else if (parted == Parted::Falling
+                       || (parted == Parted::ByTurns && (row + column) % 2 != 0)) {
+                triangles.insert(triangles.end(), {{a, b, d}, {b, c, d}});
+            } else {
+                triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
+            }
         }
     return cloth;
 }

@@ -14,11 +14,13 @@ struct FlatCloth
     std::vector<std::array<int, 3>> triangles;
 };
 
-// Columns along x; cells are parted along either diagonal.
-FlatCloth rectangle(double length, double width, int along, int across, bool mirrored = false);
+// How cells are parted: along the diagonal that rises with x or the one that falls, by turns, or
+// along both. The particles in the middles of cells come last then.
+enum class Parted { Rising, Falling, ByTurns, Crosswise };
 
-// Of cells that are parted along both diagonals; the particles in their middles come last.
-FlatCloth crossed(double length, double width, int along, int across);
+// Columns along x.
+FlatCloth rectangle(double length, double width, int along, int across,
+                    Parted parted = Parted::Rising);
 
 // Rings of 6, 12, 18 ... particles around one.
 FlatCloth disc(double radius, int rings);

@@ -28,6 +28,7 @@ const Section sections[] = {
     {"Cable nets and trusses", netCases},
     {"Elastic panels", membraneCases},
     {"Bending", bendingCases},
+    {"Elastica", elasticaCases},
     {"Conservation and invariance", invarianceCases},
     {"Repeats", repeatCases},
     {"Contact", contactCases},

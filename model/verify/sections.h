@@ -29,6 +29,7 @@ std::vector<Case> lineCases();
 std::vector<Case> netCases();
 std::vector<Case> membraneCases();
 std::vector<Case> bendingCases();
+std::vector<Case> elasticaCases();
 std::vector<Case> invarianceCases();
 std::vector<Case> repeatCases();
 std::vector<Case> contactCases();
