@@ -6,6 +6,7 @@
 #include "assembly/finish.h"
 #include "base/step_limit.h"
 #include "measure/diagnostics.h"
+#include "verify/by_default.h"
 #include "verify/oscillator.h"
 
 #include <algorithm>
@@ -20,10 +21,14 @@ struct Turns
     std::vector<double> height; // m
 };
 
-Turns turnsOf(Scheme scheme)
+Turns turnsOf(std::optional<Scheme> scheme) // none is by default
 {
-    const double dt = 1e-4;
-    const OscillatorTrace motion = follow(oscillator(scheme, dt, omega, 2.0 * 0.1 * omega), 21000);
+    System system =
+        oscillator(scheme.value_or(Scheme::SemiImplicitEuler), 1e-4, omega, 2.0 * 0.1 * omega);
+    if (!scheme)
+        solveByDefault(system);
+    const double dt = system.timeStep;
+    const OscillatorTrace motion = follow(system, int(std::lround(2.1 / dt)));
     Turns turns{{0.0}, {1.0}};
     for (std::size_t i = 1; i + 1 < motion.v.size(); ++i)
         if (motion.v[i] > 0.0 && motion.v[i + 1] <= 0.0) {
@@ -49,6 +54,12 @@ void addDamped(std::vector<Case>& cases)
                          "2 pi zeta / sqrt(1 - zeta^2)",
                          [=] { return std::log(turns().height.at(1) / turns().height.at(2)); }});
     }
+    const auto turns = shared([] { return turnsOf(std::nullopt); });
+    cases.push_back({"T-S1", "damped period, zeta 0.1, by default", 1.00503782, relative(0.01), "s",
+                     "T / sqrt(1 - zeta^2)", [=] { return turns().time.at(1); }});
+    cases.push_back({"T-S1", "logarithmic decrement, zeta 0.1, by default", 0.63148388,
+                     relative(0.01), "", "2 pi zeta / sqrt(1 - zeta^2)",
+                     [=] { return std::log(turns().height.at(1) / turns().height.at(2)); }});
 }
 
 // Bounded for 20 000 steps; 1 / sqrt(1 - h^2/4) is at most 70 where this is asked.

@@ -1,0 +1,107 @@
+// Networks of cells and of rings, the cloths of the cases, and the scene that one of them makes. The
+// warp is laid by texture: v runs along it.
+#include "verify/flat_cloth.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ripstop {
+
+FlatCloth rectangle(double length, double width, int along, int across, Parted parted)
+{
+    FlatCloth cloth;
+    for (int row = 0; row <= across; ++row)
+        for (int column = 0; column <= along; ++column)
+            cloth.place.emplace_back(length * column / along, width * row / across, 0.0);
+    const auto at = [&](int row, int column) { return row * (along + 1) + column; };
+    for (int row = 0; row < across; ++row)
+        for (int column = 0; column < along; ++column) {
+            const int a = at(row, column), b = at(row, column + 1);
+            const int c = at(row + 1, column + 1), d = at(row + 1, column);
+            auto& triangles = cloth.triangles;
+            if (parted == Parted::Crosswise) {
+                const int middle = int(cloth.place.size());
+                cloth.place.push_back(
+                    0.5 * (cloth.place[std::size_t(a)] + cloth.place[std::size_t(c)]));
+                triangles.insert(triangles.end(),
+                                 {{middle, a, b}, {middle, b, c}, {middle, c, d}, {middle, d, a}});
+            } else if (parted == Parted::Falling
+                       || (parted == Parted::ByTurns && (row + column) % 2 != 0)) {
+                triangles.insert(triangles.end(), {{a, b, d}, {b, c, d}});
+            } else {
+                triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
+            }
+        }
+    return cloth;
+}
+
+FlatCloth disc(double radius, int rings)
+{
+    FlatCloth cloth{{Vec3::Zero()}, {}};
+    const auto first = [](int ring) { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1); };
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int i = 0; i < 6 * ring; ++i) {
+            const double angle = std::numbers::pi * i / (3.0 * ring);
+            cloth.place.push_back(radius * ring / rings
+                                  * Vec3(std::cos(angle), std::sin(angle), 0.0));
+        }
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int side = 0; side < 6; ++side) {
+            const auto outer = [&](int i) { return first(ring) + (side * ring + i) % (6 * ring); };
+            const auto inner = [&](int i) {
+                return ring == 1 ? 0 : first(ring - 1) + (side * (ring - 1) + i) % (6 * (ring - 1));
+            };
+            for (int i = 0; i < ring; ++i)
+                cloth.triangles.push_back({inner(i), outer(i), outer(i + 1)});
+            for (int i = 0; i + 1 < ring; ++i)
+                cloth.triangles.push_back({inner(i), outer(i + 1), inner(i + 1)});
+        }
+    return cloth;
+}
+
+Material woven(double warp, double weft, double poisson, double shear)
+{
+    Material material;
+    material.membraneStiffness = warp;
+    material.weftStiffness = weft;
+    material.poissonRatio = poisson;
+    material.shearStiffness = shear;
+    return material;
+}
+
+Material clothA() { return woven(40e3, 25e3, 0.2, 1.2e3); }
+Material isotropic(double stiffness, double poisson)
+{
+    return woven(stiffness, stiffness, poisson, stiffness / (2.0 * (1.0 + poisson)));
+}
+
+Scene sceneOf(const FlatCloth& cloth, const Material& material, double warp, double density)
+{
+    Scene scene;
+    scene.settings.airDensity = 0.0;
+    scene.settings.gravity = Vec3::Zero();
+    scene.settings.viscosity = 20.0;
+    const double angle = warp * std::numbers::pi / 180.0;
+    const Vec3 along(std::cos(angle), std::sin(angle), 0.0);
+    const Vec3 across(along.y(), -along.x(), 0.0);
+    const Id made = addItem(scene, material);
+    Network network(scene, "cloth");
+    std::vector<Id> ids;
+    for (const Vec3& place : cloth.place) {
+        ids.push_back(network.particle(place));
+        network.texture(ids.back(), place.dot(across), place.dot(along));
+    }
+    for (const auto& [a, b, c] : cloth.triangles)
+        network.panel(ids[std::size_t(a)], ids[std::size_t(b)], ids[std::size_t(c)], made);
+    network.addFabricMass(density);
+    network.carryByPanels();
+    network.finish({}, {});
+    return scene;
+}
+
+std::vector<Particle>& particlesOf(Scene& scene)
+{
+    return std::get<Part>(scene.items.back().item).particles;
+}
+
+} // namespace ripstop
