@@ -1602,6 +1602,11 @@
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
+        <source>Panels of %1 do not tear: the tear limit of %2 holds for links alone. Have threads carry the pull of what is to tear.</source>
+        <translation>Les panneaux de %1 ne se déchirent pas : la limite de déchirure de %2 ne vaut que pour les liaisons. Faites porter par des fils la traction de ce qui doit se déchirer.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
         <source>no material</source>
         <translation>aucune matière</translation>
     </message>
@@ -6538,6 +6543,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
+        <source>%1 links, springs among them that are too stiff for the substep, are solved together; %2</source>
+        <translation>%1 liaisons, dont des ressorts trop raides pour le sous-pas, sont résolues ensemble ; %2</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
         <source>%1 panels carry the pull of the fabric and are solved together with all rods; %2</source>
         <translation>%1 panneaux portent la traction du tissu et sont résolus ensemble avec toutes les tiges ; %2</translation>
     </message>
@@ -6558,8 +6568,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
-        <source>%1 rods are solved together, as bdf2 needs it; %2</source>
-        <translation>%1 tiges sont résolues ensemble, comme bdf2 le demande ; %2</translation>
+        <source>%1 rods are solved together, as %2 needs it; %3</source>
+        <translation>%1 tiges sont résolues ensemble, comme %2 le demande ; %3</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -7728,6 +7738,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cable nets and trusses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Canopies</source>
         <translation>Voilures</translation>
     </message>
@@ -8260,6 +8280,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Elastic sheet</source>
         <translation>Feuille élastique</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Elastica</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8960,6 +8985,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too, lift and drag are read from a table, and the vortex law finds the circulation around a whole wing.</source>
         <translation>Comment le vent pousse un panneau : la loi de l’article croît avec le carré du vent de face, la loi linéaire convient aux plaques aux petits angles aussi, portance et traînée sont lues dans un tableau, et la loi tourbillonnaire trouve la circulation autour de toute une aile.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Implicit Euler</source>
+        <translation>Euler implicite</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10508,8 +10538,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Rule that turns forces into motion; the automatic one takes bdf2 where all rods stretch, are damped and are solved together, and otherwise semi_implicit_euler; bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
-        <translation>Règle qui change les forces en mouvement ; l’automatique prend bdf2 là où toutes les tiges s’allongent, sont amorties et sont résolues ensemble, et sinon semi_implicit_euler ; bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
+        <source>Rule that turns forces into motion; the automatic one takes bdf2 where all rods stretch, are damped and are solved together, and otherwise semi_implicit_euler; implicit_euler and bdf2 hold springs of any stiffness, and bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
+        <translation>Règle qui change les forces en mouvement ; l’automatique prend bdf2 là où toutes les tiges s’allongent, sont amorties et sont résolues ensemble, et sinon semi_implicit_euler ; implicit_euler et bdf2 tiennent des ressorts de toute raideur, bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
     </message>
     <message>
         <location filename="tables"/>
