@@ -7739,12 +7739,12 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Cable nets and trusses</source>
-        <translation type="unfinished"></translation>
+        <translation>Filets de câbles et treillis</translation>
     </message>
     <message>
         <location filename="tables"/>
         <source>Cables</source>
-        <translation type="unfinished"></translation>
+        <translation>Câbles</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8284,7 +8284,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Elastica</source>
-        <translation type="unfinished"></translation>
+        <translation>Élastique plane</translation>
     </message>
     <message>
         <location filename="tables"/>
