@@ -1,3 +1,5 @@
+// Sums of springs and of bending at each particle, and the limits that they give. Whether springs
+// are solved together with rods is found first, since those are left out of the sums.
 #include "scene/step_limits.h"
 
 #include "base/step_limit.h"

@@ -102,6 +102,7 @@ private slots:
     {
         QFETCH(int, cells);
         Scene scene = *build(*findBuilder("cloth"), sheet(cells, 2, 0.3));
+        scene.settings.integrator = Integrator::SemiImplicitEuler; // springs stay forces
         const Scene before = scene;
         const auto made = presetEdit(scene, **findPreset("skytex_38"), materialsOf(scene));
         QVERIFY(made->notWeighed.empty());

@@ -32,10 +32,11 @@ bool isAlike(Layout a, Layout b)
 }
 
 // Something of every kind, tied by springs and by rods, with numbers of its own here and there.
-Scene rich()
+Scene rich(Integrator integrator = Integrator::Auto)
 {
     Scene scene = *build(*findBuilder("cloth"),
                          {{"columns", 5}, {"rows", 4}, {"sphere", 0.3}, {"bending", 1e-5}});
+    scene.settings.integrator = integrator;
     Material line{"line"};
     line.diameter = 0.002;
     line.airLaw = AirLaw::LiftDrag;
@@ -395,9 +396,7 @@ private slots:
         for (const Property& candidate : allProperties()) {
             if (wordsFor(candidate) != property)
                 continue;
-            Scene scene = rich();
-            scene.settings.integrator = Integrator::SemiImplicitEuler; // springs stay forces
-            Pair pair(scene);
+            Pair pair(rich(Integrator::SemiImplicitEuler)); // springs stay forces
             Dice dice{7};
             const Id id = idsOf(pair.scene(), candidate.kind).back();
             (void)pair.apply(
