@@ -402,8 +402,7 @@ private slots:
             (void)pair.apply(
                 setOne(&candidate, {id}, otherValues(pair.scene(), candidate, id, dice).front()));
             QCOMPARE(pair.difference(), QString());
-            QCOMPARE(pair.wasPatch(), inPlace);
-            return;
+            return QCOMPARE(pair.wasPatch(), inPlace);
         }
         QFAIL("there is no such property");
     }
