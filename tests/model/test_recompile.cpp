@@ -13,7 +13,6 @@
 #include "system/fields.h"
 
 #include <QtTest>
-
 #include <algorithm>
 #include <thread>
 
@@ -402,7 +401,8 @@ private slots:
             (void)pair.apply(
                 setOne(&candidate, {id}, otherValues(pair.scene(), candidate, id, dice).front()));
             QCOMPARE(pair.difference(), QString());
-            return QCOMPARE(pair.wasPatch(), inPlace);
+            QCOMPARE(pair.wasPatch(), inPlace);
+            return;
         }
         QFAIL("there is no such property");
     }
