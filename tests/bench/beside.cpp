@@ -18,6 +18,7 @@
 // half second. The error of the swing is the RMS over the first one, 0.1 s, over the drop at rest.
 // Time is that of the processor, not of the clock, for machines that are not quiet; of several runs
 // the best counts.
+#include "bullet_results.h"
 #include "hung_sheet.h"
 
 #include "bench/report.h"
@@ -320,10 +321,7 @@ int main(int argc, char** argv)
             return usage();
     }
     catchInterrupt();
-    Json results{{"machine", machine()},
-                 {"bullet", std::to_string(BT_BULLET_VERSION)},
-                 {"bullet_precision", sizeof(btScalar) == 4 ? "single" : "double"},
-                 {"rows", Json::array()}};
+    Json results = resultsBesideBullet();
     Table table("Hung sheets, ms of the processor for a step of 10 ms, and errors against theory: "
                 "Ripstop, and Bullet "
                     + std::to_string(BT_BULLET_VERSION) + "'s deformable world",

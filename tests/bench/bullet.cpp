@@ -7,6 +7,8 @@
 //   reordered  by its own ReoptimizeLinkOrder(), which takes links that wait for each other apart
 //              and leaves the result as it is; few callers know of it.
 // Everything runs in turn, a few milliseconds each, and ratios are formed inside a round.
+#include "bullet_results.h"
+
 #include "bench/report.h"
 #include "bench/timing.h"
 
@@ -181,10 +183,7 @@ int main(int argc, char** argv)
             return usage();
     }
     catchInterrupt();
-    Json results{{"machine", machine()},
-                 {"bullet", std::to_string(BT_BULLET_VERSION)},
-                 {"bullet_precision", sizeof(btScalar) == 4 ? "single" : "double"},
-                 {"rows", Json::array()}};
+    Json results = resultsBesideBullet();
     Table table("Bullet " + std::to_string(BT_BULLET_VERSION)
                     + (sizeof(btScalar) == 4 ? " (single precision)" : " (double precision)")
                     + " beside Ripstop (double): ns per projection when quiet, "

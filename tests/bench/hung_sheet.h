@@ -2,12 +2,10 @@
 //
 // Kite cloth, 1 m x 1 m, E t 40 kN/m, 47 g/m^2, n x n cells of threads, hangs by its upper edge
 // with 10 kg along the lower one. It is let go without load. Theory has
-//   at rest    the lower edge (M + m / 2) g L / (E t W) lower, 0.25 %, and in each thread the
-//   weight
-//              of what hangs below it;
-//   before     the swing of a mass on a spring, of which a third of the sheet is part (Rayleigh),
-//   of
-//              63 rad/s, damped by viscosity alone.
+//   at rest  the lower edge (M + m / 2) g L / (E t W) lower, 0.25 %, and in each thread the weight
+//            of what hangs below it;
+//   before   the swing of a mass on a spring, of which a third of the sheet is part (Rayleigh),
+//            of 63 rad/s, damped by viscosity alone.
 #pragma once
 
 #include "scene/scene.h"

@@ -48,6 +48,23 @@ inline Scene fallingPair()
     return scene;
 }
 
+// The pair with two probes of particle 2: its height (8) and its speed (9).
+inline Scene measuredPair()
+{
+    Scene scene = fallingPair();
+    Probe height;
+    height.name = "height";
+    height.target = Id{2};
+    Probe speed;
+    speed.name = "speed";
+    speed.quantity = Quantity::Speed;
+    speed.target = Id{2};
+    scene.items.push_back({Id{8}, height});
+    scene.items.push_back({Id{9}, speed});
+    scene.nextId = Id{10};
+    return scene;
+}
+
 // One of everything, as an edit may meet it. Ids: 1 part (2, 3, 4 particles; 5 to 7 links; 8
 // panel), 9 and 10 materials, 11 group, 12 collider, 13 wind, 14 control, 15 probe.
 inline Scene oneOfEverything()

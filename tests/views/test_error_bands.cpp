@@ -1,10 +1,7 @@
 // Bands of what values may be off by, around the curves of runs that are certified: how wide they
 // are, where they end, and what a certified recording brings.
-#include "document/document.h"
-#include "document/player.h"
-#include "document/recordings.h"
-#include "plots/plot_panel.h"
 #include "run/certify.h"
+#include "views/plot_desk.h"
 #include "views/small_scenes.h"
 
 #include <QBuffer>
@@ -25,19 +22,9 @@ constexpr double top = 10.;   // m
 // The falling pair with its height (8) and its speed (9), in steps of semi-implicit Euler.
 Scene measured()
 {
-    Scene scene = fallingPair();
+    Scene scene = measuredPair();
     scene.settings.integrator = Integrator::SemiImplicitEuler;
     scene.settings.solver = Solver::Direct; // takes the substeps that are said, one
-    Probe height;
-    height.name = "height";
-    height.target = Id{2};
-    Probe speed;
-    speed.name = "speed";
-    speed.quantity = Quantity::Speed;
-    speed.target = Id{2};
-    scene.items.push_back({Id{8}, height});
-    scene.items.push_back({Id{9}, speed});
-    scene.nextId = Id{10};
     return scene;
 }
 
@@ -46,20 +33,11 @@ Certification certified(const Scene& scene, double seconds)
     return *certify(scene, seconds, {}, {});
 }
 
-struct Desk
+struct Desk : PlotDesk
 {
-    Document document;
-    Player player{document};
-    Recordings recordings{player};
-    PlotPanel plots{document, player};
-
     Desk()
-    {
-        document.replace(measured());
-        plots.follow(recordings);
-        plots.resize(900, 300);
-        plots.show();
-    }
+        : PlotDesk(measured())
+    {}
     void certify(double seconds)
     {
         recordings.takeCertificate(
@@ -67,9 +45,7 @@ struct Desk
     }
     void fly(double time)
     {
-        player.playUntil(time);
-        QTRY_VERIFY(player.frame() && std::abs(player.frame()->time - time) < 1e-6
-                    && !player.isPlaying());
+        PlotDesk::fly(time);
         QTRY_COMPARE(plots.history().time().size(), std::size_t(std::lround(time / h)) + 1);
     }
     int bandsInSight()

@@ -41,22 +41,6 @@ struct Bench
     bool isReady() const { return player.frame() != nullptr; }
 };
 
-Scene measuredPair()
-{
-    Scene scene = fallingPair();
-    Probe height;
-    height.name = "height";
-    height.target = Id{2};
-    Probe speed;
-    speed.name = "speed";
-    speed.quantity = Quantity::Speed;
-    speed.target = Id{2};
-    scene.items.push_back({Id{8}, height});
-    scene.items.push_back({Id{9}, speed});
-    scene.nextId = Id{10};
-    return scene;
-}
-
 QToolButton* buttonNamed(QWidget& widget, const QString& part)
 {
     for (QToolButton* button : widget.findChildren<QToolButton*>())

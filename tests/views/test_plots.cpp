@@ -4,11 +4,8 @@
 // Stages: plots and their ways of looking as edits, undone and saved; runs that plots must not
 // disturb; marks of events; then the range of values, peaks among many samples, and sixty curves
 // of ten minutes.
-#include "document/document.h"
-#include "document/player.h"
-#include "document/recordings.h"
-#include "plots/plot_panel.h"
 #include "thread_time.h"
+#include "views/plot_desk.h"
 #include "views/small_scenes.h"
 
 #include <QTemporaryDir>
@@ -25,38 +22,20 @@ namespace {
 // The falling pair over a ground 1 m below it, with its height (8), its speed (9), ground is 10.
 Scene measured()
 {
-    Scene scene = fallingPair();
-    Probe height;
-    height.name = "height";
-    height.target = Id{2};
-    Probe speed;
-    speed.name = "speed";
-    speed.quantity = Quantity::Speed;
-    speed.target = Id{2};
+    Scene scene = measuredPair();
     Collider ground;
     ground.name = "ground";
     ground.position = Vec3(0.0, 9.0, 0.0);
-    scene.items.push_back({Id{8}, height});
-    scene.items.push_back({Id{9}, speed});
     scene.items.push_back({Id{10}, ground});
     scene.nextId = Id{11};
     return scene;
 }
 
-struct Desk
+struct Desk : PlotDesk
 {
-    Document document;
-    Player player{document};
-    Recordings recordings{player};
-    PlotPanel plots{document, player};
-
     Desk()
-    {
-        document.replace(measured());
-        plots.follow(recordings);
-        plots.resize(900, 300);
-        plots.show();
-    }
+        : PlotDesk(measured())
+    {}
     std::vector<const Plot*> kept() const
     {
         std::vector<const Plot*> found;
@@ -66,12 +45,6 @@ struct Desk
         return found;
     }
     QTreeWidget& list() { return *plots.findChild<QTreeWidget*>(); }
-    void fly(double time)
-    {
-        player.playUntil(time);
-        QTRY_VERIFY(player.frame() && std::abs(player.frame()->time - time) < 1e-6
-                    && !player.isPlaying());
-    }
 };
 
 std::vector<std::uint32_t> probesIn(PlotView& view)
