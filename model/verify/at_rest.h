@@ -5,6 +5,7 @@
 #include "system/membrane.h"
 
 #include <memory>
+#include <vector>
 
 namespace ripstop {
 
@@ -28,6 +29,10 @@ struct AtRest
         }
         return sum / area;
     }
+
+    // What the panels pull back with against a small motion of the particles, N: the work that it
+    // takes, per metre of it.
+    double against(const std::vector<Vec3>& way) const; // [particles] 1
 };
 
 AtRest restOf(const Scene& scene, double seconds);

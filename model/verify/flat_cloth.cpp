@@ -1,11 +1,44 @@
-// Networks of cells and of rings, the cloths of the cases, and the scene that one of them makes. The
-// warp is laid by texture: v runs along it.
+// Networks of cells and of rings, the cloths of the cases, and the scene that one of them makes.
+// The warp is laid by texture: v runs along it.
 #include "verify/flat_cloth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace ripstop {
+namespace {
+
+using Polygon = std::vector<Vec3>; // convex
+
+// What a half of the plane leaves of it: that in which `inside`, linear, is positive.
+template <typename Inside>
+Polygon clipped(const Polygon& polygon, const Inside& inside)
+{
+    Polygon left;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 from = polygon[i], to = polygon[(i + 1) % polygon.size()];
+        const double here = inside(from), there = inside(to);
+        if (here >= 0.0)
+            left.push_back(from);
+        if (here * there < 0.0)
+            left.push_back(from + here / (here - there) * (to - from));
+    }
+    return left;
+}
+
+// The place of a point among those of a cloth, new or there already.
+int placeOf(FlatCloth& cloth, const Vec3& point)
+{
+    const auto found = std::ranges::find_if(
+        cloth.place, [&](const Vec3& other) { return (other - point).norm() < 1e-6; });
+    const int place = int(found - cloth.place.begin());
+    if (found == cloth.place.end())
+        cloth.place.push_back(point);
+    return place;
+}
+
+} // namespace
 
 FlatCloth rectangle(double length, double width, int along, int across, Parted parted)
 {
@@ -31,6 +64,40 @@ FlatCloth rectangle(double length, double width, int along, int across, Parted p
             } else {
                 triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
             }
+        }
+    return cloth;
+}
+
+FlatCloth turnedRectangle(double length, double width, double cell, double degrees)
+{
+    FlatCloth cloth;
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const Vec3 along = cell * Vec3(std::cos(angle), std::sin(angle), 0.0);
+    const Vec3 across(-along.y(), along.x(), 0.0);
+    const Vec3 middle(0.5 * length, 0.5 * width, 0.0);
+    const int far = int(std::ceil(middle.norm() / cell)) + 1;
+    for (int i = -far; i < far; ++i)
+        for (int j = -far; j < far; ++j) {
+            const Vec3 corner = middle + double(i) * along + double(j) * across;
+            Polygon left{corner, corner + along, corner + along + across, corner + across};
+            left = clipped(left, [](const Vec3& at) { return at.x(); });
+            left = clipped(left, [=](const Vec3& at) { return length - at.x(); });
+            left = clipped(left, [](const Vec3& at) { return at.y(); });
+            left = clipped(left, [=](const Vec3& at) { return width - at.y(); });
+            Vec3 sum = Vec3::Zero();
+            std::vector<int> rim;
+            for (const Vec3& point : left) {
+                sum += point;
+                if (const int place = placeOf(cloth, point);
+                    std::ranges::find(rim, place) == rim.end())
+                    rim.push_back(place);
+            }
+            if (rim.size() < 3)
+                continue;
+            const int centre = int(cloth.place.size());
+            cloth.place.push_back(sum / double(left.size()));
+            for (std::size_t k = 0; k < rim.size(); ++k)
+                cloth.triangles.push_back({centre, rim[k], rim[(k + 1) % rim.size()]});
         }
     return cloth;
 }

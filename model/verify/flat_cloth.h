@@ -22,6 +22,10 @@ enum class Parted { Rising, Falling, ByTurns, Crosswise };
 FlatCloth rectangle(double length, double width, int along, int across,
                     Parted parted = Parted::Rising);
 
+// Square cells of about this size, turned by so many degrees, and what the edges leave of others,
+// each parted from its middle.
+FlatCloth turnedRectangle(double length, double width, double cell, double degrees);
+
 // Rings of 6, 12, 18 ... particles around one.
 FlatCloth disc(double radius, int rings);
 

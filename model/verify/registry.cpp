@@ -27,6 +27,8 @@ const Section sections[] = {
     {"Cables", lineCases},
     {"Cable nets and trusses", netCases},
     {"Elastic panels", membraneCases},
+    {"Strips and frames of cloth", stripCases},
+    {"Cloth under pressure", inflatedCases},
     {"Bending", bendingCases},
     {"Elastica", elasticaCases},
     {"Conservation and invariance", invarianceCases},

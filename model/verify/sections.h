@@ -28,6 +28,8 @@ std::vector<Case> defaultCases();
 std::vector<Case> lineCases();
 std::vector<Case> netCases();
 std::vector<Case> membraneCases();
+std::vector<Case> stripCases();
+std::vector<Case> inflatedCases();
 std::vector<Case> bendingCases();
 std::vector<Case> elasticaCases();
 std::vector<Case> invarianceCases();
