@@ -118,9 +118,7 @@ void addBundle(CLI::App& app, Command& chosen)
                      "What pilot and hands do: a control track, as of run --controls")
         ->type_name("FILE");
     addSetOption(*command, options->scene.assignments);
-    command->add_option("--threads", options->threads, "Threads; the result is the same for all")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
+    addThreadsOption(*command, options->threads);
     command->footer(
         "Examples:\n"
         "  ripstop-cli bundle kite.ripstop.json -o kite.zip --seconds 20\n"

@@ -167,9 +167,7 @@ void addExport(CLI::App& app, Command& chosen)
                       "Of a recording: compute each frame again, to the bit, instead of taking the "
                       "places that were kept, to 1e-6 m");
     addSetOption(*command, options->scene.assignments);
-    command->add_option("--threads", options->threads, "Threads; the result is the same for all")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
+    addThreadsOption(*command, options->threads);
     command->footer(
         formatList()
         + "\n"

@@ -429,9 +429,7 @@ void addRun(CLI::App& app, Command& chosen)
     command->add_flag("--strict", options->strict,
                       "End with exit code 5 when the wanted accuracy was missed");
     addSetOption(*command, options->scene.assignments);
-    command->add_option("--threads", options->threads, "Threads; the result is the same for all")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
+    addThreadsOption(*command, options->threads);
     command->add_option("--csv", options->csv, "Write the probes after every time step")
         ->type_name("FILE");
     command

@@ -1,6 +1,7 @@
 #include "cli/scene_input.h"
 
 #include "io/scene_file.h"
+#include "run/simulation.h"
 #include "scene/path.h"
 #include "terminal/terminal.h"
 
@@ -25,6 +26,18 @@ CLI::Validator numberBetween(double low, double high)
                        + ", not " + text;
             },
             ""};
+}
+
+void addThreadsOption(CLI::App& command, int& threads)
+{
+    threads = Simulation::mostThreads();
+    command
+        .add_option(
+            "--threads", threads,
+            "Threads, as many as there are cores when it is left out; small designs take one, "
+            "and the result is the same for all")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
 }
 
 void addSetOption(CLI::App& command, std::vector<std::string>& assignments)

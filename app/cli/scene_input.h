@@ -25,6 +25,9 @@ void addSceneOption(CLI::App& command, SceneInput& input);
 // Accepts a finite number in the range. CLI::Range is not used because it lets "nan" through.
 CLI::Validator numberBetween(double low, double high);
 
+// --threads, all of the machine's when it is left out.
+void addThreadsOption(CLI::App& command, int& threads);
+
 void addSetOption(CLI::App& command, std::vector<std::string>& assignments);
 
 // The scene; or none and the exit code, after a message has been printed.

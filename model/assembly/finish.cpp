@@ -133,7 +133,7 @@ void finishOrdered(System& system, RodOrder order)
         if (values.size() != count)
             values.assign(count, {});
     });
-    (void)listForces(system, {true, true, true, true, true, true});
+    (void)listForces(system, {true, true, true, true, true, true, true});
 }
 
 void listTearable(System& system)

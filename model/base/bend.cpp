@@ -332,6 +332,8 @@ private:
         bend.beside.fill(-1);
         bend.of = {one, other};
         bend.ofSpar = true;
+        bend.withRods =
+            m_net.solvesTogether && first.isRod && m_net.links[std::size_t(other)].isRod;
         m_bends.push_back(bend);
     }
 
@@ -346,11 +348,19 @@ std::vector<Bend> bendsOf(const BendingNet& net)
     std::vector<Bend> bends;
     Fabric(net, bends).addBends();
     Spars(net, bends).addBends();
+    std::ranges::stable_partition(bends, [](const Bend& bend) { return !bend.withRods; });
     return bends;
 }
 
-std::vector<double> bendSums(const std::vector<Bend>& bends, std::size_t particles)
+std::size_t countOfForces(const std::vector<Bend>& bends)
 {
+    const auto isForce = [](const Bend& bend) { return !bend.withRods; };
+    return std::size_t(std::ranges::partition_point(bends, isForce) - bends.begin());
+}
+
+std::vector<double> bendSums(const std::vector<Bend>& all, std::size_t particles)
+{
+    const std::span bends = std::span(all).first(countOfForces(all));
     std::vector<double> sums(particles, 0.0);
     if (bends.empty())
         return sums;

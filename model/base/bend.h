@@ -23,6 +23,10 @@
 // outer ends; the moment is EI / L^3 times y. A link or panel that is pinned throughout is a clamp
 // and does not bend itself, so that what it holds starts at its edge.
 //
+// Spars of rods that are solved together bend together with them (constraints/spar_bends.h). As a
+// force beside such rods a spar that is bent far would not come to rest: rods that push take
+// stiffness away from it at the end of a substep, after bending has given it at the start.
+//
 // There is no damping: what is stable with explicit steps damps the fastest vibration and leaves
 // the others alone, and three particles do not tell a spar that turns about itself from one that
 // bends another way.
@@ -54,6 +58,7 @@ struct Bend
     std::array<double, 4> coupling{}; // N/m, to them; 0 for none
     std::array<int, 2> of{};          // the two panels, or the two links
     bool ofSpar = false;
+    bool withRods = false; // solved together with them instead of pulling as a force
 
     friend bool operator==(const Bend&, const Bend&) = default;
 };
@@ -73,20 +78,26 @@ struct BendingNet
         double restLength;      // m
         std::uint32_t material; // a spar goes on where links of one material meet
         Bending bending;
+        bool isRod = false;
     };
 
     std::vector<Vec3> position;       // [particles] m, as built
     std::vector<std::uint8_t> pinned; // [particles]
     std::vector<Panel> panels;
-    std::vector<Link> links; // all of them, as they tell how long the sides of panels are
+    std::vector<Link> links;     // all of them, as they tell how long the sides of panels are
+    bool solvesTogether = false; // rods, and with them the spars that they make
 };
 
-// Bends in ascending order of their first particles, those of fabric first. Sides that a single
+// Bends in ascending order of their first particles: first those of fabric, then those of spars,
+// and last those that are solved together with rods. Sides that a single
 // panel or more than two have do not bend. Links go on into each other where they turn by at most
 // 60 degrees, the straightest pair first; spars keep the turn that they are built with.
 std::vector<Bend> bendsOf(const BendingNet& net);
 
-// What bending asks of the step (step_limit.h) at each particle, N/m, as springs would.
+// How many of these pull as forces; the others come last.
+std::size_t countOfForces(const std::vector<Bend>& bends);
+
+// What bending as a force asks of the step (step_limit.h) at each particle, N/m, as springs would.
 std::vector<double> bendSums(const std::vector<Bend>& bends, std::size_t particles);
 
 } // namespace ripstop

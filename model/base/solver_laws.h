@@ -26,13 +26,16 @@ inline constexpr std::array<std::string_view, 8> choiceNames<Integrator>{"explic
                                                                          "rk4",
                                                                          "auto"};
 
-// Whether springs may be solved together with rods, instead of pulling as they did at the start of
-// a substep.
+// Whether springs and the air may be solved together with rods, instead of pulling as they did at
+// the start of a substep.
 constexpr bool isImplicit(Integrator integrator)
 {
-    return integrator == Integrator::ImplicitEuler || integrator == Integrator::Bdf2
-           || integrator == Integrator::Auto;
+    return integrator == Integrator::ImplicitEuler || integrator == Integrator::Bdf2;
 }
+
+// Substeps of semi-implicit Euler that one of BDF2 is as true as; the automatic integrator makes as
+// many fewer.
+inline constexpr int substepsOfEuler = 4;
 
 // Whether it goes on from State::drift instead of from the velocity.
 constexpr bool isVerlet(Integrator integrator)
@@ -58,5 +61,11 @@ enum class Solver {
 template <>
 inline constexpr std::array<std::string_view, 6> choiceNames<Solver>{
     "averaged_jacobi", "paper_jacobi", "gauss_seidel", "small_steps", "direct", "auto"};
+
+// Whether rods may be solved all at once, and the bending of spars with them.
+constexpr bool solvesTogether(Solver solver)
+{
+    return solver == Solver::Direct || solver == Solver::Auto;
+}
 
 } // namespace ripstop

@@ -68,7 +68,7 @@ RodOrder addLinks(const Scene& scene, const ElementIndex& index, System& system)
             auto& rows = spring ? springs : rods;
             const LinkKind kind = spring ? LinkKind::Spring : LinkKind::Rod;
             system.links.push_back({Key(row.id), kind, int(rows.size()), a, b});
-            system.springsAsRods += kind != row.kind;
+            system.springsAsRods += std::size_t(kind != row.kind);
             system.linkStuff.push_back(stuffOf(row));
             rows.push_back(&row);
             if (!spring)

@@ -192,11 +192,11 @@ std::variant<Update, Finding> LiveSystem::Private::update(std::uint64_t generati
 
     Update update;
     if (m_noted.structure || movesSprings()) {
-        m_springsTogether = springsAreTogether(m_scene, m_index);
         const std::shared_ptr<System> system = m_memory.take();
         system->generation = generation;
         system->run = run;
         compileSound(m_scene, m_index, *system);
+        m_springsTogether = system->springsAsRods > 0;
         update.system = system;
     } else {
         Patch made = patch();

@@ -30,6 +30,7 @@ public:
     {
         m_system.generation = patch.generation;
         m_system.run = patch.run;
+        m_solver = patch.settings && patch.settings->solver != m_system.solver;
         if (patch.settings)
             takeSettings(*patch.settings, m_system);
         for (const auto& [key, material] : patch.materials)
@@ -70,7 +71,8 @@ private:
                 .links = !patch.springs.empty() || !patch.rods.empty(),
                 .linkStuff = m_linkStuff,
                 .panels = !patch.panels.empty(),
-                .winds = patch.winds.has_value()};
+                .winds = patch.winds.has_value(),
+                .solver = m_solver};
     }
 
     std::size_t place(int link) const
@@ -190,6 +192,7 @@ private:
     Touched m_touched;
     std::vector<GuidedParticle> m_guides; // that have changed
     bool m_allRods = false;
+    bool m_solver = false;    // has changed
     bool m_tearRules = false; // have changed
     bool m_linkStuff = false; // has changed
     bool m_layout = false;

@@ -21,18 +21,6 @@ namespace {
 
 enum Own : std::uint8_t { OwnStiffness = 1, OwnDamping = 2, OwnCompliance = 4, OwnTearLimit = 8 };
 
-// The same law, for whoever solves it at once.
-Rod asRod(const Spring& spring)
-{
-    return {spring.a,
-            spring.b,
-            spring.restLength,
-            1.0 / spring.stiffness,
-            spring.resists,
-            spring.tear,
-            spring.damping / spring.stiffness};
-}
-
 void takeTear(const Material& material, std::uint8_t own, TearLimit& tear)
 {
     tear.rule = material.tearRule;

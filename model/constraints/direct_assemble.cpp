@@ -1,25 +1,56 @@
 // The matrix and the right-hand side of an iteration of DirectSolver: masses and what forces fall
-// by with speed, then rods, then panels that carry a pull. Where the matrix is factorised, what is
-// on guides is multiplied by them on either side; iterations keep to guides by themselves.
+// by with speed, then rods, then panels that carry a pull and bends of spars. Where the matrix is
+// factorised, what is on guides is multiplied by them on either side; iterations keep to guides by
+// themselves.
 #include "constraints/direct_solver.h"
 #include "constraints/guides.h"
+#include "parallel/ordered_parts.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace ripstop {
 
-// Returns the sum that is minimised, kg m^2.
+// Returns the sum that is minimised, kg m^2. Threads share the stripes of the grid, each with the
+// bars and panels of which the first row is in it.
+double DirectSolver::assemble(const System& system, ThreadPool& pool)
+{
+    const auto addPanels = [&](std::size_t first, std::size_t last) {
+        for (const ElasticPanel& panel : m_panels.panels().subspan(first, last - first))
+            if (!panel.gone)
+                addTriple(panel, m_panels.block(system, panel));
+    };
+    double twice = 0.0;
+    if (m_iterates) {
+        m_grid.setZero(pool);
+        twice += orderedSum(pool, nodes(), [this](std::size_t first, std::size_t last) {
+            return addMasses(first, last);
+        });
+        const Stripes& stripes = m_grid.stripes();
+        stripes.forEachByColour(pool, [&](const Stripe& stripe) {
+            const std::size_t s = stripes.placeOf(stripe);
+            m_energyOf[s] = addBars(m_barsOf[s], m_barsOf[s + 1]);
+            addPanels(m_panelsOf[s], m_panelsOf[s + 1]);
+        });
+        twice += std::accumulate(m_energyOf.begin(), m_energyOf.end(), 0.0);
+    } else {
+        m_factor.setZero();
+        twice += addMasses(0, nodes());
+        twice += addBars(0, m_bars.size());
+        addPanels(0, m_panels.panels().size());
+    }
+    for (const SparBend& bend : m_bends.bends())
+        if (!bend.gone)
+            addTriple(bend, m_bends.block(bend));
+    return 0.5 * (twice + m_panels.energy() + m_bends.energy());
+}
+
 RIPSTOP_CLONES
-double DirectSolver::assemble(const System& system)
+double DirectSolver::addMasses(std::size_t first, std::size_t last)
 {
     double twice = 0.0;
-    const std::size_t count = m_mass.size();
-    if (m_iterates)
-        m_grid.setZero();
-    else
-        m_factor.setZero();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = first; i < last; ++i) {
         const double mass = m_mass[i];
         BlockCholesky::Block& block = diagonal(i);
         for (int c = 0; c < 3; ++c)
@@ -27,7 +58,7 @@ double DirectSolver::assemble(const System& system)
         pack(m_move[i].v) = mass * (pack(m_guess[i].v) - pack(m_position[i].v));
         twice += energyOfWay(i);
     }
-    for (std::size_t i = 0; i < m_drag.size(); ++i) {
+    for (std::size_t i = first; i < std::min(last, m_drag.size()); ++i) {
         BlockCholesky::Block& block = diagonal(i);
         const Pack way = pack(m_guess[i].v) - pack(m_position[i].v);
         for (int c = 0; c < 3; ++c)
@@ -36,7 +67,15 @@ double DirectSolver::assemble(const System& system)
                 m_move[i].v[r] += m_drag[i](r, c) * way[c];
             }
     }
-    for (Bar& bar : m_bars) {
+    return twice;
+}
+
+RIPSTOP_CLONES
+double DirectSolver::addBars(std::size_t first, std::size_t last)
+{
+    const std::size_t count = m_mass.size();
+    double twice = 0.0;
+    for (Bar& bar : std::span(m_bars).subspan(first, last - first)) {
         bar.active = acts(bar);
         twice += energyOf(bar);
         const bool apart = bar.guided && !m_iterates; // iterations keep to guides by themselves
@@ -71,51 +110,45 @@ double DirectSolver::assemble(const System& system)
                 pack(block.column[c]) -= column[c];
         }
     }
-    addPanels(system);
-    return 0.5 * (twice + m_panels.energy());
+    return twice;
 }
 
-void DirectSolver::addPanels(const System& system)
+void DirectSolver::addTriple(const Triple& triple, TripleBlock block)
 {
-    const auto add = [](BlockCholesky::Block& block, const Mat3& value) {
+    const auto add = [](BlockCholesky::Block& sum, const Mat3& value) {
         for (int c = 0; c < 3; ++c)
             for (int r = 0; r < 3; ++r)
-                block.column[c][r] += value(r, c);
+                sum.column[c][r] += value(r, c);
     };
-    const bool guided = !m_guides.empty() && !m_iterates;
     const auto onto = [&](std::uint32_t row) {
         Mat3 free;
         for (int c = 0; c < 3; ++c)
             free.col(c) = m_guides[row].freePart(Vec3::Unit(c));
         return free;
     };
-    for (const ElasticPanel& panel : m_panels.panels()) {
-        if (panel.gone)
-            continue;
-        PanelBlock part = m_panels.block(system, panel);
-        if (guided) {
-            const std::array<Mat3, 3> free{onto(panel.row[0]), onto(panel.row[1]),
-                                           onto(panel.row[2])};
-            for (std::size_t k = 0; k < 3; ++k) {
-                part.corner[k] = free[k] * part.corner[k] * free[k];
-                part.pair[k] = free[k] * part.pair[k] * free[(k + 1) % 3];
-                part.pull[k] = free[k] * part.pull[k];
-            }
-        }
+    if (!m_guides.empty() && !m_iterates) {
+        const std::array<Mat3, 3> free{onto(triple.row[0]), onto(triple.row[1]),
+                                       onto(triple.row[2])};
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = panel.row[k];
-            const std::uint32_t to = panel.row[(k + 1) % 3];
-            if (from < nodes()) {
-                add(diagonal(from), part.corner[k]);
-                for (int c = 0; c < 3; ++c)
-                    m_move[from].v[c] += part.pull[k][c];
-            }
-            if (panel.pair[k] < 0)
-                continue;
-            const bool rowsOfFrom = m_iterates ? from < to : m_factor.isLater(from, to);
-            add(pair(std::size_t(panel.pair[k])),
-                rowsOfFrom ? part.pair[k] : Mat3(part.pair[k].transpose()));
+            const auto [from, to] = sidesOfTriple[k];
+            block.corner[k] = free[k] * block.corner[k] * free[k];
+            block.pair[k] = free[from] * block.pair[k] * free[to];
+            block.pull[k] = free[k] * block.pull[k];
         }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = triple.row[sidesOfTriple[k].first];
+        const std::uint32_t to = triple.row[sidesOfTriple[k].second];
+        if (from < nodes()) {
+            add(diagonal(from), block.corner[k]);
+            for (int c = 0; c < 3; ++c)
+                m_move[from].v[c] += block.pull[k][c];
+        }
+        if (triple.pair[k] < 0)
+            continue;
+        const bool rowsOfFrom = m_iterates ? from < to : m_factor.isLater(from, to);
+        add(pair(std::size_t(triple.pair[k])),
+            rowsOfFrom ? block.pair[k] : Mat3(block.pair[k].transpose()));
     }
 }
 

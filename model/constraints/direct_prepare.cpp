@@ -21,10 +21,10 @@ constexpr std::size_t fewNodes = 300;
 
 } // namespace
 
-void DirectSolver::prepare(const System& system, std::span<const int> rods, Panels panels)
+void DirectSolver::prepare(const System& system, std::span<const int> rods, Triples triples)
 {
     m_rods.assign(rods.begin(), rods.end());
-    m_takesPanels = panels == Panels::Taken;
+    m_takesTriples = triples == Triples::Taken;
     std::vector<std::uint32_t> row = numberRows(system);
     takeBars(system, row);
     auto pairs = numberPairs();
@@ -41,6 +41,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Pane
         takeBars(system, row);
         std::ranges::stable_sort(m_bars, {},
                                  [](const Bar& bar) { return std::minmax(bar.a, bar.b); });
+        m_panels.sortByRow();
         pairs = numberPairs();
         std::vector<std::pair<int, int>> anchors;
         const auto anchor = [&](std::uint32_t a, std::uint32_t b) {
@@ -49,15 +50,17 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Pane
         };
         for (const Bar& bar : m_bars)
             anchor(bar.a, bar.b);
-        for (const ElasticPanel& panel : m_panels.panels())
-            for (std::size_t k = 0; k < 3; ++k)
-                anchor(panel.row[k], panel.row[(k + 1) % 3]);
+        forEachTriple([&](const Triple& triple) {
+            for (const auto& [from, to] : sidesOfTriple)
+                anchor(triple.row[from], triple.row[to]);
+        });
         std::vector<Row> place;
         for (const int p : m_particle) {
             const Vec3& x = system.start.position[std::size_t(p)];
             place.push_back({{x.x(), x.y(), x.z(), 0.0}});
         }
         m_grid.analyze(nodes(), pairs, anchors, place, m_panels.empty());
+        shareOutStripes();
     }
     if (m_hasFactor)
         m_factor.analyze(nodes(), pairs);
@@ -70,7 +73,7 @@ void DirectSolver::prepare(const System& system, std::span<const int> rods, Pane
     m_from.assign(nodes(), Row{});
 }
 
-// Each particle gets its row where a rod or a panel first names it.
+// Each particle gets its row where a rod, a panel or a bend first names it.
 std::vector<std::uint32_t> DirectSolver::numberRows(const System& system)
 {
     m_particle.clear();
@@ -91,10 +94,14 @@ std::vector<std::uint32_t> DirectSolver::numberRows(const System& system)
             number(system.rods[std::size_t(r)].a);
             number(system.rods[std::size_t(r)].b);
         }
-        if (m_takesPanels)
-            for (const Membrane& membrane : system.membranes)
-                for (const int corner : system.panels[std::size_t(membrane.panel)].corner)
-                    number(corner);
+        if (!m_takesTriples)
+            continue;
+        for (const Membrane& membrane : system.membranes)
+            for (const int corner : system.panels[std::size_t(membrane.panel)].corner)
+                number(corner);
+        for (const Bend& bend : system.of<BendLists>().withRods())
+            for (const int corner : bend.corner)
+                number(corner);
     }
     return row;
 }
@@ -102,8 +109,11 @@ std::vector<std::uint32_t> DirectSolver::numberRows(const System& system)
 void DirectSolver::takeBars(const System& system, std::span<const std::uint32_t> row)
 {
     m_panels = {};
-    if (m_takesPanels)
+    m_bends = {};
+    if (m_takesTriples) {
         m_panels.prepare(system, row);
+        m_bends.prepare(system, row);
+    }
     m_bars.clear();
     for (const int r : m_rods) {
         const Rod& rod = system.rods[std::size_t(r)];
@@ -116,7 +126,7 @@ void DirectSolver::takeBars(const System& system, std::span<const std::uint32_t>
     }
 }
 
-// Numbers the bars and sides of panels between two nodes and returns their ends.
+// Numbers the bars and sides of triples between two nodes and returns their ends.
 std::vector<std::pair<int, int>> DirectSolver::numberPairs()
 {
     std::vector<std::pair<int, int>> pairs;
@@ -126,7 +136,25 @@ std::vector<std::pair<int, int>> DirectSolver::numberPairs()
             pairs.emplace_back(bar.a, bar.b);
         }
     m_panels.numberPairs(nodes(), pairs);
+    m_bends.numberPairs(nodes(), pairs);
     return pairs;
+}
+
+// Bars and panels go with the stripe of their first row.
+void DirectSolver::shareOutStripes()
+{
+    const auto& stripes = m_grid.stripes().list;
+    m_energyOf.assign(stripes.size(), 0.0);
+    m_barsOf.assign(1, 0);
+    m_panelsOf.assign(1, 0);
+    for (const Stripe& stripe : stripes) {
+        const auto rowOf = [](const Bar& bar) { return std::min(bar.a, bar.b); };
+        m_barsOf.push_back(
+            std::size_t(std::ranges::lower_bound(m_bars, stripe.last, {}, rowOf) - m_bars.begin()));
+        const auto panels = m_panels.panels();
+        m_panelsOf.push_back(std::size_t(std::ranges::lower_bound(panels, stripe.last, {}, firstRow)
+                                         - panels.begin()));
+    }
 }
 
 void DirectSolver::takeGuides(const System& system)
@@ -157,11 +185,12 @@ void DirectSolver::findIslands()
     const auto forEachTie = [&](const auto& visit) { // ends, the lower row first
         for (const Bar& bar : m_bars)
             visit(std::min(bar.a, bar.b), std::max(bar.a, bar.b));
-        for (const ElasticPanel& panel : m_panels.panels())
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto [low, high] = std::minmax(panel.row[k], panel.row[(k + 1) % 3]);
+        forEachTriple([&](const Triple& triple) {
+            for (const auto& [from, to] : sidesOfTriple) {
+                const auto [low, high] = std::minmax(triple.row[from], triple.row[to]);
                 visit(low, high);
             }
+        });
     };
     forEachTie([&](std::uint32_t a, std::uint32_t b) {
         if (b >= nodes())
@@ -195,10 +224,10 @@ void DirectSolver::findIslands()
 
 void DirectSolver::refresh(const System& system)
 {
-    if (hasSamePins(system))
+    if (hasSamePins(system) && (!m_takesTriples || m_bends.areOf(system)))
         takeValues(system);
     else
-        prepare(system, std::vector<int>(m_rods), m_takesPanels ? Panels::Taken : Panels::Left);
+        prepare(system, std::vector<int>(m_rods), m_takesTriples ? Triples::Taken : Triples::Left);
 }
 
 bool DirectSolver::hasSamePins(const System& system) const

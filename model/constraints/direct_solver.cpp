@@ -8,6 +8,7 @@
 #include "constraints/guides.h"
 #include "constraints/rod_damping.h"
 #include "constraints/rod_solver.h"
+#include "parallel/ordered_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,56 +97,68 @@ void DirectSolver::soften(const System& system, double h)
     }
 }
 
-void DirectSolver::start(const RodTask& task, std::span<const double> multiplier)
+void DirectSolver::start(const RodTask& task, std::span<const double> multiplier, ThreadPool& pool)
 {
     if (task.h != m_h)
         soften(task.system, task.h);
     m_accuracy = task.system.accuracy;
     takeDamping(task);
-    m_pulls = 0.0;
-    for (Bar& bar : m_bars) {
+    m_pulls = orderedSum(pool, m_bars.size(), [&](std::size_t first, std::size_t last) {
+        return startBars(task, multiplier, first, last);
+    });
+    m_panels.start(task.system, task.gone, {task.before, task.drift, task.substep, task.h});
+    m_bends.start(task.system, task.torn, task.h);
+}
+
+double DirectSolver::startBars(const RodTask& task, std::span<const double> multiplier,
+                               std::size_t first, std::size_t last)
+{
+    double pulls = 0.0;
+    for (Bar& bar : std::span(m_bars).subspan(first, last - first)) {
         const auto r = std::size_t(bar.rod);
         bar.torn = task.torn[r] != 0;
         bar.rest = task.restLength[r];
         bar.multiplier = bar.atStart = bar.torn ? 0.0 : multiplier[r];
-        m_pulls += energyOfPull(bar);
+        pulls += energyOfPull(bar);
     }
-    m_panels.start(task.system, task.gone, {task.before, task.drift, task.substep, task.h});
+    return pulls;
 }
 
 int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int iterations,
-                          double tolerance)
+                          ThreadPool& pool, double tolerance)
 {
     if (isEmpty())
         return 0;
     const System& system = task.system;
-    for (std::size_t i = 0; i < m_particle.size(); ++i) {
-        const Vec3& x = task.position[std::size_t(m_particle[i])];
-        m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
-    }
+    pool.parallelFor(m_particle.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3& x = task.position[std::size_t(m_particle[i])];
+            m_position[i] = {{x.x(), x.y(), x.z(), 0.0}};
+        }
+    });
     std::copy_n(m_position.begin(), nodes(), m_guess.begin());
 
     m_iterates = m_hasGrid;
     m_loads = std::numeric_limits<double>::max();
     if ((m_iterates || !m_panels.empty()) && !task.before.empty())
-        startNearer(task);
+        startNearer(task, pool);
     else
-        measure(system);
+        measure(system, pool);
     m_pulls += m_panels.energy();
-    m_panelErrors = 0.0;
+    m_tripleErrors = 0.0;
     int taken = 0;
     for (bool near = false; !near && taken < iterations; ++taken) {
         std::copy_n(m_position.begin(), nodes(), m_from.begin());
-        const double before = assemble(system);
-        if (!solveForMoves(system)) // something is not a number, which the watchdog will see
+        const double before = assemble(system, pool);
+        if (!solveForMoves(system, pool)) // something is not a number, which the watchdog will see
             break;
         moveAlongGuides();
-        const Arrival arrival = arrive(system);
+        const Arrival arrival = arrive(system, pool);
         near = arrival.worst < tolerance
                && std::sqrt(arrival.errors) <= leftByNewton * m_accuracy * std::sqrt(m_pulls);
         double share = 1.0;
         for (int i = 0; i < halvings && !near && merit() > before; ++i)
-            go(share *= 0.5, system);
+            go(share *= 0.5, system, pool);
         if (share < 1.0)
             takeShare(share, system);
     }
@@ -153,14 +166,18 @@ int DirectSolver::project(const RodTask& task, std::span<double> multiplier, int
     m_residual = 0.0;
     if (m_pulls > 0.0) {
         const double left = m_left / scaleOfErrors();
-        m_residual = std::sqrt(left * left + m_panelErrors / m_pulls);
+        m_residual = std::sqrt(left * left + m_tripleErrors / m_pulls);
     }
     keepCenters();
-    for (std::size_t i = 0; i < nodes(); ++i)
-        task.position[std::size_t(m_particle[i])] =
-            Vec3(m_position[i].v[0], m_position[i].v[1], m_position[i].v[2]);
-    for (const Bar& bar : m_bars)
-        multiplier[std::size_t(bar.rod)] = pullOf(bar);
+    pool.parallelFor(nodes(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            task.position[std::size_t(m_particle[i])] =
+                Vec3(m_position[i].v[0], m_position[i].v[1], m_position[i].v[2]);
+    });
+    pool.parallelFor(m_bars.size(), [&](std::size_t first, std::size_t last) {
+        for (const Bar& bar : std::span(m_bars).subspan(first, last - first))
+            multiplier[std::size_t(bar.rod)] = pullOf(bar);
+    });
     return taken;
 }
 
@@ -173,60 +190,81 @@ void DirectSolver::takeShare(double share, const System& system)
         m_pulls += energyOfPull(bar);
     }
     m_panels.settle(share);
+    m_bends.settle(share);
     const ElasticPanels::Account account = m_panels.account(system);
     m_pulls += account.pulls;
-    m_panelErrors = account.errors;
+    m_tripleErrors = account.errors + m_bends.errors();
 }
 
 bool DirectSolver::hasImpact() const
 {
     return m_hasOneWay && std::ranges::any_of(m_bars, [](const Bar& bar) {
-        return bar.resists != Resists::Both && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
-    });
+               return bar.resists != Resists::Both
+                      && std::abs(pullOf(bar)) > 2.0 * std::abs(bar.atStart);
+           });
 }
 
 // Where forces and rods are near their balance, as in all that hangs or is in the wind, particles
 // go on as they were: that is a better start than where the forces alone take them.
-RIPSTOP_CLONES
-void DirectSolver::startNearer(const RodTask& task)
+void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
 {
     std::copy_n(m_position.begin(), nodes(), m_from.begin());
-    double here = 0.0; // twice the sum that is minimised
-    m_loads = 0.0;
-    for (std::size_t i = 0; i < nodes(); ++i) {
-        const auto p = std::size_t(m_particle[i]);
-        pack(m_position[i].v) -= (task.h * task.h) * pack(task.acceleration[p]);
-        m_loads += energyOfWay(i);
-    }
+    m_loads = orderedSum(pool, nodes(), [&](std::size_t first, std::size_t last) {
+        double loads = 0.0;
+        for (std::size_t i = first; i < last; ++i) {
+            const auto p = std::size_t(m_particle[i]);
+            pack(m_position[i].v) -= (task.h * task.h) * pack(task.acceleration[p]);
+            loads += energyOfWay(i);
+        }
+        return loads;
+    });
+    double here = 0.0;
     double nearer = m_loads;
-    const auto from = [this](std::uint32_t row) -> const Row& {
-        return row < nodes() ? m_from[row] : m_position[row];
-    };
-    for (Bar& bar : m_bars) {
-        ripstop::measure(bar, from(bar.a), from(bar.b));
-        bar.active = acts(bar);
-        here += energyOf(bar);
-        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
-        bar.active = acts(bar);
-        nearer += energyOf(bar);
-    }
+    inOrderedParts(
+        pool, m_bars.size(),
+        [&](std::size_t first, std::size_t last) { return startsOf(first, last); },
+        [&](const Starts& part) {
+            here += part.here;
+            nearer += part.nearer;
+        });
     if (!m_panels.empty()) {
         std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
         here += m_panels.measure(task.system, m_position);
         std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
         nearer += m_panels.measure(task.system, m_position);
     }
+    here += m_bends.measure(m_from);
+    nearer += m_bends.measure(m_position);
     if (nearer < here)
         return;
     std::copy_n(m_from.begin(), nodes(), m_position.begin());
-    measure(task.system);
+    measure(task.system, pool);
+}
+
+// Of rods, with their ends where m_from has them and where m_position does.
+RIPSTOP_CLONES
+DirectSolver::Starts DirectSolver::startsOf(std::size_t first, std::size_t last)
+{
+    const auto from = [this](std::uint32_t row) -> const Row& {
+        return row < nodes() ? m_from[row] : m_position[row];
+    };
+    Starts starts;
+    for (Bar& bar : std::span(m_bars).subspan(first, last - first)) {
+        ripstop::measure(bar, from(bar.a), from(bar.b));
+        bar.active = acts(bar);
+        starts.here += energyOf(bar);
+        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
+        bar.active = acts(bar);
+        starts.nearer += energyOf(bar);
+    }
+    return starts;
 }
 
 // Puts the moves in place of the right-hand side.
-bool DirectSolver::solveForMoves(const System& system)
+bool DirectSolver::solveForMoves(const System& system, ThreadPool& pool)
 {
     m_left = 0.0;
-    if (m_iterates && !iterate(system))
+    if (m_iterates && !iterate(system, pool))
         return false;
     if (m_iterates)
         return true;
@@ -237,9 +275,9 @@ bool DirectSolver::solveForMoves(const System& system)
 }
 
 // Where iterations are not soon at an end, and there is another way, takes that from now on.
-bool DirectSolver::iterate(const System& system)
+bool DirectSolver::iterate(const System& system, ThreadPool& pool)
 {
-    if (!m_grid.factorize())
+    if (!m_grid.factorize(pool))
         return false;
     const auto keepOnGuides = [this](std::span<Row> rows) {
         for (std::size_t i = 0; i < m_guides.size() && i < rows.size(); ++i)
@@ -247,11 +285,11 @@ bool DirectSolver::iterate(const System& system)
     };
     const double goal = leftByIterations * m_accuracy * scaleOfErrors();
     m_left = m_grid.solve({m_move.data(), nodes()}, goal,
-                          m_hasFactor ? fewIterations : mostIterations, keepOnGuides);
+                          m_hasFactor ? fewIterations : mostIterations, keepOnGuides, pool);
     if (m_hasFactor && m_left > goal) {
         m_left = 0.0;
         m_iterates = false;
-        assemble(system);
+        assemble(system, pool);
     }
     return true;
 }
@@ -263,12 +301,15 @@ double DirectSolver::scaleOfErrors() const
     return std::sqrt(std::clamp(longSwing * m_loads, leastOfPulls * m_pulls, m_pulls));
 }
 
-// Measures rods and panels with their ends where they are now.
-void DirectSolver::measure(const System& system)
+// Measures rods, panels and bends with their ends where they are now.
+void DirectSolver::measure(const System& system, ThreadPool& pool)
 {
-    for (Bar& bar : m_bars)
-        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
+    pool.parallelFor(m_bars.size(), [&](std::size_t first, std::size_t last) {
+        for (Bar& bar : std::span(m_bars).subspan(first, last - first))
+            ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
+    });
     m_panels.measure(system, m_position);
+    m_bends.measure(m_position);
 }
 
 // The moves lead along the guides but for rounding errors, which are taken out here.
@@ -304,38 +345,59 @@ RIPSTOP_INLINE void DirectSolver::foresee(Bar& bar) const
 
 // Goes the whole way. One pass over the rods does all that has to be known of them there, since a
 // large network is more than the processor keeps near.
-RIPSTOP_CLONES
-DirectSolver::Arrival DirectSolver::arrive(const System& system)
+DirectSolver::Arrival DirectSolver::arrive(const System& system, ThreadPool& pool)
 {
-    for (std::size_t i = 0; i < m_from.size(); ++i)
-        pack(m_position[i].v) = pack(m_from[i].v) + pack(m_move[i].v);
+    pool.parallelFor(m_from.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            pack(m_position[i].v) = pack(m_from[i].v) + pack(m_move[i].v);
+    });
     Arrival arrival;
-    m_pulls = 0.0;
-    for (Bar& bar : m_bars) {
-        foresee(bar);
-        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
-        m_pulls += energyOfPull(bar);
-        arrival.errors += energyOfError(bar);
-        const double off = missOf(bar);
-        if (!(off <= arrival.worst * bar.rest))
-            arrival.worst = bar.rest > 0.0 ? off / bar.rest : off;
-    }
+    inOrderedParts(
+        pool, m_bars.size(),
+        [&](std::size_t first, std::size_t last) { return arriveOf(first, last); },
+        [&](const Arrival& part) {
+            arrival.pulls += part.pulls;
+            arrival.errors += part.errors;
+            if (!(part.worst <= arrival.worst))
+                arrival.worst = part.worst;
+        });
+    m_pulls = arrival.pulls;
+    m_tripleErrors = 0.0;
     if (!m_panels.empty()) {
         m_panels.foresee(system, m_move);
         m_panels.measure(system, m_position);
         const ElasticPanels::Account account = m_panels.account(system);
         m_pulls += account.pulls;
-        m_panelErrors = account.errors;
-        arrival.errors += account.errors;
+        m_tripleErrors = account.errors;
+    }
+    m_bends.foresee(m_move);
+    m_bends.measure(m_position);
+    m_tripleErrors += m_bends.errors();
+    arrival.errors += m_tripleErrors;
+    return arrival;
+}
+
+RIPSTOP_CLONES
+DirectSolver::Arrival DirectSolver::arriveOf(std::size_t first, std::size_t last)
+{
+    Arrival arrival;
+    for (Bar& bar : std::span(m_bars).subspan(first, last - first)) {
+        foresee(bar);
+        ripstop::measure(bar, m_position[bar.a], m_position[bar.b]);
+        arrival.pulls += energyOfPull(bar);
+        arrival.errors += energyOfError(bar);
+        const double off = missOf(bar);
+        if (!(off <= arrival.worst * bar.rest))
+            arrival.worst = bar.rest > 0.0 ? off / bar.rest : off;
     }
     return arrival;
 }
 
-void DirectSolver::go(double share, const System& system)
+void DirectSolver::go(double share, const System& system, ThreadPool& pool)
 {
     for (std::size_t i = 0; i < m_from.size(); ++i)
         pack(m_position[i].v) = pack(m_from[i].v) + share * pack(m_move[i].v);
-    measure(system);
+    measure(system, pool);
 }
 
 // The sum that is minimised, for the rods that are active now; kg m^2.

@@ -1,5 +1,5 @@
 // Solves rods together by Newton's method: all of a system's, or a block of them; and with them the
-// panels that carry a pull (elastic_panels.h).
+// panels that carry a pull (elastic_panels.h) and the bends of spars (spar_bends.h).
 //
 // In a substep it looks for the positions x that minimise
 //
@@ -42,6 +42,7 @@
 #include "constraints/block_cholesky.h"
 #include "constraints/elastic_panels.h"
 #include "constraints/multigrid.h"
+#include "constraints/spar_bends.h"
 #include "parallel/simd_pack.h"
 #include "system/system.h"
 
@@ -57,12 +58,12 @@ struct RodTask;
 class DirectSolver
 {
 public:
-    enum class Panels { Left, Taken };
+    enum class Triples { Left, Taken };
 
     // Takes over `rods`, places in System::rods; others do not exist for it. It takes over all
-    // panels that carry a pull or none. This takes memory, and so does refresh() when pins or
-    // guides have changed; nothing else does.
-    void prepare(const System& system, std::span<const int> rods, Panels panels = Panels::Left);
+    // panels that carry a pull and all bends that are solved with rods, or none. This takes memory,
+    // and so does refresh() when pins, guides or bends have changed; nothing else does.
+    void prepare(const System& system, std::span<const int> rods, Triples triples = Triples::Left);
 
     // Reads the numbers of the rods and the masses again, after they changed in place.
     void refresh(const System& system);
@@ -70,18 +71,18 @@ public:
     // Reads what the block's rods start from: what is torn, rest lengths, and the multipliers of
     // the substep before.
     //   multiplier  [rods of the system]  kg m
-    void start(const RodTask& task, std::span<const double> multiplier);
+    void start(const RodTask& task, std::span<const double> multiplier, ThreadPool& pool);
 
     // Moves the block's particles from where they are and fills the multipliers of its rods, in at
     // most so many iterations; returns how many it took. Fewer than two cannot follow a sudden
     // load.
-    int project(const RodTask& task, std::span<double> multiplier, int iterations,
+    int project(const RodTask& task, std::span<double> multiplier, int iterations, ThreadPool& pool,
                 double tolerance = 3e-4);
 
     // What the last project() has left unsolved, as an error of the pulls, 1: that of iterations,
     // and what pulls of panels differ by from their law.
     double residual() const { return m_residual; }
-    bool isEmpty() const { return m_bars.empty() && m_panels.empty(); }
+    bool isEmpty() const { return m_bars.empty() && m_panels.empty() && m_bends.empty(); }
 
     // Whether a line or a strut met its load in the last project(): one that resists one way only
     // pulls more than twice as hard as before.
@@ -97,6 +98,12 @@ private:
     {
         double worst = 0.0;  // 1, of the lengths, how far a rod misses where it was to be
         double errors = 0.0; // kg m^2, the sum of energyOfError()
+        double pulls = 0.0;  // kg m^2, the sum of energyOfPull()
+    };
+    struct Starts // kg m^2, twice the sum that is minimised
+    {
+        double here = 0.0;
+        double nearer = 0.0;
     };
 
     std::vector<std::uint32_t> numberRows(const System& system);
@@ -104,19 +111,34 @@ private:
     std::vector<std::pair<int, int>> numberPairs();
     bool hasSamePins(const System& system) const;
     void takeGuides(const System& system);
+    void shareOutStripes();
     void takeValues(const System& system);
     void soften(const System& system, double h);
-    void measure(const System& system);
-    double assemble(const System& system);
-    void addPanels(const System& system);
+    void measure(const System& system, ThreadPool& pool);
+    double assemble(const System& system, ThreadPool& pool);
+    double addMasses(std::size_t first, std::size_t last);
+    double addBars(std::size_t first, std::size_t last);
+    void addTriple(const Triple& triple, TripleBlock block);
     void foresee(Bar& bar) const;
-    Arrival arrive(const System& system);
+    Arrival arrive(const System& system, ThreadPool& pool);
+    Arrival arriveOf(std::size_t first, std::size_t last);
     void takeShare(double share, const System& system);
-    void startNearer(const RodTask& task);
-    bool solveForMoves(const System& system);
-    bool iterate(const System& system);
+    void startNearer(const RodTask& task, ThreadPool& pool);
+    Starts startsOf(std::size_t first, std::size_t last);
+    double startBars(const RodTask& task, std::span<const double> multiplier, std::size_t first,
+                     std::size_t last);
+    bool solveForMoves(const System& system, ThreadPool& pool);
+    bool iterate(const System& system, ThreadPool& pool);
     double scaleOfErrors() const; // sqrt(kg) m
     double energyOfWay(std::size_t node) const;
+    template <typename Visit> // visit(triple)
+    void forEachTriple(Visit visit) const
+    {
+        for (const ElasticPanel& panel : m_panels.panels())
+            visit(panel);
+        for (const SparBend& bend : m_bends.bends())
+            visit(bend);
+    }
     BlockCholesky::Block& diagonal(std::size_t node)
     {
         return m_iterates ? m_grid.diagonal(node) : m_factor.diagonal(node);
@@ -125,7 +147,7 @@ private:
     {
         return m_iterates ? m_grid.pair(index) : m_factor.pair(index);
     }
-    void go(double share, const System& system);
+    void go(double share, const System& system, ThreadPool& pool);
     double merit() const;
     void findIslands();
     void keepCenters();
@@ -145,16 +167,19 @@ private:
     bool m_hasGrid = false;
     bool m_hasFactor = true;
     bool m_iterates = false; // now
-    BlockCholesky m_factor; // of the matrix, or
-    Multigrid m_grid;       // for a large one
+    BlockCholesky m_factor;  // of the matrix, or
+    Multigrid m_grid;        // for a large one
     std::vector<Bar> m_bars;
-    bool m_hasOneWay = false; // a line or a strut among them
-    bool m_takesPanels = false;
+    std::vector<std::size_t> m_barsOf, m_panelsOf; // [stripes of the grid + 1] first of each
+    std::vector<double> m_energyOf;                // [stripes] scratch
+    bool m_hasOneWay = false;                      // a line or a strut among them
+    bool m_takesTriples = false;
     ElasticPanels m_panels;
-    double m_panelErrors = 0.0; // kg m^2, the sum of what their pulls differ by from their law
-    std::vector<int> m_particle;          // [rows] particle; nodes first, then pins
-    std::vector<double> m_mass;           // [nodes] kg
-    std::vector<Mat3> m_drag;             // [nodes] kg, h D above, or empty
+    SparBends m_bends;
+    double m_tripleErrors = 0.0; // kg m^2, the sum of what their pulls differ by from their law
+    std::vector<int> m_particle; // [rows] particle; nodes first, then pins
+    std::vector<double> m_mass;  // [nodes] kg
+    std::vector<Mat3> m_drag;    // [nodes] kg, h D above, or empty
     std::vector<GuidedParticle> m_guides; // [rows] by row instead of particle; empty without any
     std::vector<int> m_island;            // [nodes] what rods join, or -1 when a pin is among it
     std::vector<double> m_islandMass;     // [islands] kg

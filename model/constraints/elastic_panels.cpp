@@ -1,6 +1,6 @@
-// Each panel is looked at by itself, in the order of System::membranes; sums are added in that
-// order. Gradients of the corners are the rows of the inverse of the panel's shape, that of the
-// first corner being minus the sum of the others.
+// Each panel is looked at by itself, in the order of System::membranes or of rows; sums are added
+// in that order. Gradients of the corners are the rows of the inverse of the panel's shape, that of
+// the first corner being minus the sum of the others.
 #include "constraints/elastic_panels.h"
 
 #include <algorithm>
@@ -8,8 +8,6 @@
 
 namespace ripstop {
 namespace {
-
-constexpr std::array<std::pair<int, int>, 3> sides{{{0, 1}, {1, 2}, {2, 0}}};
 
 // How the strain changes as a corner moves, 1/m: a row for each component.
 Mat3 strainPerMove(const ClothAxes& axes, const std::array<double, 2>& g)
@@ -69,18 +67,12 @@ void ElasticPanels::prepare(const System& system, std::span<const std::uint32_t>
     }
 }
 
+void ElasticPanels::sortByRow() { std::ranges::stable_sort(m_panels, {}, firstRow); }
+
 void ElasticPanels::numberPairs(std::size_t nodes, std::vector<std::pair<int, int>>& pairs)
 {
     for (ElasticPanel& panel : m_panels)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = panel.row[std::size_t(sides[k].first)];
-            const std::uint32_t to = panel.row[std::size_t(sides[k].second)];
-            panel.pair[k] = -1;
-            if (from >= nodes || to >= nodes)
-                continue;
-            panel.pair[k] = int(pairs.size());
-            pairs.emplace_back(from, to);
-        }
+        ripstop::numberPairs(panel, nodes, pairs);
 }
 
 void ElasticPanels::start(const System& system, std::span<const std::uint8_t> gone,
@@ -133,13 +125,13 @@ double ElasticPanels::measure(const System& system, std::span<const Row> positio
     return energy();
 }
 
-PanelBlock ElasticPanels::block(const System& system, const ElasticPanel& panel) const
+TripleBlock ElasticPanels::block(const System& system, const ElasticPanel& panel) const
 {
     const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
     const Vec3 pulling = pullingPart(panel.law.tension);
     std::array<Mat3, 3> perMove, pullPerMove;
     std::array<std::array<double, 2>, 3> g;
-    PanelBlock block;
+    TripleBlock block;
     const Mat3 tangent = tangentOf(lawOf(system, membrane), panel.law);
     for (std::size_t k = 0; k < 3; ++k) {
         g[k] = gradient(membrane, int(k));
@@ -157,7 +149,7 @@ PanelBlock ElasticPanels::block(const System& system, const ElasticPanel& panel)
     };
     for (std::size_t k = 0; k < 3; ++k) {
         block.corner[k] = between(k, k);
-        block.pair[k] = between(std::size_t(sides[k].first), std::size_t(sides[k].second));
+        block.pair[k] = between(sidesOfTriple[k].first, sidesOfTriple[k].second);
     }
     return block;
 }

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "constraints/rod_damping.h"
+#include "constraints/triple.h"
 #include "parallel/simd_pack.h"
 #include "system/membrane.h"
 
@@ -23,12 +24,9 @@
 
 namespace ripstop {
 
-struct ElasticPanel
+struct ElasticPanel : Triple
 {
-    int membrane = 0;                   // in System::membranes
-    std::array<std::uint32_t, 3> row{}; // of the solver's positions; pins come last
-    std::array<int, 3> pair{};          // in the matrix: ab, bc, ca; -1 where an end is pinned
-    bool gone = false;
+    int membrane = 0;            // in System::membranes
     double weight = 0.0;         // kg m^2 over N m: h^2 A, stiffer by damping
     Vec3 offset = Vec3::Zero();  // r e_b above
     std::array<Vec3, 2> axes{};  // where the warp and the weft have gone
@@ -37,20 +35,15 @@ struct ElasticPanel
     Vec3 before = Vec3::Zero();  // N/m, of the law where the move began
 };
 
-// What a panel adds to the matrix and to the right-hand side.
-struct PanelBlock
-{
-    std::array<Mat3, 3> corner; // on the diagonal
-    std::array<Mat3, 3> pair;   // ab, bc, ca: rows of the first corner, columns of the second
-    std::array<Vec3, 3> pull;   // kg m
-};
-
 class ElasticPanels
 {
 public:
     // Takes memory; nothing else does.
     //   row  [particles]  of the solver
     void prepare(const System& system, std::span<const std::uint32_t> row);
+
+    // Puts panels in the order of their first rows, for large networks.
+    void sortByRow();
 
     // Adds the pairs of nodes, of the first `nodes` rows, to those of the matrix.
     void numberPairs(std::size_t nodes, std::vector<std::pair<int, int>>& pairs);
@@ -65,7 +58,7 @@ public:
     double measure(const System& system, std::span<const Row> position);
     double energy() const; // that again
 
-    PanelBlock block(const System& system, const ElasticPanel& panel) const;
+    TripleBlock block(const System& system, const ElasticPanel& panel) const;
 
     // Foresees the tension at the end of a move, as if the corners moved little; before measure().
     void foresee(const System& system, std::span<const Row> move);

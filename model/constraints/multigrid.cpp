@@ -1,12 +1,14 @@
 // Conjugate gradients over a hierarchy of coarser networks.
 //
 // analyze() makes the hierarchy (coarsening.h). factorize() fills the levels with numbers:
-// makeCoarser() and invert() for each, and a factor of the last. solve() iterates; cycle() is one V
-// through the levels. Loops over blocks are compiled for both kinds of machine and fuse nothing.
-#include "constraints/multigrid.h"
+// makeCoarser() for each, and a factor of the last. solve() iterates; cycle() is one V
+// through the levels, whose sweeps are in multigrid_sweeps.cpp. Loops over blocks are compiled for
+// both kinds of machine and fuse nothing.
+#include "constraints/multigrid_blocks.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ripstop {
 namespace {
@@ -20,50 +22,6 @@ constexpr double toSpare = 3.0;
 
 using Block = BlockCholesky::Block;
 using RoundedBlock = Multigrid::RoundedBlock;
-
-RIPSTOP_INLINE Pack columnOf(const Block& block, int c) { return pack(block.column[c]); }
-
-RIPSTOP_INLINE Pack columnOf(const RoundedBlock& block, int c)
-{
-    return __builtin_convertvector(block.column[c], Pack);
-}
-
-template <class AnyBlock>
-RIPSTOP_INLINE Pack times(const AnyBlock& block, const Row& x)
-{
-    return columnOf(block, 0) * x.v[0] + columnOf(block, 1) * x.v[1] + columnOf(block, 2) * x.v[2];
-}
-
-// Of the block below the diagonal that mirrors this one above it.
-template <bool symmetric, class AnyBlock>
-RIPSTOP_INLINE Pack timesMirrored(const AnyBlock& block, const Row& x)
-{
-    if constexpr (symmetric)
-        return times(block, x);
-    Pack result{};
-    for (int c = 0; c < 3; ++c) {
-        const Pack product = columnOf(block, c) * pack(x.v);
-        result[c] = (product[0] + product[1]) + product[2];
-    }
-    return result;
-}
-
-RIPSTOP_INLINE RoundedBlock rounded(const Block& block)
-{
-    RoundedBlock result;
-    for (int c = 0; c < 3; ++c)
-        result.column[c] = __builtin_convertvector(columnOf(block, c), RoundedBlock::Column);
-    return result;
-}
-
-RIPSTOP_INLINE Block mirrored(const Block& block)
-{
-    Block result{};
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r)
-            result.column[c][r] = block.column[r][c];
-    return result;
-}
 
 // A sum in a fixed order, in four parts, so that additions need not wait for each other.
 RIPSTOP_CLONES
@@ -138,6 +96,8 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
         level.target = std::move(next.target);
         graph = std::move(next.graph);
     }
+    for (Level& level : m_levels)
+        cutInStripes(level);
     m_factorises = graph.nodes <= mostFactorised;
     if (!m_factorises) {
         giveSweeps(m_levels.back());
@@ -151,23 +111,52 @@ void Multigrid::analyze(std::size_t nodes, std::span<const std::pair<int, int>> 
         rows->assign(nodes, Row{});
 }
 
-void Multigrid::setZero()
+void Multigrid::cutInStripes(Level& level)
 {
-    std::ranges::fill(m_levels[0].block, Block{});
-    std::ranges::fill(m_levels[0].diagonal, Block{});
+    const auto of = [&](std::size_t node) {
+        return level.up.ofNode[node + 1] - level.up.ofNode[node];
+    };
+    Pattern pattern{level.start, level.column, {}, {}, level.target};
+    std::vector<std::uint32_t> rowWrites{0}, selfWrites;
+    if (!level.target.empty()) {
+        for (std::size_t a = 0; a < level.diagonal.size(); ++a) {
+            std::uint32_t count = 0;
+            for (std::uint32_t k = level.start[a]; k < level.start[a + 1]; ++k)
+                count += of(a) * of(level.column[k]);
+            rowWrites.push_back(rowWrites.back() + count);
+        }
+        selfWrites.push_back(rowWrites.back());
+        for (std::size_t a = 0; a < level.diagonal.size(); ++a)
+            selfWrites.push_back(selfWrites.back() + of(a) * (of(a) + 1) / 2);
+        pattern.rowWrites = rowWrites;
+        pattern.selfWrites = selfWrites;
+        pattern.targets = *std::ranges::max_element(level.target) + std::size_t(1);
+    }
+    level.stripes = stripesOf(pattern);
+    level.part.assign(level.stripes.list.size(), 0.0);
 }
 
-bool Multigrid::factorize()
+void Multigrid::setZero(ThreadPool& pool)
 {
-    for (std::size_t l = 0; l + 1 < m_levels.size(); ++l) {
-        if (!invert(m_levels[l]))
+    const auto fill = [&](std::vector<Block>& blocks) {
+        pool.parallelFor(blocks.size(), [&](std::size_t first, std::size_t last) {
+            std::fill(blocks.begin() + std::ptrdiff_t(first), blocks.begin() + std::ptrdiff_t(last),
+                      Block{});
+        });
+    };
+    fill(m_levels[0].block);
+    fill(m_levels[0].diagonal);
+}
+
+bool Multigrid::factorize(ThreadPool& pool)
+{
+    for (std::size_t l = 0; l + 1 < m_levels.size(); ++l)
+        if (!makeCoarser(m_levels[l], m_levels[l + 1], pool))
             return false;
-        makeCoarser(m_levels[l], m_levels[l + 1]);
-    }
     Level& last = m_levels.back();
     if (!m_factorises) {
         roundBlocks(last);
-        return invert(last);
+        return invert(last, pool);
     }
     m_coarsest.setZero();
     for (std::size_t i = 0; i < last.diagonal.size(); ++i)
@@ -180,10 +169,24 @@ bool Multigrid::factorize()
     return m_coarsest.factorize();
 }
 
-// Inverses of the blocks on the diagonal, by their adjugates.
-bool Multigrid::invert(Level& level)
+bool Multigrid::invert(Level& level, ThreadPool& pool)
 {
-    for (std::size_t i = 0; i < level.diagonal.size(); ++i) {
+    level.stripes.forEach(pool, [&](const Stripe& stripe) {
+        level.part[level.stripes.placeOf(stripe)] = invertIn(level, stripe);
+    });
+    return isPositive(level);
+}
+
+bool Multigrid::isPositive(const Level& level)
+{
+    return std::ranges::all_of(level.part, [](double isInverted) { return isInverted != 0.0; });
+}
+
+// Inverses of the blocks on the diagonal, by their adjugates.
+RIPSTOP_CLONES
+bool Multigrid::invertIn(Level& level, const Stripe& stripe)
+{
+    for (std::size_t i = stripe.first; i < stripe.last; ++i) {
         const auto& [x, y, z] = level.diagonal[i].column;
         const double a = x[0], b = x[1], c = x[2], d = y[1], e = y[2], f = z[2];
         const double A = d * f - e * e, B = c * e - b * f, C = b * e - c * d;
@@ -231,15 +234,24 @@ void Multigrid::addMirrored(const Level& fine, std::size_t a, std::uint32_t k,
         }
 }
 
-RIPSTOP_CLONES
-void Multigrid::makeCoarser(Level& fine, Level& coarse) const
+// Inverts the diagonal as well, while it is near; returns whether that could be.
+bool Multigrid::makeCoarser(Level& fine, Level& coarse, ThreadPool& pool) const
 {
     std::fill(coarse.block.begin(), coarse.block.end(), Block{});
     std::fill(coarse.diagonal.begin(), coarse.diagonal.end(), Block{});
-    const std::uint32_t* target = fine.target.data();
+    fine.stripes.forEachByColour(pool, [&](const Stripe& stripe) {
+        fine.part[fine.stripes.placeOf(stripe)] = invertIn(fine, stripe);
+        makeCoarserIn(fine, stripe, coarse);
+    });
+    return isPositive(fine);
+}
+
+RIPSTOP_CLONES
+void Multigrid::makeCoarserIn(Level& fine, const Stripe& stripe, Level& coarse) const
+{
+    const std::uint32_t* target = fine.target.data() + stripe.pairTarget;
     const auto blocks = std::uint32_t(coarse.block.size());
-    const std::size_t nodes = fine.diagonal.size();
-    for (std::size_t a = 0; a < nodes; ++a)
+    for (std::size_t a = stripe.first; a < stripe.last; ++a)
         for (std::uint32_t k = fine.start[a]; k < fine.start[a + 1]; ++k) {
             const std::size_t b = fine.column[k];
             if (!fine.rounded.empty())
@@ -263,7 +275,8 @@ void Multigrid::makeCoarser(Level& fine, Level& coarse) const
                     pack(into.column[2]) += z * w;
                 }
         }
-    for (std::size_t a = 0; a < nodes; ++a) {
+    target = fine.target.data() + stripe.nodeTarget;
+    for (std::size_t a = stripe.first; a < stripe.last; ++a) {
         const Pack x = pack(fine.diagonal[a].column[0]);
         const Pack y = pack(fine.diagonal[a].column[1]);
         const Pack z = pack(fine.diagonal[a].column[2]);
@@ -279,123 +292,32 @@ void Multigrid::makeCoarser(Level& fine, Level& coarse) const
     }
 }
 
-// The loops over a level, once for blocks that are symmetric and once for others.
-template <bool symmetric>
-RIPSTOP_INLINE double Multigrid::multiplyAs(const Level& level, const Row* x, Row* y)
-{
-    const std::size_t nodes = level.diagonal.size();
-    Pack product{};
-    for (std::size_t i = 0; i < nodes; ++i)
-        pack(y[i].v) = times(level.diagonal[i], x[i]);
-    for (std::size_t i = 0; i < nodes; ++i) {
-        const Row own = x[i];
-        Pack sum = pack(y[i].v);
-        for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k) {
-            const Block& block = level.block[k];
-            const std::uint32_t j = level.column[k];
-            sum += times(block, x[j]);
-            pack(y[j].v) += timesMirrored<symmetric>(block, own);
-        }
-        pack(y[i].v) = sum;
-        product += sum * pack(own.v);
-    }
-    return (product[0] + product[1]) + product[2];
-}
-
-template <bool symmetric, class AnyBlock>
-RIPSTOP_INLINE void Multigrid::forwardAs(Level& level, const AnyBlock* block, const Row* b)
-{
-    const std::size_t nodes = level.diagonal.size();
-    const std::size_t lag = level.rounded.empty() ? nodes : level.reach;
-    std::copy_n(b, lag, level.r.begin());
-    for (std::size_t i = 0; i < nodes + lag; ++i) {
-        if (i + lag < nodes)
-            level.r[i + lag] = b[i + lag];
-        if (i < nodes) {
-            Row x;
-            pack(x.v) = times(level.inverse[i], level.r[i]);
-            level.x[i] = x;
-            for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(block[k], x);
-        }
-        if (i < lag)
-            continue;
-        // what the sweep has left is what nodes to the right have moved since
-        const std::size_t behind = i - lag;
-        Pack left{};
-        for (std::uint32_t k = level.start[behind]; k < level.start[behind + 1]; ++k)
-            left -= times(block[k], level.x[level.column[k]]);
-        pack(level.r[behind].v) = left;
-    }
-}
-
-template <bool symmetric, class AnyBlock>
-RIPSTOP_INLINE void Multigrid::backwardAs(Level& level, const AnyBlock* block, const Row* b)
-{
-    const std::size_t nodes = level.diagonal.size();
-    const std::size_t lag = level.rounded.empty() ? nodes : level.reach;
-    for (std::size_t ahead = nodes + lag; ahead-- > 0;) {
-        if (ahead >= lag) {
-            const std::size_t i = ahead - lag;
-            level.r[i] = b[i];
-            const Row x = level.x[i];
-            for (std::uint32_t k = level.start[i]; k < level.start[i + 1]; ++k)
-                pack(level.r[level.column[k]].v) -= timesMirrored<symmetric>(block[k], x);
-        }
-        if (ahead >= nodes)
-            continue;
-        Row left = level.r[ahead];
-        for (std::uint32_t k = level.start[ahead]; k < level.start[ahead + 1]; ++k)
-            pack(left.v) -= times(block[k], level.x[level.column[k]]);
-        pack(level.x[ahead].v) = times(level.inverse[ahead], left);
-    }
-}
-
-// y = A x. Returns x^T A x.
-RIPSTOP_CLONES
-double Multigrid::multiply(const Level& level, const Row* x, Row* y) const
-{
-    return m_isSymmetric ? multiplyAs<true>(level, x, y) : multiplyAs<false>(level, x, y);
-}
-
-// One sweep forth from x = 0 for A x = b, then r = b - A x. On large levels that is found as soon
-// as the sweep has passed all neighbours, while their blocks are still near.
-RIPSTOP_CLONES
-void Multigrid::forward(Level& level, const Row* b) const
-{
-    if (level.rounded.empty())
-        m_isSymmetric ? forwardAs<true>(level, level.block.data(), b)
-                      : forwardAs<false>(level, level.block.data(), b);
-    else
-        m_isSymmetric ? forwardAs<true>(level, level.rounded.data(), b)
-                      : forwardAs<false>(level, level.rounded.data(), b);
-}
-
-// One sweep back from x.
-RIPSTOP_CLONES
-void Multigrid::backward(Level& level, const Row* b) const
-{
-    if (level.rounded.empty())
-        m_isSymmetric ? backwardAs<true>(level, level.block.data(), b)
-                      : backwardAs<false>(level, level.block.data(), b);
-    else
-        m_isSymmetric ? backwardAs<true>(level, level.rounded.data(), b)
-                      : backwardAs<false>(level, level.rounded.data(), b);
-}
-
-RIPSTOP_CLONES
-void Multigrid::restrictTo(const Level& fine, Level& coarse)
+void Multigrid::restrictTo(const Level& fine, Level& coarse, ThreadPool& pool)
 {
     std::fill(coarse.b.begin(), coarse.b.end(), Row{});
-    for (std::size_t i = 0; i < fine.diagonal.size(); ++i)
+    fine.stripes.forEachByColour(pool,
+                                 [&](const Stripe& stripe) { restrictIn(fine, stripe, coarse); });
+}
+
+RIPSTOP_CLONES
+void Multigrid::restrictIn(const Level& fine, const Stripe& stripe, Level& coarse)
+{
+    for (std::size_t i = stripe.first; i < stripe.last; ++i)
         for (std::uint32_t k = fine.up.ofNode[i]; k < fine.up.ofNode[i + 1]; ++k)
             pack(coarse.b[fine.up.coarse[k]].v) += fine.up.weight[k] * pack(fine.r[i].v);
 }
 
-RIPSTOP_CLONES
-void Multigrid::prolongFrom(Level& fine, const Level& coarse)
+void Multigrid::prolongFrom(Level& fine, const Level& coarse, ThreadPool& pool)
 {
-    for (std::size_t i = 0; i < fine.diagonal.size(); ++i) {
+    pool.parallelFor(fine.diagonal.size(), [&](std::size_t first, std::size_t last) {
+        prolongIn(fine, coarse, first, last);
+    });
+}
+
+RIPSTOP_CLONES
+void Multigrid::prolongIn(Level& fine, const Level& coarse, std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i) {
         Pack x = pack(fine.x[i].v);
         for (std::uint32_t k = fine.up.ofNode[i]; k < fine.up.ofNode[i + 1]; ++k)
             x += fine.up.weight[k] * pack(coarse.x[fine.up.coarse[k]].v);
@@ -404,7 +326,7 @@ void Multigrid::prolongFrom(Level& fine, const Level& coarse)
 }
 
 // Fills x of a level from a right-hand side.
-void Multigrid::cycle(std::size_t l, const Row* b)
+void Multigrid::cycle(std::size_t l, const Row* b, ThreadPool& pool)
 {
     Level& level = m_levels[l];
     const bool isLast = l + 1 == m_levels.size();
@@ -413,18 +335,28 @@ void Multigrid::cycle(std::size_t l, const Row* b)
         m_coarsest.solve(level.x);
         return;
     }
-    forward(level, b);
+    forward(level, b, pool);
     if (!isLast) {
         Level& coarse = m_levels[l + 1];
-        restrictTo(level, coarse);
-        cycle(l + 1, coarse.b.data());
-        prolongFrom(level, coarse);
+        restrictTo(level, coarse, pool);
+        cycle(l + 1, coarse.b.data(), pool);
+        prolongFrom(level, coarse, pool);
     }
-    backward(level, b);
+    backward(level, b, pool);
+}
+
+double Multigrid::dot(const Row* a, const Row* b, ThreadPool& pool)
+{
+    Level& finest = m_levels[0];
+    pool.forEach(finest.part.size(), [&](std::size_t i) {
+        const Stripe& stripe = finest.stripes.list[i];
+        finest.part[i] = dotOf(a + stripe.first, b + stripe.first, stripe.last - stripe.first);
+    });
+    return std::accumulate(finest.part.begin(), finest.part.end(), 0.0);
 }
 
 double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
-                        const std::function<void(std::span<Row>)>& keep)
+                        const std::function<void(std::span<Row>)>& keep, ThreadPool& pool)
 {
     const std::size_t count = nodes();
     Level& finest = m_levels[0];
@@ -435,10 +367,10 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
     double now = 0.0; // the square of the error's energy, as the cycle estimates it
     int taken = 0;
     for (double before = 0.0;; ++taken) {
-        cycle(0, m_r.data());
+        cycle(0, m_r.data(), pool);
         keep(finest.x);
         const Row* const z = finest.x.data();
-        now = dotOf(m_r.data(), z, count);
+        now = dot(m_r.data(), z, pool);
         if (taken == 0)
             enough = std::max(enough, nothing * nothing * now);
         if (!(now > enough) || taken == mostIterations)
@@ -446,20 +378,26 @@ double Multigrid::solve(std::span<Row> x, double goal, int mostIterations,
         const double fall = taken == 0 ? usualFall : std::max(now / before, usualFall);
         const double share = taken == 0 ? 0.0 : now / before;
         before = now;
-        for (std::size_t i = 0; i < count; ++i)
-            pack(m_p[i].v) = pack(z[i].v) + share * pack(m_p[i].v);
-        const double step = now / multiply(finest, m_p.data(), m_q.data());
+        pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                pack(m_p[i].v) = pack(z[i].v) + share * pack(m_p[i].v);
+        });
+        const double step = now / multiply(finest, m_p.data(), m_q.data(), pool);
         keep(m_q); // and p has nothing of what that takes out
-        for (std::size_t i = 0; i < count; ++i)
-            pack(m_x[i].v) += step * pack(m_p[i].v);
+        pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                pack(m_x[i].v) += step * pack(m_p[i].v);
+        });
         // The next cycle would show what is left. It is not needed where the fall so far tells it.
         if (now * fall * toSpare < enough) {
             now *= fall;
             ++taken;
             break;
         }
-        for (std::size_t i = 0; i < count; ++i)
-            pack(m_r[i].v) -= step * pack(m_q[i].v);
+        pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                pack(m_r[i].v) -= step * pack(m_q[i].v);
+        });
     }
     std::copy(m_x.begin(), m_x.end(), x.begin());
     m_iterations = taken;

@@ -17,11 +17,14 @@
 //     sweeps alone are quick there.
 //
 // The pattern, the weights and the order of all sums are those of analyze(): the same numbers give
-// the same bits. Nothing is kept from one solve() to the next.
+// the same bits, at any number of threads (stripes.h). Nothing is kept from one solve() to the
+// next.
 #pragma once
 
 #include "constraints/block_cholesky.h"
 #include "constraints/coarsening.h"
+#include "constraints/stripes.h"
+#include "parallel/thread_pool.h"
 
 #include <functional>
 
@@ -50,21 +53,23 @@ public:
                  bool symmetric = true);
 
     // Filling the matrix: set it to zero, then add blocks. The rows of a pair's block are those of
-    // the lower node.
-    void setZero();
+    // the lower node. Threads that fill in what belongs to stripes of one colour do not meet.
+    void setZero(ThreadPool& pool);
     Block& diagonal(std::size_t node) { return m_levels[0].diagonal[node]; }
     Block& pair(std::size_t index) { return m_levels[0].block[m_pair[index]]; }
 
+    const Stripes& stripes() const { return m_levels[0].stripes; } // of the nodes
+
     // Makes the coarser levels of the matrix. Returns false when the matrix is not positive
     // definite.
-    [[nodiscard]] bool factorize();
+    [[nodiscard]] bool factorize(ThreadPool& pool);
 
     // Solves for `x`, [nodes], given the right-hand side in it, until the error of x, as its energy
     // sqrt(e^T A e) is estimated by the cycle, is at most `goal` or next to nothing of that of 0.
     // Returns that estimate of the error that is left; iterations() tells how many it took.
     //   keep  takes out of rows, [nodes], what x may not have; a projection
     double solve(std::span<Row> x, double goal, int mostIterations,
-                 const std::function<void(std::span<Row>)>& keep);
+                 const std::function<void(std::span<Row>)>& keep, ThreadPool& pool);
 
     int iterations() const { return m_iterations; } // of the last solve()
 
@@ -82,28 +87,43 @@ private:
         std::vector<RoundedBlock> rounded; // [blocks] what sweeps read; of large levels
         std::vector<RoundedBlock> inverse; // [nodes] of the diagonal
         std::size_t reach = 0;             // nodes, from a row to the furthest of its columns
+        Stripes stripes;                   // of the nodes
+        std::vector<double> part;          // [stripes] scratch of sums
         Prolongation up;                   // to the next level
         std::vector<std::uint32_t> target; // of products there
         std::vector<Row> x, b, r;          // [nodes] scratch of the cycle
     };
 
-    void makeCoarser(Level& fine, Level& coarse) const;
+    static void cutInStripes(Level& level);
+    bool makeCoarser(Level& fine, Level& coarse, ThreadPool& pool) const;
+    void makeCoarserIn(Level& fine, const Stripe& stripe, Level& coarse) const;
     static void addMirrored(const Level& fine, std::size_t a, std::uint32_t k,
                             const std::uint32_t*& target, Level& coarse);
     template <bool symmetric>
-    static double multiplyAs(const Level& level, const Row* x, Row* y);
+    static double multiplyAs(const Level& level, const Stripe& stripe, const Row* x, Row* y);
     template <bool symmetric, class AnyBlock>
-    static void forwardAs(Level& level, const AnyBlock* block, const Row* b);
+    static void forwardAs(Level& level, const Stripe& stripe, const AnyBlock* block, const Row* b);
     template <bool symmetric, class AnyBlock>
-    static void backwardAs(Level& level, const AnyBlock* block, const Row* b);
-    void cycle(std::size_t level, const Row* b);
-    static bool invert(Level& level);
+    static void finishAs(Level& level, const Stripe& stripe, const AnyBlock* block);
+    template <bool symmetric, class AnyBlock>
+    static void backwardAs(Level& level, const Stripe& stripe, const AnyBlock* block, const Row* b);
+    void cycle(std::size_t level, const Row* b, ThreadPool& pool);
+    static bool invert(Level& level, ThreadPool& pool);
+    static bool isPositive(const Level& level); // of the last time it was inverted
+    static bool invertIn(Level& level, const Stripe& stripe);
     static void roundBlocks(Level& level);
-    double multiply(const Level& level, const Row* x, Row* y) const;
-    void forward(Level& level, const Row* b) const;
-    static void restrictTo(const Level& fine, Level& coarse);
-    static void prolongFrom(Level& fine, const Level& coarse);
-    void backward(Level& level, const Row* b) const;
+    double multiply(Level& level, const Row* x, Row* y, ThreadPool& pool) const;
+    double multiplyIn(const Level& level, const Stripe& stripe, const Row* x, Row* y) const;
+    void forward(Level& level, const Row* b, ThreadPool& pool) const;
+    void forwardIn(Level& level, const Stripe& stripe, const Row* b) const;
+    void finishIn(Level& level, const Stripe& stripe) const;
+    void backward(Level& level, const Row* b, ThreadPool& pool) const;
+    void backwardIn(Level& level, const Stripe& stripe, const Row* b) const;
+    static void restrictTo(const Level& fine, Level& coarse, ThreadPool& pool);
+    static void restrictIn(const Level& fine, const Stripe& stripe, Level& coarse);
+    static void prolongFrom(Level& fine, const Level& coarse, ThreadPool& pool);
+    static void prolongIn(Level& fine, const Level& coarse, std::size_t first, std::size_t last);
+    double dot(const Row* a, const Row* b, ThreadPool& pool); // over the nodes
 
     std::vector<Level> m_levels;       // the finest first
     std::vector<std::uint32_t> m_pair; // [pairs] block of the finest level

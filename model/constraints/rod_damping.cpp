@@ -45,20 +45,22 @@ void RodDamping::prepare(const System& system)
 
 std::span<const double> RodDamping::lengthsFor(const System& system,
                                                std::span<const double> restLength,
-                                               const RodPast& past)
+                                               const RodPast& past, ThreadPool& pool)
 {
     if (m_rods.empty())
         return restLength;
     if (m_rods.size() < restLength.size())
         m_length.assign(restLength.begin(), restLength.end());
     m_length.resize(restLength.size());
-    for (const int rod : m_rods) {
-        const auto r = std::size_t(rod);
-        const double time = system.rods[r].dampingTime;
-        m_length[r] =
-            restLength[r]
-            + time / (time + past.reach) * stretchBack(system.rods[r], restLength[r], past);
-    }
+    pool.parallelFor(m_rods.size(), [&](std::size_t first, std::size_t last) {
+        for (const int rod : std::span(m_rods).subspan(first, last - first)) {
+            const auto r = std::size_t(rod);
+            const double time = system.rods[r].dampingTime;
+            m_length[r] =
+                restLength[r]
+                + time / (time + past.reach) * stretchBack(system.rods[r], restLength[r], past);
+        }
+    });
     return m_length;
 }
 

@@ -12,6 +12,7 @@
 // What is slack has no damper: B is then 0.
 #pragma once
 
+#include "parallel/thread_pool.h"
 #include "system/system.h"
 
 #include <span>
@@ -43,7 +44,7 @@ public:
     // The rest lengths that solvers are to hold in a substep, m; where nothing is damped those that
     // are given. They stay as they are until the next call.
     std::span<const double> lengthsFor(const System& system, std::span<const double> restLength,
-                                       const RodPast& past);
+                                       const RodPast& past, ThreadPool& pool);
 
 private:
     std::vector<int> m_rods;

@@ -56,33 +56,39 @@ void RodSolver::project(const RodTask& task, ThreadPool& pool)
     case Solver::GaussSeidel:
     case Solver::SmallSteps:
         m_coloured.project(task, pool);
-        projectDirect(task, enoughIterations);
+        projectDirect(task, enoughIterations, pool);
         break;
     case Solver::Direct:
-        projectDirect(task, std::max(task.sweeps, enoughIterations));
+        projectDirect(task, std::max(task.sweeps, enoughIterations), pool);
         break;
     case Solver::AveragedJacobi:
     case Solver::PaperJacobi:
         average(task, pool);
-        projectDirect(task, enoughIterations); // the panels that carry a pull
+        projectDirect(task, enoughIterations, pool); // the panels that carry a pull
         break;
     case Solver::Auto:
         break;
     }
 }
 
-void RodSolver::projectDirect(const RodTask& task, int iterations)
+void RodSolver::projectDirect(const RodTask& task, int iterations, ThreadPool& pool)
 {
     if (m_direct.isEmpty())
         return;
-    for (const int rod : m_direct.rods())
-        m_multiplier[std::size_t(rod)] = m_tension[std::size_t(rod)] * (task.h * task.h);
-    m_direct.start(task, m_multiplier);
-    const int most = task.system.membranes.empty() ? iterations
-                                                   : std::max(iterations, enoughForPanels);
-    m_direct.project(task, m_multiplier, most, task.tolerance);
-    for (const int rod : m_direct.rods())
-        m_tension[std::size_t(rod)] = m_multiplier[std::size_t(rod)] / (task.h * task.h);
+    const double square = task.h * task.h;
+    const std::span rods = m_direct.rods();
+    pool.parallelFor(rods.size(), [&](std::size_t first, std::size_t last) {
+        for (const int rod : rods.subspan(first, last - first))
+            m_multiplier[std::size_t(rod)] = m_tension[std::size_t(rod)] * square;
+    });
+    m_direct.start(task, m_multiplier, pool);
+    const int most =
+        task.system.membranes.empty() ? iterations : std::max(iterations, enoughForPanels);
+    m_direct.project(task, m_multiplier, most, pool, task.tolerance);
+    pool.parallelFor(rods.size(), [&](std::size_t first, std::size_t last) {
+        for (const int rod : rods.subspan(first, last - first))
+            m_tension[std::size_t(rod)] = m_multiplier[std::size_t(rod)] / square;
+    });
 }
 
 void RodSolver::takeTensions(const RodTask& task, ThreadPool& pool, std::span<double> tension)
@@ -115,7 +121,7 @@ void RodSolver::prepareDirect(const RodTask& task)
         for (std::size_t i = 0; i < count; ++i)
             if (!beside || task.direct[i])
                 rods.push_back(int(i));
-        m_direct.prepare(system, rods, DirectSolver::Panels::Taken);
+        m_direct.prepare(system, rods, DirectSolver::Triples::Taken);
     } else if (system.valuesSerial != m_valuesSerial) {
         m_direct.refresh(system);
     }

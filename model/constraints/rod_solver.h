@@ -34,9 +34,9 @@ struct RodTask
     double tolerance = 3e-4; // 1, of lengths, where iterations of the direct solver may end
     bool note = true;        // this substep counts for takeTensions()
     bool shifted = true;     // rest lengths of shifted rods may differ from the substep before
-    std::span<const std::uint8_t> gone = {};   // [panels] 1 where it is
-    std::span<const PaddedVec3> drift = {};    // [particles] m/s, that BDF2 looks back by, or empty
-    double substep = 0.0;                      // s, of which h is what BDF2 reaches back
+    std::span<const std::uint8_t> gone = {}; // [panels] 1 where it is
+    std::span<const PaddedVec3> drift = {};  // [particles] m/s, that BDF2 looks back by, or empty
+    double substep = 0.0;                    // s, of which h is what BDF2 reaches back
     std::span<const int> damped = {}; // rods whose rest lengths differ in any case (rod_damping.h)
 };
 
@@ -67,7 +67,7 @@ private:
     void averagedSweep(const RodTask& task, ThreadPool& pool);
     void countRods(const RodTask& task);
     void prepareDirect(const RodTask& task);
-    void projectDirect(const RodTask& task, int iterations);
+    void projectDirect(const RodTask& task, int iterations, ThreadPool& pool);
 
     ColouredSweeps m_coloured;
     DirectSolver m_direct;

@@ -1,4 +1,4 @@
-// Bending of the fabric and spars of a system.
+// Bending of the fabric and spars of a system, as far as it is a force.
 //
 // BendForce::list() describes a finished system as a network of panels and links and lets bendsOf()
 // (base/bend.h) find the bends. prepare() sizes the arrays and notes, beside the rows of bends at
@@ -82,6 +82,7 @@ void fillMoments(const System& system, const State& state, const PaddedVec3* tur
 BendingNet bendingNetOf(const System& system)
 {
     BendingNet net;
+    net.solvesTogether = solvesTogether(system.solver);
     for (std::size_t i = 0; i < system.start.position.size(); ++i) {
         net.position.push_back(system.start.position[i]);
         net.pinned.push_back(system.inverseMass[i] == 0.0);
@@ -99,7 +100,8 @@ BendingNet bendingNetOf(const System& system)
         const Key material = system.linkStuff.empty() ? 0 : system.linkStuff[i].material;
         const int bending = system.linkStuff.empty() ? -1 : bendingOf(material);
         net.links.push_back({link.a, link.b, length, material,
-                             bending < 0 ? Bending() : system.bending[std::size_t(bending)]});
+                             bending < 0 ? Bending() : system.bending[std::size_t(bending)],
+                             link.kind == LinkKind::Rod});
     }
     return net;
 }
@@ -111,11 +113,11 @@ public:
     ForceKind kind() const override { return ForceKind::Elastic; }
     bool acts(const System& system, const State&) const override
     {
-        return !system.of<BendLists>().list.empty();
+        return system.of<BendLists>().forces() > 0;
     }
     bool hangsOn(const Edited& e) const override
     {
-        return e.materials || e.particles || e.links || e.linkStuff || e.panels;
+        return e.materials || e.particles || e.links || e.linkStuff || e.panels || e.solver;
     }
     void list(System& system) const override;
     void prepare(const System& system, const State&) override;
@@ -126,7 +128,11 @@ public:
     }
     bool boundsSubstep(const System& system) const override
     {
-        return !system.of<BendLists>().list.empty();
+        return system.of<BendLists>().forces() > 0;
+    }
+    bool joinsRods(const System& system) const override
+    {
+        return !system.of<BendLists>().withRods().empty();
     }
     void addStiffness(const System& system, std::span<double> stiffness,
                       std::span<double>) const override;
@@ -147,9 +153,10 @@ void BendForce::list(System& system) const
     if (system.bending.empty())
         return;
     bends.list = bendsOf(bendingNetOf(system));
-    if (bends.list.empty())
+    const std::span forces = std::span(bends.list).first(bends.forces());
+    if (forces.empty())
         return;
-    fillIncidence(bends.at, system.start.position.size(), bends.list, [](const Bend& bend) {
+    fillIncidence(bends.at, system.start.position.size(), forces, [](const Bend& bend) {
         return std::span(bend.corner).first(bend.ofSpar ? 3 : 4);
     });
 }
@@ -157,8 +164,8 @@ void BendForce::list(System& system) const
 void BendForce::prepare(const System& system, const State&)
 {
     const auto& [bends, at] = system.of<BendLists>();
-    m_turn.resize(bends.size());
-    m_moment.resize(bends.size());
+    m_turn.resize(countOfForces(bends));
+    m_moment.resize(m_turn.size());
     if (m_serial == system.valuesSerial)
         return;
     m_serial = system.valuesSerial;
@@ -190,7 +197,7 @@ void BendForce::addStiffness(const System& system, std::span<double> stiffness,
 void fillBends(const System& system, const State& state, ThreadPool& pool,
                std::span<PaddedVec3> turn, std::span<PaddedVec3> moment)
 {
-    const std::size_t count = system.of<BendLists>().list.size();
+    const std::size_t count = turn.size();
     pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
         fillTurns(system, state, turn.data(), first, last);
     });

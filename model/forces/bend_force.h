@@ -10,12 +10,12 @@
 
 namespace ripstop {
 
-// Fills `turn`, m, and `moment`, N, for all bends; both are zero where a panel or link of the bend
-// is gone.
-//   turn, moment  [bends]
+// Fills `turn`, m, and `moment`, N, for the bends that are forces; both are zero where a panel or
+// link of the bend is gone.
+//   turn, moment  [BendLists::forces()]
 void fillBends(const System& system, const State& state, ThreadPool& pool,
                std::span<PaddedVec3> turn, std::span<PaddedVec3> moment);
 
-double bendingEnergy(const System& system, const State& state); // J
+double bendingEnergy(const System& system, const State& state); // J, of all bends
 
 } // namespace ripstop

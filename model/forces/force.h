@@ -51,6 +51,7 @@ struct Edited
     bool linkStuff = false; // what links are made of
     bool panels = false;    // their materials
     bool winds = false;
+    bool solver = false;
 };
 
 // Where particles were, and how fast.
@@ -116,6 +117,9 @@ public:
     // --- how long a substep may be --------------------------------------------------------------
     // Whether the automatic solver keeps to the limit by itself. Springs leave it to the author.
     virtual bool boundsSubstep(const System&) const { return false; }
+
+    // Whether some of it is no force, but solved together with the rods.
+    virtual bool joinsRods(const System&) const { return false; }
 
     // Adds what it asks of the step (base/step_limit.h) at each particle.
     //   stiffness, damping  [particles]  N/m, N s/m

@@ -53,9 +53,12 @@ bool listForces(System& system, const Edited& edited)
     for (const auto& force : knownForces()) {
         if (!force->hangsOn(edited))
             continue;
-        bounds |= force->boundsSubstep(system);
+        const auto meetsSolver = [&] {
+            return force->boundsSubstep(system) || force->joinsRods(system);
+        };
+        bounds |= meetsSolver();
         force->list(system);
-        bounds |= force->boundsSubstep(system);
+        bounds |= meetsSolver();
     }
     return bounds;
 }

@@ -107,7 +107,9 @@ Energies energies(const System& system, const State& state, std::span<const doub
     }
     for (const Membrane& membrane : system.membranes)
         if (!state.panelGone[std::size_t(membrane.panel)])
-            sum.elastic += membrane.area * tensionIn(system, membrane, cornersOf(system, membrane, state.position)).energy;
+            sum.elastic +=
+                membrane.area
+                * tensionIn(system, membrane, cornersOf(system, membrane, state.position)).energy;
     for (const auto& force : knownForces())
         switch (force->kind()) {
         case ForceKind::Elastic:
@@ -205,8 +207,8 @@ double largestPanelStrain(const System& system, const State& state)
     double most = 0.0;
     for (const Membrane& membrane : system.membranes)
         if (!state.panelGone[std::size_t(membrane.panel)])
-            most = std::max(most, largestStrain(system, membrane,
-                                                cornersOf(system, membrane, state.position)));
+            most = std::max(
+                most, largestStrain(system, membrane, cornersOf(system, membrane, state.position)));
     return most;
 }
 
@@ -214,8 +216,7 @@ double largestPanelStrain(const System& system, const State& state, std::span<co
 {
     double most = 0.0;
     for (const int panel : panels) {
-        const auto found =
-            std::ranges::lower_bound(system.membranes, panel, {}, &Membrane::panel);
+        const auto found = std::ranges::lower_bound(system.membranes, panel, {}, &Membrane::panel);
         if (found == system.membranes.end() || found->panel != panel
             || state.panelGone[std::size_t(panel)])
             continue;

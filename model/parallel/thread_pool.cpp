@@ -59,6 +59,9 @@ ThreadPool::ThreadPool(int threads)
 {}
 
 ThreadPool::~ThreadPool() = default;
+
+int ThreadPool::cores() { return tbb::info::default_concurrency(); }
+
 ThreadPool::ThreadPool(ThreadPool&&) noexcept = default;
 ThreadPool& ThreadPool::operator=(ThreadPool&&) noexcept = default;
 

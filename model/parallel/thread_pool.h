@@ -1,9 +1,9 @@
 // A pool of threads that loops are split over (parallel for).
 //
 // A loop body gets a range of indices and writes only what belongs to that range, so the result has
-// the same bits whatever the number of threads; a sum is never split. Small loops stay on the
-// calling thread, as handing out work takes some microseconds. A call returns when all of its work
-// is done.
+// the same bits whatever the number of threads; sums are split by ordered_parts.h alone. Small
+// loops stay on the calling thread, as handing out work takes some microseconds. A call returns
+// when all of its work is done.
 //
 // The stepper has the pool and lends it to forces, rods and contact; verification and tests make
 // their own. TBB runs the threads and is not named outside of the source.
@@ -34,6 +34,22 @@ public:
             });
     }
 
+    // Calls body(i) for 0 .. count - 1, each of which is worth handing out.
+    template <typename Body>
+    void forEach(std::size_t count, Body body)
+    {
+        const auto range = [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                body(i);
+        };
+        if (!m_arena || count < 2)
+            range(0, count);
+        else
+            spread(count, 1, &range, [](const void* r, std::size_t first, std::size_t last) {
+                (*static_cast<const decltype(range)*>(r))(first, last);
+            });
+    }
+
     // Calls body(thread) for threads 0 .. threads() - 1, each on a thread of its own when there is
     // one to spare; one after another otherwise.
     template <typename Body>
@@ -53,6 +69,8 @@ public:
     }
 
     int threads() const { return m_threads; }
+
+    static int cores(); // that this program may use
 
 private:
     static constexpr std::size_t grain = 4096; // handing out work takes some microseconds

@@ -54,7 +54,7 @@ void RunnerLoop::takeUpdates()
     for (Update& waiting : updates) {
         const Update update = std::exchange(waiting, {});
         if (!m_simulation)
-            m_simulation.emplace(update.system);
+            m_simulation.emplace(update.system, Simulation::mostThreads());
         m_simulation->load(update);
         m_recorder.loaded(*m_simulation, update.design);
     }

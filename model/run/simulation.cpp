@@ -325,6 +325,8 @@ Readings Simulation::Private::readings() const
 
 // --- the class itself ------------------------------------------------------------------------
 
+int Simulation::mostThreads() { return ThreadPool::cores(); }
+
 Simulation::Simulation(std::shared_ptr<const System> system, int threads)
     : d(std::make_unique<Private>(std::move(system), threads))
 {}

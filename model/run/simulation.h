@@ -30,6 +30,10 @@ struct StepTimes; // step/step_times.h
 class Simulation
 {
 public:
+    // Threads that make use of the whole machine. Small designs stay on one of them, and the result
+    // is the same at any number.
+    static int mostThreads();
+
     explicit Simulation(std::shared_ptr<const System> system, int threads = 1);
 
     // Goes on from a checkpoint: the state of a simulation of this system.

@@ -24,11 +24,13 @@ Bending bendingOf(const Scene& scene, const ElementIndex& index, Id id)
 
 } // namespace
 
-std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index)
+std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,
+                               const std::function<bool(const Link&)>& isRod)
 {
     if (isLimp(scene))
         return {};
     BendingNet net;
+    net.solvesTogether = solvesTogether(scene.settings.solver);
     forEachPart(scene, [&](Id, const Part& part) {
         for (const Particle& row : part.particles) {
             net.position.push_back(row.position);
@@ -45,7 +47,7 @@ std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index)
             const int b = index.particle(row.to);
             if (a >= 0 && b >= 0 && a != b)
                 net.links.push_back({a, b, row.restLength, std::uint32_t(row.material),
-                                     bendingOf(scene, index, row.material)});
+                                     bendingOf(scene, index, row.material), isRod(row)});
         }
     });
     return bendSums(bendsOf(net), net.position.size());

@@ -8,11 +8,16 @@
 #include "scene/element_index.h"
 #include "scene/scene.h"
 
+#include <functional>
+
 namespace ripstop {
 
 // [particles] N/m, counted through all parts in the author's order; empty when no material resists
-// bending. Links and panels that point at no particle are passed over. `index` is that of the scene
-// as it is.
-std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index);
+// bending. Links and panels that point at no particle are passed over. Spars of rods ask for
+// nothing where these are solved together.
+//   index  of the scene as it is
+//   isRod  of a link, as the system has it
+std::vector<double> bendSumsOf(const Scene& scene, const ElementIndex& index,
+                               const std::function<bool(const Link&)>& isRod);
 
 } // namespace ripstop

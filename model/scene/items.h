@@ -65,8 +65,8 @@ struct Link
     friend bool operator==(const Link&, const Link&) = default;
 };
 
-// One triangle of fabric. In a part of which panels carry the pull it is flat at rest, with sides as
-// long as they are told to be, or as they are in the scene.
+// One triangle of fabric. In a part of which panels carry the pull it is flat at rest, with sides
+// as long as they are told to be, or as they are in the scene.
 struct Panel
 {
     Id id{};

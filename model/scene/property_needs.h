@@ -46,8 +46,8 @@ using Around = Circumstances;
 
 // the solver and what it works on
 inline constexpr Need someLink = need([](const Around& a) { return a.all.links() > 0; }, "there are no links");
-inline constexpr Need someRod = need([](const Around& a) { return a.all.rods > 0; }, "no link is a rod, and springs need no solver");
-inline constexpr Need someRodOrElasticPanel = need([](const Around& a) { return a.all.rods > 0 || a.all.elasticPanels > 0; }, "no link is a rod and no panel is elastic, and springs need no solver");
+inline constexpr Need someRod = need([](const Around& a) { return a.all.rods > 0; }, "no link is a rod");
+inline constexpr Need someLinkOrElasticPanel = need([](const Around& a) { return a.all.links() > 0 || a.all.elasticPanels > 0; }, "there are no links, and no panel is elastic");
 inline constexpr Need aimsAtStrain = need([](const Settings& s, const Around&) { return s.solver == Solver::Auto; }, "only the automatic solver aims at a strain");
 inline constexpr Need sweeps = need([](const Settings& s, const Around&) { return s.solver != Solver::SmallSteps && s.solver != Solver::Auto; }, "this solver makes one sweep in each substep; give it more substeps");
 inline constexpr Need softRods = need([](const Around& a) { return a.scene.settings.solver != Solver::PaperJacobi; }, "the paper's solver takes every rod as stiff");

@@ -14,7 +14,6 @@ namespace ripstop {
 namespace {
 
 constexpr double toSpare = 1.05;
-constexpr int substepsOfEuler = 4; // that bdf2 may make one of (step/solver_plan.cpp)
 
 struct Sums // of the forces at a particle
 {
@@ -38,11 +37,12 @@ void forEachSpring(const Scene& scene, Visit visit)
     });
 }
 
-bool hasLinks(const Scene& scene, LinkKind kind)
+bool hasRods(const Scene& scene)
 {
     bool found = false;
     forEachPart(scene, [&](Id, const Part& part) {
-        found |= std::ranges::any_of(part.links, [=](const Link& l) { return l.kind == kind; });
+        found |=
+            std::ranges::any_of(part.links, [](const Link& l) { return l.kind == LinkKind::Rod; });
     });
     return found;
 }
@@ -51,7 +51,7 @@ bool hasLinks(const Scene& scene, LinkKind kind)
 bool mayBeTogether(const Settings& settings)
 {
     return settings.solver == Solver::Auto
-               ? isImplicit(settings.integrator)
+               ? settings.integrator == Integrator::Auto || isImplicit(settings.integrator)
                : settings.solver == Solver::Direct
                      && settings.integrator == Integrator::ImplicitEuler;
 }
@@ -60,23 +60,27 @@ bool mayBeTogether(const Settings& settings)
 double longestSubstep(const Scene& scene)
 {
     const Settings& settings = scene.settings;
-    const bool mayBeLong =
-        settings.integrator == Integrator::Auto && hasLinks(scene, LinkKind::Rod);
+    const bool mayBeLong = settings.integrator == Integrator::Auto && hasRods(scene);
     return settings.timeStep
            / (mayBeLong ? (settings.substeps + substepsOfEuler - 1) / substepsOfEuler
                         : settings.substeps);
 }
 
-std::vector<Sums> sumsOfSprings(const Scene& scene, const ElementIndex& index, bool onlyDampers)
+SpringNumbers numbersOf(const Scene& scene, const ElementIndex& index, const Link& link)
 {
     static const Material none;
+    const int place = index.material(link.material);
+    return springNumbers(
+        link, place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item));
+}
+
+std::vector<Sums> sumsOfSprings(const Scene& scene, const ElementIndex& index, bool onlyDampers)
+{
     std::size_t particles = 0;
     forEachPart(scene, [&](Id, const Part& part) { particles += part.particles.size(); });
     std::vector<Sums> at(particles);
     forEachSpring(scene, [&](const Link& link) {
-        const int place = index.material(link.material);
-        const auto [stiffness, damping] = springNumbers(
-            link, place < 0 ? none : std::get<Material>(scene.items[std::size_t(place)].item));
+        const auto [stiffness, damping] = numbersOf(scene, index, link);
         if (onlyDampers && stiffness > 0.0)
             return;
         for (const Id end : {link.from, link.to})
@@ -100,11 +104,12 @@ SpringNumbers springNumbers(const Link& link, const Material& material)
 bool springsAreTogether(const Scene& scene, const ElementIndex& index)
 {
     const Settings& settings = scene.settings;
-    if (!mayBeTogether(settings) || !hasLinks(scene, LinkKind::Spring))
+    if (!mayBeTogether(settings))
         return false;
-    if (settings.integrator == Integrator::ImplicitEuler)
-        return true;
     const std::vector<Sums> springs = sumsOfSprings(scene, index, false);
+    const bool some = std::ranges::any_of(springs, [](const Sums& s) { return s.stiffness > 0.0; });
+    if (!some || settings.integrator == Integrator::ImplicitEuler)
+        return some;
     const double longest = toSpare * longestSubstep(scene);
     const bool isBdf2 = longest > toSpare * settings.timeStep / settings.substeps;
     const Integrator integrator = isBdf2 ? Integrator::Bdf2 : settings.integrator;
@@ -122,7 +127,11 @@ StepLimits stepLimitsOf(const Scene& scene, const ElementIndex& index)
     StepLimits limits;
     limits.springsTogether = springsAreTogether(scene, index);
     std::vector<Sums> at = sumsOfSprings(scene, index, limits.springsTogether);
-    const std::vector<double> bends = bendSumsOf(scene, index);
+    const auto isRod = [&](const Link& link) {
+        return link.kind == LinkKind::Rod
+               || (limits.springsTogether && numbersOf(scene, index, link).stiffness > 0.0);
+    };
+    const std::vector<double> bends = bendSumsOf(scene, index, isRod);
     for (std::size_t k = 0; k < bends.size(); ++k)
         at[k].stiffness += bends[k];
     limits.bends = std::ranges::any_of(bends, [](double sum) { return sum > 0.0; });

@@ -17,12 +17,12 @@ namespace ripstop {
 struct StepLimits
 {
     std::vector<double> timeStep; // s, [particles] through all parts; infinity where nothing asks
-    bool bends = false;           // something resists bending
+    bool bends = false;           // something resists bending, as a force
     bool springsTogether = false; // with rods
 };
 StepLimits stepLimitsOf(const Scene& scene, const ElementIndex& index);
 
-// The last of these alone; quick where there are no springs.
+// The last of these alone: some spring has a stiffness, and all that have one join the rods.
 bool springsAreTogether(const Scene& scene, const ElementIndex& index);
 
 // N/m and N s/m, of a spring with its own numbers or those of its material.

@@ -14,6 +14,7 @@
 // too stiff for the step the watchdog says so.
 #pragma once
 
+#include "parallel/thread_pool.h"
 #include "system/system.h"
 
 #include <limits>
@@ -37,7 +38,7 @@ struct StepAccuracy
 //   restLength  [rods]  m, with damping (constraints/rod_damping.h)
 //   reach       s, of the last substep; infinite where damping counts for nothing
 StepAccuracy accuracyOf(const System& system, const State& state,
-                        std::span<const double> restLength,
+                        std::span<const double> restLength, ThreadPool& pool,
                         double reach = std::numeric_limits<double>::infinity());
 
 } // namespace ripstop

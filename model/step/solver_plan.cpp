@@ -1,9 +1,10 @@
-// planFor() gives rods to the global solve for four reasons: rods of real stiffness, whose pulls
-// sweeps would need too many substeps for (substepsForPull); small fabric, whatever its load; heavy
-// loads on lines, of which worstRod() finds the rod that needs most substeps, from the load that it
-// estimates by the mass that Networks sums, joined by rods without passing a pin or a guide; and
-// whatever else would need far too many. The worst rod that is left then decides the substeps, at
-// least as many as the stiffness of the forces needs. Planner notes the reasons.
+// planFor() gives rods to the global solve for five reasons: spars that bend; rods of real
+// stiffness, whose pulls sweeps would need too many substeps for (substepsForPull); small fabric,
+// whatever its load; heavy loads on lines, of which worstRod() finds the rod that needs most
+// substeps, from the load that it estimates by the mass that Networks sums, joined by rods without
+// passing a pin or a guide; and whatever else would need far too many. The worst rod that is left
+// then decides the substeps, at least as many as the stiffness of the forces needs. Planner notes
+// the reasons.
 //
 // While the system runs, adaptedSubsteps() follows the error that is measured.
 #include "step/solver_plan.h"
@@ -23,7 +24,6 @@ namespace ripstop {
 namespace {
 
 constexpr int mostSubsteps = 2000;
-constexpr int substepsOfEuler = 4; // that one of BDF2 is as true as
 constexpr double safety = 1.5;
 constexpr double spareForTurning = 0.6;   // kites of 10 ms a substep flutter above about 0.4
 constexpr double leastGravity = 9.80665;  // m/s^2; wind loads what floats in space too
@@ -146,6 +146,16 @@ int substepsWithin(double timeStep, double limit, double spare)
 int substepsForStiffness(const System& system)
 {
     return substepsWithin(system.timeStep, stiffStepLimit(system), 1.05);
+}
+
+// [rods] 1 where it is of a spar whose bends are solved with its rods.
+std::vector<std::uint8_t> rodsThatBend(const System& system)
+{
+    std::vector<std::uint8_t> result(system.rods.size(), 0);
+    for (const Bend& bend : system.of<BendLists>().withRods())
+        for (const int link : bend.of)
+            result[std::size_t(system.links[std::size_t(link)].index)] = 1;
+    return result;
 }
 
 // Makes a plan by giving rods away to the global solve, for one reason after the other.
@@ -293,7 +303,7 @@ SolverPlan planFor(const System& system)
     const double tooMany = tooManySubsteps * system.timeStep / 0.01;
     const bool mayHaveBlocks = system.inverseMass.size() <= mostForBlocks;
 
-    if (system.integrator == Integrator::Bdf2 || system.integrator == Integrator::ImplicitEuler)
+    if (isImplicit(system.integrator))
         planner.give(planner.networksOf(isAny), [&](std::size_t count, const Message& rest) {
             return Message("%1 rods are solved together, as %2 needs it; %3", count,
                            Message::word(choiceNames<Integrator>[std::size_t(system.integrator)]),
@@ -305,6 +315,13 @@ SolverPlan planFor(const System& system)
                            "solved together; %2",
                            count, rest);
         });
+    const std::vector<std::uint8_t> bends = rodsThatBend(system);
+    const auto isOfSpar = [&](const Rod& rod) {
+        return bends[std::size_t(&rod - system.rods.data())] != 0;
+    };
+    planner.give(planner.networksOf(isOfSpar), [](std::size_t count, const Message& rest) {
+        return Message("%1 rods are solved together, since spars among them bend; %2", count, rest);
+    });
     const auto isTooStiff = [&](const Rod& rod) {
         return rod.compliance > 0.0 && substepsForPull(system, rod) > manyForPull;
     };

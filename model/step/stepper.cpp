@@ -82,7 +82,7 @@ int Stepper::step(const System& system, State& state)
     m_rods.takeTensions(rodTask(system, state, h), m_pool, state.rodTension);
     m_clock.lap(StepStage::Tensions);
     ++state.step;
-    m_accuracy = accuracyOf(system, state, m_heldLength, m_reach);
+    m_accuracy = accuracyOf(system, state, m_heldLength, m_pool, m_reach);
     m_accuracy.pulls =
         std::sqrt(m_accuracy.pulls * m_accuracy.pulls + m_rods.residual() * m_rods.residual());
     if (system.solver == Solver::Auto && state.step % lookEvery == 0)
@@ -155,9 +155,7 @@ int Stepper::substepsForDamping(const System& system, const State& state) const
 // Whether what forces take from motion joins the masses (dampImplicitly()).
 bool Stepper::dampsImplicitly(const System& system) const
 {
-    const bool isImplicit =
-        m_integrator == Integrator::Bdf2 || m_integrator == Integrator::ImplicitEuler;
-    return system.solver == Solver::Auto && m_plan.together && isImplicit
+    return system.solver == Solver::Auto && m_plan.together && isImplicit(m_integrator)
            && system.airDensity > 0.0;
 }
 
@@ -385,10 +383,10 @@ void Stepper::project(RodTask& task, State& state, double h)
     const bool drifts = m_integrator == Integrator::Bdf2 && state.driftSubstep == h;
     const std::span<const PaddedVec3> drift = state.drift;
     const bool damps = task.solver != Solver::PaperJacobi; // which knows of no compliance either
-    m_heldLength =
-        damps ? m_rodDamping.lengthsFor(task.system, m_restLength,
-                                        {m_before, drifts ? drift : drift.first(0), h, task.h})
-              : m_restLength;
+    m_heldLength = damps ? m_rodDamping.lengthsFor(
+                       task.system, m_restLength,
+                       {m_before, drifts ? drift : drift.first(0), h, task.h}, m_pool)
+                         : m_restLength;
     m_reach = damps ? task.h : std::numeric_limits<double>::infinity();
     task.restLength = m_heldLength;
     task.damped = m_rodDamping.rods();

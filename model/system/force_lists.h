@@ -14,6 +14,7 @@
 #include "system/links.h"
 
 #include <memory>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -50,7 +51,10 @@ struct LineLists
 struct BendLists
 {
     std::vector<Bend> list; // where what bends stiffly can bend
-    Rows at;                // [particles], or empty when there are none
+    Rows at;                // [particles] those that are forces, or empty when there are none
+
+    std::size_t forces() const { return countOfForces(list); } // the first of the list
+    std::span<const Bend> withRods() const { return std::span(list).subspan(forces()); }
 
     static std::unique_ptr<Force> makeForce();
 

@@ -53,7 +53,18 @@ struct Rod
     friend bool operator==(const Rod&, const Rod&) = default;
 };
 
-// The spring of the same law.
+// The rod and the spring of the same law; neither may be without compliance or stiffness.
+inline Rod asRod(const Spring& spring)
+{
+    return {spring.a,
+            spring.b,
+            spring.restLength,
+            1.0 / spring.stiffness,
+            spring.resists,
+            spring.tear,
+            spring.damping / spring.stiffness};
+}
+
 inline Spring asSpring(const Rod& rod)
 {
     return {rod.a,

@@ -6573,6 +6573,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved together, since spars among them bend; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, since sweeps would need %2 substeps; %3</source>
         <translation>%1 tiges sont résolues ensemble, car des balayages demanderaient %2 sous-pas ; %3</translation>
     </message>

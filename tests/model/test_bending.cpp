@@ -15,6 +15,7 @@
 #include "forces/bend_force.h"
 #include "forces/forces.h"
 #include "measure/diagnostics.h"
+#include "run/simulation.h"
 #include "scene/check.h"
 
 #include <Eigen/Geometry>
@@ -125,12 +126,18 @@ int addPlace(BendingNet& net, const Vec3& place)
 }
 
 template <typename T>
+Id idNamed(const Scene& scene, std::string_view name)
+{
+    for (const Entry& entry : scene.items)
+        if (const T* item = std::get_if<T>(&entry.item); item && item->name == name)
+            return entry.id;
+    std::abort();
+}
+
+template <typename T>
 T& itemNamed(Scene& scene, std::string_view name)
 {
-    for (Entry& entry : scene.items)
-        if (T* item = std::get_if<T>(&entry.item); item && item->name == name)
-            return *item;
-    std::abort();
+    return std::get<T>(*findItem(scene, idNamed<T>(scene, name)));
 }
 
 } // namespace
@@ -365,12 +372,7 @@ private slots:
     void editsInPlace()
     {
         Scene scene = *build(*findBuilder("cloth"), {{"columns", 6}, {"rows", 5}});
-        const Id cloth = [&] {
-            for (const Entry& entry : scene.items)
-                if (const auto* m = std::get_if<Material>(&entry.item); m && m->name == "cloth")
-                    return entry.id;
-            return noId;
-        }();
+        const Id cloth = idNamed<Material>(scene, "cloth");
         LiveSystem live(scene);
         System running = *std::get<Update>(live.update(1, 1)).system;
         const Property* property = findProperty(Kind::Material, "bendingStiffness");
@@ -382,6 +384,75 @@ private slots:
             QVERIFY(running == **compile(live.scene(), 1, 1));
             QCOMPARE(running.of<BendLists>().list.empty(), value == 0.0);
         }
+    }
+
+    // Bends of rods join the solve of the rods, and leave it with the solver that takes them.
+    void sparsOfRodsEditedInPlace()
+    {
+        const Scene scene = *build(*findBuilder("rope"), {{"segments", 6}, {"rigidity", 1.0}});
+        const Id cord = idNamed<Material>(scene, "cord");
+        LiveSystem live(scene);
+        System running = *std::get<Update>(live.update(1, 1)).system;
+        QCOMPARE(int(running.of<BendLists>().withRods().size()), 5);
+        QVERIFY(std::isinf(stiffStepLimit(running)) && !stepLimit(scene));
+        Simulation flown(std::make_shared<const System>(running));
+        const auto edit = [&](Kind kind, Id id, const char* key, const Value& value) {
+            live.apply({{}, {SetValues{findProperty(kind, key), {id}, {value}}}});
+            const auto update = std::get<Update>(live.update(1, 1));
+            (void)apply(*update.patch, running);
+            flown.load(update);
+            flown.step();
+        };
+        for (const double value : {2.0, 0.0, 3.0}) {
+            edit(Kind::Material, cord, "flexuralRigidity", value);
+            QVERIFY(running == **compile(live.scene(), 1, 1));
+            QCOMPARE(running.of<BendLists>().withRods().empty(), value == 0.0);
+            QVERIFY(isFinite(flown.state()));
+        }
+        edit(Kind::Settings, settingsId, "solver", std::string("small_steps"));
+        QVERIFY(running == **compile(live.scene(), 1, 1));
+        QVERIFY(running.of<BendLists>().withRods().empty());
+        QVERIFY(std::isfinite(stiffStepLimit(running)) && stepLimit(live.scene()));
+    }
+
+    // A bow is at rest where its string pulls: without anything that slows it, it does not begin to
+    // tremble.
+    void bentSparStaysAtRest()
+    {
+        Scene scene;
+        scene.settings.gravity = Vec3::Zero();
+        scene.settings.airDensity = 0.0;
+        Material rod;
+        rod.axialStiffness = 1508e3; // N, carbon, 4 mm
+        rod.flexuralRigidity = 1.54; // N m^2
+        rod.dampingTime = 1e-4;      // s
+        const Id material = addItem(scene, rod);
+        Network network(scene, "bow");
+        const int links = 20;
+        const double length = 1.2, half = 0.8; // m, radians
+        const auto nodes =
+            network.line(network.particle(Vec3::Zero()), network.particle({length, 0.0, 0.0}),
+                         links, 0.0195 * length, material, Resists::Both);
+        network.rod(nodes.front(), nodes.back(), material, Resists::Tension);
+        network.setRestLength(length * std::sin(half) / half);
+        network.finish({}, {});
+        scene.settings.viscosity = 40.0; // 1/s, until it is at rest
+        const auto slowed = *compile(scene);
+        scene.settings.viscosity = 0.0;
+        const auto free = *compile(scene);
+        State state = slowed->start; // straight rods, put on an arc
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const auto place =
+                std::size_t(std::ranges::find(free->key, Key(nodes[i])) - free->key.begin());
+            const double angle = half * (2.0 * double(i) / links - 1.0);
+            state.position[place] =
+                0.5 * length / half * Vec3(std::sin(angle), std::cos(angle), 0.0);
+        }
+        state = run(*slowed, state, 480);
+        QVERIFY(bendingEnergy(*slowed, state) > 1.0); // J
+        QVERIFY2(energies(*slowed, state).kinetic < 1e-9, "not at rest");
+        state = run(*free, state, 480);
+        QVERIFY2(energies(*free, state).kinetic < 1e-9, told(energies(*free, state).kinetic, 0.0));
     }
 
     void sameBitsAtAnyNumberOfThreads()

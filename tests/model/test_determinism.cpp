@@ -272,6 +272,34 @@ private slots:
                      qPrintable(QString("%1 threads").arg(threads)));
     }
 
+    // Cloth of real stiffness that is large enough for threads to share its global solve.
+    void stiffSheets_data()
+    {
+        QTest::addColumn<FabricKind>("carrier");
+        QTest::newRow("C9 stiff sheet of threads") << FabricKind::Threads;
+        QTest::newRow("C9 stiff sheet of panels") << FabricKind::Panels;
+    }
+
+    void stiffSheets()
+    {
+        QFETCH(FabricKind, carrier);
+        Scene scene = *build(*findBuilder("cloth"),
+                             {{"columns", 60}, {"rows", 60}, {"membrane", 40e3}, {"sphere", 0}});
+        for (Entry& entry : scene.items)
+            if (Part* part = std::get_if<Part>(&entry.item))
+                part->carrier = carrier;
+        const auto system = *compile(scene);
+        std::vector<State> states;
+        for (const int threads : {1, 1, 2, 3, 8}) {
+            Simulation simulation(system, threads);
+            QVERIFY(simulation.runUntil(4.0 * scene.settings.timeStep));
+            states.push_back(simulation.state());
+        }
+        QVERIFY(states[0].step > 0);
+        for (const State& state : states)
+            QVERIFY(sameBits(state, states[0]));
+    }
+
     // What is shipped, with every control in use.
     void scenes_data()
     {

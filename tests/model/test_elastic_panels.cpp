@@ -22,6 +22,8 @@ using namespace ripstop;
 
 namespace {
 
+ThreadPool alone(1);
+
 // Kite cloth of 1 m x 1 m that panels carry, as the builder makes it; of an E t of 40 kN/m.
 Scene sheet(int cells, double hang, double wind = 0.0)
 {
@@ -164,7 +166,7 @@ private slots:
             for (Vec3& each : pull)
                 each.setZero();
             for (const ElasticPanel& panel : panels.panels()) {
-                const PanelBlock block = panels.block(*system, panel);
+                const TripleBlock block = panels.block(*system, panel);
                 for (std::size_t k = 0; k < 3; ++k)
                     pull[panel.row[k]] += block.pull[k] / 1e18;
             }
@@ -200,7 +202,7 @@ private slots:
         grid.analyze(side * side, pairs, {}, place, false);
         QVERIFY(grid.levels() > 1);
         Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * side * side, 3 * side * side);
-        grid.setZero();
+        grid.setZero(alone);
         std::mt19937 random(3);
         const auto number = [&] { return double(random()) / 4294967296.0 - 0.5; };
         const auto add = [&](Multigrid::Block& block, const Mat3& value) {
@@ -233,8 +235,9 @@ private slots:
         for (int i = 0; i < 3 * side * side; ++i)
             x[std::size_t(i / 3)].v[i % 3] = right[i] = number();
         const Eigen::VectorXd wanted = dense.ldlt().solve(right);
-        QVERIFY(grid.factorize());
-        (void)grid.solve(x, 1e-9, 200, [](std::span<Row>) {});
+        QVERIFY(grid.factorize(alone));
+        (void)grid.solve(
+            x, 1e-9, 200, [](std::span<Row>) {}, alone);
         QVERIFY2(grid.iterations() < 60, told(grid.iterations(), 60));
         double worst = 0.0;
         for (int i = 0; i < 3 * side * side; ++i)

@@ -6,11 +6,15 @@
 #include <QtTest>
 
 #include <cmath>
+#include <cstring>
 #include <random>
+#include <set>
 
 using namespace ripstop;
 
 namespace {
+
+ThreadPool alone(1);
 
 // A network of springs between nodes; what is held comes last.
 struct Net
@@ -79,7 +83,7 @@ struct Problem
 void fill(Problem& problem, const Net& net, double stiffness)
 {
     problem.grid.analyze(net.nodes, net.pairs, net.anchors, net.place);
-    problem.grid.setZero();
+    problem.grid.setZero(alone);
     std::vector<Eigen::Triplet<double>> entries;
     const auto add = [&](std::size_t i, std::size_t j, const Eigen::Matrix3d& block) {
         for (int r = 0; r < 3; ++r)
@@ -173,9 +177,9 @@ private slots:
         QFETCH(double, stiffness);
         Problem problem;
         fill(problem, sheet(cells, shake, shuffled), stiffness);
-        QVERIFY(problem.grid.factorize());
+        QVERIFY(problem.grid.factorize(alone));
         std::vector<Row> x = problem.right;
-        problem.grid.solve(x, 0.0, 100, nothingToKeep);
+        problem.grid.solve(x, 0.0, 100, nothingToKeep, alone);
         QVERIFY2(errorOf(problem, x) < 1e-4, qPrintable(QString::number(errorOf(problem, x))));
         qInfo("%d iterations", problem.grid.iterations());
         QVERIFY(problem.grid.iterations() <= 12);
@@ -187,9 +191,9 @@ private slots:
     {
         Problem problem;
         fill(problem, sheet(40, 0.2, false, true), 1e6);
-        QVERIFY(problem.grid.factorize());
+        QVERIFY(problem.grid.factorize(alone));
         std::vector<Row> x = problem.right;
-        problem.grid.solve(x, 0.0, 200, nothingToKeep);
+        problem.grid.solve(x, 0.0, 200, nothingToKeep, alone);
         qInfo("%d iterations", problem.grid.iterations());
         QVERIFY(problem.grid.iterations() < 200);
         QVERIFY(errorOf(problem, x) < 1e-4);
@@ -206,9 +210,9 @@ private slots:
         Problem problem;
         fill(problem, net, 1e6);
         QCOMPARE(problem.grid.levels(), std::size_t(1));
-        QVERIFY(problem.grid.factorize());
+        QVERIFY(problem.grid.factorize(alone));
         std::vector<Row> x = problem.right;
-        problem.grid.solve(x, 0.0, 400, nothingToKeep);
+        problem.grid.solve(x, 0.0, 400, nothingToKeep, alone);
         qInfo("%d iterations", problem.grid.iterations());
         QVERIFY(problem.grid.iterations() < 400);
         QVERIFY(errorOf(problem, x) < 1e-4);
@@ -218,9 +222,9 @@ private slots:
     {
         Problem problem;
         fill(problem, sheet(40), 1e6);
-        QVERIFY(problem.grid.factorize());
+        QVERIFY(problem.grid.factorize(alone));
         std::vector<Row> x = problem.right;
-        problem.grid.solve(x, 0.0, 100, nothingToKeep);
+        problem.grid.solve(x, 0.0, 100, nothingToKeep, alone);
         double energy = 0.0;
         for (std::size_t i = 0; i < x.size(); ++i)
             for (int c = 0; c < 3; ++c)
@@ -228,7 +232,7 @@ private slots:
         for (const double share : {0.1, 0.01, 0.001}) {
             std::vector<Row> y = problem.right;
             const double left =
-                problem.grid.solve(y, share * std::sqrt(energy), 100, nothingToKeep);
+                problem.grid.solve(y, share * std::sqrt(energy), 100, nothingToKeep, alone);
             QVERIFY(left <= share * std::sqrt(energy));
             QVERIFY2(errorOf(problem, y) < 3.0 * share,
                      qPrintable(QString::number(errorOf(problem, y))));
@@ -242,9 +246,9 @@ private slots:
         for (int again = 0; again < 2; ++again) {
             Problem problem;
             fill(problem, net, 1e5);
-            QVERIFY(problem.grid.factorize());
+            QVERIFY(problem.grid.factorize(alone));
             std::vector<Row> x = problem.right;
-            problem.grid.solve(x, 1e-6, 100, nothingToKeep);
+            problem.grid.solve(x, 1e-6, 100, nothingToKeep, alone);
             if (again == 0)
                 first = x;
             else
@@ -257,13 +261,13 @@ private slots:
     {
         Problem problem;
         fill(problem, sheet(20), 1e4);
-        QVERIFY(problem.grid.factorize());
+        QVERIFY(problem.grid.factorize(alone));
         std::vector<Row> x = problem.right;
         const auto noHeight = [](std::span<Row> rows) {
             for (Row& r : rows)
                 r.v[1] = 0.0;
         };
-        problem.grid.solve(x, 0.0, 200, noHeight);
+        problem.grid.solve(x, 0.0, 200, noHeight, alone);
         for (const Row& r : x)
             QCOMPARE(r.v[1], 0.0);
         QVERIFY(std::abs(x.back().v[0]) > 0.0);
@@ -274,9 +278,9 @@ private slots:
         Problem problem;
         fill(problem, sheet(20), 1e4);
         problem.grid.diagonal(5).column[0][0] = -1e9;
-        QVERIFY(!problem.grid.factorize());
+        QVERIFY(!problem.grid.factorize(alone));
         fill(problem, sheet(20), std::nan(""));
-        QVERIFY(!problem.grid.factorize());
+        QVERIFY(!problem.grid.factorize(alone));
     }
 
     // All at one place, in a line, two pieces, none at all.
@@ -287,21 +291,70 @@ private slots:
             place = row(1.0, 1.0, 1.0);
         Problem problem;
         problem.grid.analyze(heap.nodes, heap.pairs, heap.anchors, heap.place);
-        problem.grid.setZero();
+        problem.grid.setZero(alone);
         for (std::size_t i = 0; i < heap.nodes; ++i)
             for (int c = 0; c < 3; ++c)
                 problem.grid.diagonal(i).column[c][c] = 2.0;
-        QVERIFY(problem.grid.factorize());
+        QVERIFY(problem.grid.factorize(alone));
         std::vector<Row> x(heap.nodes, row(2.0, 4.0, 6.0));
-        problem.grid.solve(x, 0.0, 100, nothingToKeep);
+        problem.grid.solve(x, 0.0, 100, nothingToKeep, alone);
         QVERIFY(std::abs(x[3].v[1] - 2.0) < 1e-4);
 
         Multigrid none;
         none.analyze(0, {}, {}, {});
-        none.setZero();
-        QVERIFY(none.factorize());
-        none.solve({}, 0.0, 10, nothingToKeep);
+        none.setZero(alone);
+        QVERIFY(none.factorize(alone));
+        none.solve({}, 0.0, 10, nothingToKeep, alone);
         QCOMPARE(none.iterations(), 0);
+    }
+
+    // Threads that take stripes of one colour touch neither the same rows nor the same blocks of
+    // the coarser level.
+    void stripesOfAColourDoNotMeet()
+    {
+        const Net net = sheet(80);
+        Problem problem;
+        fill(problem, net, 1e4);
+        const Stripes& stripes = problem.grid.stripes();
+        QVERIFY(stripes.colours.size() > 1);
+        std::size_t rows = 0;
+        for (const Stripe& stripe : stripes.list) {
+            QCOMPARE(stripe.first, rows);
+            rows = stripe.last;
+        }
+        QCOMPARE(rows, net.nodes);
+        const auto stripeOf = [&](int node) {
+            return std::size_t(std::ranges::upper_bound(stripes.list, std::size_t(node), {},
+                                                        &Stripe::first)
+                               - stripes.list.begin())
+                   - 1;
+        };
+        std::vector<std::set<std::size_t>> touchedBy(net.nodes); // stripes, by row
+        for (const auto& [a, b] : net.pairs)
+            for (const int row : {a, b})
+                touchedBy[std::size_t(row)].insert(stripeOf(std::min(a, b)));
+        for (const auto& touching : touchedBy) {
+            std::set<int> colours;
+            for (const std::size_t stripe : touching)
+                QVERIFY(colours.insert(stripes.list[stripe].colour).second);
+        }
+    }
+
+    void sameBitsAtAnyNumberOfThreads()
+    {
+        const Net net = sheet(120);
+        std::vector<std::vector<Row>> found;
+        for (const int threads : {1, 2, 3, 8}) {
+            ThreadPool pool(threads);
+            Problem problem;
+            fill(problem, net, 1e4);
+            QVERIFY(problem.grid.factorize(pool));
+            std::vector<Row> x = problem.right;
+            (void)problem.grid.solve(x, 1e-6, 100, nothingToKeep, pool);
+            found.push_back(std::move(x));
+        }
+        for (const auto& other : found)
+            QVERIFY(std::memcmp(other.data(), found[0].data(), net.nodes * sizeof(Row)) == 0);
     }
 };
 
