@@ -6574,7 +6574,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, since spars among them bend; %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiges sont résolues ensemble, car des longerons parmi elles fléchissent ; %2</translation>
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
@@ -7895,6 +7895,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Cloth over a cylinder</source>
         <translation>Tissu sur un cylindre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cloth under pressure</source>
+        <translation>Toile sous pression</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10538,8 +10543,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Rule that restores the lengths of rods; the automatic one takes what the wanted accuracy needs: small steps, or all rods together where they are stiff or carry heavy loads; averaged Jacobi conserves momentum, the paper's does not.</source>
-        <translation>Règle qui rend leurs longueurs aux tiges ; l’automatique prend ce que demande la précision voulue : de petits pas, ou toutes les tiges ensemble là où elles sont raides ou portent de lourdes charges ; le Jacobi moyenné conserve la quantité de mouvement, celui de l’article non.</translation>
+        <source>Rule that restores the lengths of rods; the automatic one takes what the wanted accuracy needs: small steps, or all rods together where they are stiff or carry heavy loads, and springs with them that are too stiff for the substep; averaged Jacobi conserves momentum, the paper's does not.</source>
+        <translation>Règle qui rend leurs longueurs aux tiges ; l’automatique prend ce que demande la précision voulue : de petits pas, ou toutes les tiges ensemble là où elles sont raides ou portent de lourdes charges, et avec elles les ressorts trop raides pour le sous-pas ; le Jacobi moyenné conserve la quantité de mouvement, celui de l’article non.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10910,6 +10915,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Stretched line</source>
         <translation>Corde étirée</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Strips and frames of cloth</source>
+        <translation>Bandes et cadres de toile</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11788,13 +11798,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>no link is a rod and no panel is elastic, and springs need no solver</source>
-        <translation>aucune liaison n’est une tige et aucun panneau n’est élastique, et les ressorts n’ont pas besoin de solveur</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>no link is a rod, and springs need no solver</source>
-        <translation>aucune liaison n’est une tige, et les ressorts n’ont pas besoin de solveur</translation>
+        <source>no link is a rod</source>
+        <translation>aucune liaison n’est une tige</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12030,6 +12035,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>there are no links</source>
         <translation>il n’y a pas de liaisons</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>there are no links, and no panel is elastic</source>
+        <translation>il n’y a pas de liaisons, et aucun panneau n’est élastique</translation>
     </message>
     <message>
         <location filename="tables"/>
