@@ -363,6 +363,14 @@ private:
             }
         std::sort(again.begin(), again.end());
         reportDoubles(again);
+        forEachPart(m_scene, [&](Id, const Part& part) {
+            if (part.carrier != FabricKind::Panels)
+                return;
+            for (const Panel& panel : part.panels)
+                for (const Id corner : {panel.a, panel.b, panel.c})
+                    if (const int place = m_index.particle(corner); place >= 0)
+                        tied[std::size_t(place)] = 1;
+        });
         reportLoose(tied);
     }
 

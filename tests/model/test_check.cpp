@@ -220,6 +220,13 @@ private slots:
             tail.links = {{Id{51}, Id{50}, Id{13}}};
             addItem(s, tail);
         });
+        row("corner of an elastic panel without links", [](Scene& s) {
+            Part& sail = part(s);
+            sail.carrier = FabricKind::Panels;
+            std::get<Material>(*findItem(s, materialId)).membraneStiffness = 4e4;
+            sail.links.pop_back();
+            sail.links.pop_back();
+        });
         row("sphere without a normal", [](Scene& s) {
             Collider ball;
             ball.shape = ColliderShape::Sphere;
