@@ -9,6 +9,7 @@
 #include "io/scene_file.h"
 #include "terminal/terminal.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iostream>
@@ -22,6 +23,14 @@ std::string names(std::string_view separator)
     std::string list;
     for (const Builder& builder : allBuilders())
         list.append(list.empty() ? "" : separator).append(builder.name);
+    return list;
+}
+
+std::string listed(std::span<const std::string_view> choices)
+{
+    std::string list;
+    for (const std::string_view choice : choices)
+        list.append(list.empty() ? "" : ", ").append(choice);
     return list;
 }
 
@@ -47,6 +56,24 @@ Result<NumberRows> tableFrom(const TableParameter& table, const std::string& tex
     return tableFromText(table, content.str());
 }
 
+// A number, or a choice by its name or its number.
+Result<double> valueFrom(const Builder& builder, const std::string& key, std::string_view text)
+{
+    const auto parameter = std::ranges::find(builder.parameters, key, &Parameter::key);
+    const bool isChoice = parameter != builder.parameters.end() && !parameter->choices.empty();
+    if (isChoice)
+        if (const auto choice = std::ranges::find(parameter->choices, text);
+            choice != parameter->choices.end())
+            return double(choice - parameter->choices.begin());
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size())
+        return value;
+    return isChoice
+               ? Failure("%1 must be one of %2, not \"%3\".", key, listed(parameter->choices), text)
+               : Failure("%1 must be a number, not \"%2\".", key, text);
+}
+
 Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std::string>& texts)
 {
     Parameters parameters;
@@ -62,13 +89,11 @@ Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std:
             setTable(parameters, *builder.table, *rows);
             continue;
         }
-        const char* const first = text.data() + equals + 1;
-        const char* const last = text.data() + text.size();
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(first, last, value);
-        if (error != std::errc() || end != last)
-            return Failure("%1 must be a number, not \"%2\".", key, std::string(first, last));
-        if (!parameters.emplace(key, value).second)
+        const Result<double> value =
+            valueFrom(builder, key, std::string_view(text).substr(equals + 1));
+        if (!value)
+            return value.failure();
+        if (!parameters.emplace(key, *value).second)
             return Failure("%1 is given twice.", key);
     }
     return parameters;
@@ -103,7 +128,7 @@ int buildScene(const BuildOptions& options)
 Json jsonOf(const Builder& builder)
 {
     Json parameters = Json::array();
-    for (const Parameter& parameter : builder.parameters)
+    for (const Parameter& parameter : builder.parameters) {
         parameters.push_back({{"key", parameter.key},
                               {"unit", parameter.unit},
                               {"default", parameter.initial},
@@ -111,6 +136,9 @@ Json jsonOf(const Builder& builder)
                               {"high", parameter.high},
                               {"whole", parameter.whole},
                               {"help", parameter.help}});
+        for (const std::string_view choice : parameter.choices)
+            parameters.back()["choices"].push_back(choice);
+    }
     Json json = {{"name", builder.name},
                  {"label", builder.label},
                  {"help", builder.help},
@@ -140,7 +168,9 @@ void describe(const Builder& builder)
                   << padded(parameter.unit.empty() ? (parameter.whole ? "whole" : "1")
                                                    : parameter.unit,
                             8)
-                  << parameter.help << '\n';
+                  << parameter.help
+                  << (parameter.choices.empty() ? "" : " One of " + listed(parameter.choices) + '.')
+                  << '\n';
     if (builder.table)
         std::cout << padded(builder.table->key, 18) << padded("none", 12)
                   << padded(shortNumber(builder.table->low) + " to "

@@ -32,7 +32,8 @@ public:
     void addChoices(std::span<const std::string_view> choices)
     {
         for (const std::string_view choice : choices)
-            m_texts << englishLabel(choice);
+            if (!findPreset(choice)) // it has a name of its own
+                m_texts << englishLabel(choice);
     }
 
     void addParameters(std::span<const Parameter> parameters)

@@ -8,6 +8,8 @@
 #include "base/result.h"
 #include "scene/scene.h"
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <span>
 #include <string>
@@ -27,6 +29,20 @@ struct Parameter
     std::string_view group = {};                    // heading over this one and those after it
     std::span<const std::string_view> choices = {}; // what whole numbers from 0 on stand for
 };
+
+// Joins tables of parameters into one.
+template <std::size_t... counts>
+constexpr auto joined(const std::array<Parameter, counts>&... tables)
+{
+    std::array<Parameter, (counts + ...)> all{};
+    std::size_t count = 0;
+    const auto append = [&](const auto& table) {
+        for (const Parameter& parameter : table)
+            all[count++] = parameter;
+    };
+    (append(tables), ...);
+    return all;
+}
 
 using Parameters = std::map<std::string, double>;
 

@@ -9,6 +9,7 @@
 // The wing is built nose to +x and then turned into the wind, which blows towards +x over a hand
 // at the origin. It starts at the angle of attack at which air and weight turn it no way about the
 // tow point.
+#include "builders/craft_materials.h"
 #include "builders/delta_wing.h"
 #include "builders/designs.h"
 #include "builders/kite_flight.h"
@@ -40,7 +41,7 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"drag",         "",      0.04,   0, 0.5,   false, "Drag coefficient of sail and spars edge on, as skin friction of the sail."},
 });
 // clang-format on
-constexpr auto parameters = joined(ownParameters, flightParameters);
+constexpr auto parameters = joined(ownParameters, materialParameters, flightParameters);
 
 struct Materials
 {
@@ -81,7 +82,25 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     material.diameter = 0.0;
     materials.line.core = add("line core", "#5c677d", false);
     materials.frame = add("frame", "#8d99ae", false);
+    materials.sail.hem = materials.sail.seams;
+    if (!isIdeal(p, "cloth"))
+        materials.sail.hem = add("hem", "#d4851a", true);
     return materials;
+}
+
+CraftMaterials craftMaterials(const Materials& materials)
+{
+    const SailMaterials& sail = materials.sail;
+    CraftMaterials craft;
+    craft.cloth = {sail.sail, sail.border, materials.keel};
+    craft.seams = {sail.seams};
+    if (sail.hem != sail.seams)
+        craft.hems = {sail.hem};
+    craft.spars = {materials.spar};
+    craft.frame = {materials.frame};
+    craft.lines = {materials.line.line};
+    craft.doubled = {materials.line.core};
+    return craft;
 }
 
 struct Kite
@@ -115,7 +134,10 @@ Lattice addKeel(Network& network, const Parameters& p, const Lattice& wing,
     });
     for (const Lattice::Edge& edge : keel.edges()) {
         const bool onKeelLine = edge.sort == Lattice::Edge::Sort::Row && edge.row == k;
-        network.rod(edge.from, edge.to, onKeelLine ? materials.spar : materials.sail.seams);
+        network.rod(edge.from, edge.to,
+                    onKeelLine    ? materials.spar
+                    : edge.onSide ? materials.sail.hem
+                                  : materials.sail.seams);
     }
     for (const Lattice::Cell& cell : keel.cells())
         network.panel(cell.a, cell.b, cell.c, materials.keel);
@@ -132,7 +154,7 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
                            p.at("reflex")};
     const Lattice wing = addSail(network, shape, int(p.at("segments")), materials.sail);
     const Lattice keel = addKeel(network, p, wing, materials);
-    network.addFabricMass(p.at("fabric"));
+    network.addFabricMass(clothDensity(p));
     Kite kite{wing, keel, wing.median(), addStiffeners(network, shape, wing, materials.frame),
               keel.at(0, 0)};
 
@@ -140,8 +162,9 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
     spars.push_back(kite.tow);
     for (const std::vector<Id>& more : {kite.keelLine, kite.stiffeners})
         spars.insert(spars.end(), more.begin(), more.end());
+    const double mass = frameMass(p, {materials.spar}, network);
     for (const Id node : spars)
-        network.row(node).mass += p.at("frame_mass") / double(spars.size());
+        network.row(node).mass += mass / double(spars.size());
     if (p.at("equal_masses") > 0.0)
         network.shareMass();
     return kite;
@@ -160,6 +183,7 @@ Result<Scene> buildDeltaKite(const Parameters& p)
     const Kite kite = addKite(network, p, materials);
     launch(scene, network, p, kite.tow);
     const FlyingLine line = addFlyingLine(network, p, materials.line, kite.tow);
+    makeOf(p, craftMaterials(materials), scene, network);
 
     addGroup(scene, "leading edge", kite.wing.sides());
     addGroup(scene, "keel", kite.keelLine);

@@ -27,8 +27,13 @@ Lattice addSail(Network& network, const DeltaShape& shape, int segments,
         network.texture(node, 0.5 + 0.5 * u * s, 1.0 - s);
         return node;
     });
-    for (const Lattice::Edge& edge : lattice.edges())
-        network.rod(edge.from, edge.to, edge.onSide ? materials.edges : materials.seams);
+    for (const Lattice::Edge& edge : lattice.edges()) {
+        const bool isTrailing = edge.sort == Lattice::Edge::Sort::Row && edge.row == segments;
+        network.rod(edge.from, edge.to,
+                    edge.onSide  ? materials.edges
+                    : isTrailing ? materials.hem
+                                 : materials.seams);
+    }
     for (const Lattice::Cell& cell : lattice.cells()) {
         const bool atEdge = cell.column == 0 || cell.column == 2 * cell.row;
         network.panel(cell.a, cell.b, cell.c, atEdge ? materials.border : materials.sail);

@@ -26,6 +26,7 @@ struct SailMaterials
     Id border; // panels along the leading edges
     Id seams;
     Id edges; // rods along the leading edges
+    Id hem;   // rods along the trailing edge
 };
 
 // Nodes, rods and panels, with texture coordinates; the particles have no mass yet.

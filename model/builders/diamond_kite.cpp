@@ -5,6 +5,7 @@
 // Two triangular lattices of n rows share the row over the cross spar. With n rows in each:
 // (n+1)(n+2) - (n+1) = (n+1)^2 sail particles and 2 n^2 panels. Only even rows have a node on the
 // spine, so n is even.
+#include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/flat_kite.h"
 #include "builders/statics.h"
@@ -26,8 +27,8 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"bridle",   "",    0.25, 0.05, 2,  false, "How far the tow point hangs below the sail, over the height of the kite; a long one lets the kite climb, and lean over and sweep to and fro."},
 });
 // clang-format on
-constexpr auto clothParameters = joined(ownParameters, flatKiteParameters);
-constexpr auto parameters = joined(clothParameters, flightParameters);
+constexpr auto parameters =
+    joined(ownParameters, flatKiteParameters, materialParameters, flightParameters);
 
 struct Diamond
 {

@@ -4,6 +4,7 @@
 // controls and probes come last.
 #include "builders/flat_kite.h"
 
+#include "builders/craft_materials.h"
 #include "builders/statics.h"
 
 #include <cmath>
@@ -104,18 +105,28 @@ Scene flownFlatKite(const Parameters& p, const FlatKite& kite)
 
     Network network(scene, "kite");
     const FlatSail sail = kite.sail(network, materials);
-    network.addFabricMass(p.at("fabric"));
+    network.addFabricMass(clothDensity(p));
     const std::vector<Id> hubs = addHubs(network, sail, rigging.frame);
     const Id tow = addBridle(network, p, sail, rigging.bridle);
     std::vector<Id> carrying = sail.frame; // the mass of spars and ring
     carrying.insert(carrying.end(), hubs.begin(), hubs.end());
     carrying.push_back(tow);
+    const double mass = frameMass(p, {materials.spar}, network);
     for (const Id node : carrying)
-        network.row(node).mass += p.at("frame_mass") / double(carrying.size());
+        network.row(node).mass += mass / double(carrying.size());
 
     launch(scene, network, p, tow);
     const std::vector<Id> tail = addTail(network, p, sail.tail, rigging.tail);
     const FlyingLine line = addFlyingLine(network, p, rigging.line, tow);
+    CraftMaterials craft;
+    craft.cloth = {materials.sail, materials.trim};
+    craft.seams = {materials.seams};
+    craft.hems = {materials.edge, rigging.tail};
+    craft.spars = {materials.spar};
+    craft.frame = {rigging.frame};
+    craft.lines = {rigging.line.line, rigging.bridle};
+    craft.doubled = {rigging.line.core};
+    makeOf(p, craft, scene, network);
 
     addGroup(scene, "spars", sail.frame);
     addGroup(scene, "rigidity", hubs);

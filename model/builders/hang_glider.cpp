@@ -69,6 +69,7 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     materials.sail.border = add("sail edge", "#264653", true);
     materials.sail.seams = add("seams", "#c8583c", true);
     materials.sail.edges = add("tube", "#20262e", true);
+    materials.sail.hem = materials.sail.seams;
     materials.wires = add("wire", "#8d99ae", true);
     materials.frame = add("frame", "#8d99ae", false);
     return materials;

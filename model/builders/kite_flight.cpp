@@ -4,6 +4,7 @@
 // hand; and the probes, with plots where there are gusts.
 #include "builders/kite_flight.h"
 
+#include "builders/craft_materials.h"
 #include "builders/delta_wing.h"
 #include "builders/statics.h"
 
@@ -62,7 +63,7 @@ FlyingLine addFlyingLine(Network& network, const Parameters& p, const LineMateri
     const int count = int(p.at("line"));
     const Id hand = network.particle(handPlace(p));
     const Id end = network.particle(handPlace(p));
-    const double mass = p.at("line_length") * p.at("line_density");
+    const double mass = p.at("line_length") * cordDensity(p);
     const std::size_t first = network.part().links.size();
     const std::vector<Id> nodes =
         network.line(tow, end, count, mass, materials.line, Resists::Tension);

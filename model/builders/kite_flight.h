@@ -25,19 +25,6 @@ inline constexpr auto flightParameters = std::to_array<Parameter>({
 });
 // clang-format on
 
-// Joins two tables of parameters into one.
-template <std::size_t N, std::size_t M>
-constexpr auto joined(const std::array<Parameter, N>& first, const std::array<Parameter, M>& second)
-{
-    std::array<Parameter, N + M> all{};
-    std::size_t count = 0;
-    for (const Parameter& parameter : first)
-        all[count++] = parameter;
-    for (const Parameter& parameter : second)
-        all[count++] = parameter;
-    return all;
-}
-
 struct LineMaterials
 {
     Id line;

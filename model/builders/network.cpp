@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <utility>
 
 namespace ripstop {
@@ -114,6 +115,13 @@ void Network::carryByPanels()
     m_part.carrier = FabricKind::Panels;
     for (Panel& panel : m_part.panels)
         layFlat(panel, row(panel.a), row(panel.b), row(panel.c));
+}
+
+void Network::dropLinks(const std::vector<Id>& materials)
+{
+    std::erase_if(m_part.links, [&](const Link& link) {
+        return std::ranges::find(materials, link.material) != materials.end();
+    });
 }
 
 void Network::shareMass(Id apart)

@@ -44,6 +44,9 @@ public:
     // Has the panels so far carry the pull of the fabric, cut as they lie.
     void carryByPanels();
 
+    // Takes all links of these materials away.
+    void dropLinks(const std::vector<Id>& materials);
+
     // Gives all particles so far an equal share of what they weigh together, but for `apart`, which
     // keeps its mass.
     void shareMass(Id apart = noId);

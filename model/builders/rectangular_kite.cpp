@@ -1,6 +1,7 @@
 // A rectangular kite: a sheet over a bowed frame, a bridle of four legs and a tail.
 //
 // (c+1)(r+1) sail particles, c (r+1) + r (c+1) threads and c r diagonals, 2 c r panels.
+#include "builders/craft_materials.h"
 #include "builders/designs.h"
 #include "builders/flat_kite.h"
 #include "builders/statics.h"
@@ -24,8 +25,8 @@ constexpr auto ownParameters = std::to_array<Parameter>({
     {"rear_legs", "",  0.85, 0.55, 1,  false, "Where the two rear legs are tied."},
 });
 // clang-format on
-constexpr auto clothParameters = joined(ownParameters, flatKiteParameters);
-constexpr auto parameters = joined(clothParameters, flightParameters);
+constexpr auto parameters =
+    joined(ownParameters, flatKiteParameters, materialParameters, flightParameters);
 
 FlatSail addRectangle(Network& network, const FlatMaterials& materials, const Parameters& p)
 {

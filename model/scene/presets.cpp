@@ -374,6 +374,12 @@ const Preset* presetOf(const Material& material)
     return nullptr;
 }
 
+void give(Material& material, const Preset& preset)
+{
+    for (const auto& [key, value] : preset.values)
+        findProperty(Kind::Material, key)->set(&material, value);
+}
+
 Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
                               const std::vector<Id>& materials)
 {

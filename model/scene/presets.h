@@ -34,6 +34,9 @@ Result<const Preset*> findPreset(std::string_view name); // the message names th
 // The preset that has given a material all its numbers, or null.
 const Preset* presetOf(const Material& material);
 
+// Gives a material that is being made all numbers of the preset, densities included.
+void give(Material& material, const Preset& preset);
+
 struct PresetEdit
 {
     Edit edit;

@@ -7893,6 +7893,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cloth of the sail; ideal cloth never stretches and weighs what is said below, a real one is carried by panels and wrinkles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Cloth over a cylinder</source>
         <translation>Tissu sur un cylindre</translation>
     </message>
@@ -7970,6 +7975,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Copies what is selected around an axis: gores of a canopy, spokes.</source>
         <translation>Copie la sélection autour d’un axe : fuseaux d’une voilure, rayons.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cord</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8995,6 +9005,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>How wind pushes a panel: the paper's law grows with the square of the head-on wind, the linear law fits plates at small angles too, lift and drag are read from a table, and the vortex law finds the circulation around a whole wing.</source>
         <translation>Comment le vent pousse un panneau : la loi de l’article croît avec le carré du vent de face, la loi linéaire convient aux plaques aux petits angles aussi, portance et traînée sont lues dans un tableau, et la loi tourbillonnaire trouve la circulation autour de toute une aile.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ideal</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10443,6 +10458,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Ripstop kite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Rise of the cross spar from the spine to its tips; the bow keeps the kite upright.</source>
         <translation>Relèvement de la traverse de l’épine vers les bouts ; l’arc garde le cerf-volant droit.</translation>
     </message>
@@ -10793,6 +10813,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Spars of the frame; ideal ones never stretch, real ones bend.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Spars, and the ring at the tow point.</source>
         <translation>Longerons, et anneau au point d’attache.</translation>
     </message>
@@ -11080,6 +11105,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>That of the neighbours</source>
         <translation>Celui des voisines</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>The delta of what one can buy: 0.75 oz ripstop, fibreglass tubes of 6 mm and a line that breaks at 450 N. Tune the membrane stiffness of sail, border and keel cloth, 20 to 90 kN/m, and watch the strain (Alt+2).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11470,6 +11500,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What the edge of fabric does. Ends of lines stay.</source>
         <translation>Ce que fait le bord du tissu. Les bouts de lignes restent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the line is made of; an ideal one never stretches.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="tables"/>

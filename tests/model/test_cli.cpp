@@ -88,6 +88,8 @@ private slots:
         row("unknown parameter",          {"build", "rope", "segmens=3", "-o", "x"},                2, "did you mean \"segments\"?");
         row("parameter out of range",     {"build", "rope", "segments=-3", "-o", "x"},              2, "segments");
         row("parameter that is a word",   {"build", "rope", "segments=many", "-o", "x"},            2, "segments must be a number");
+        row("parameter of another choice", {"build", "delta_kite", "cloth=silk", "-o", "x"},        2, "cloth must be one of ideal, ripstop_050");
+        row("choice out of range",        {"build", "delta_kite", "cloth=99", "-o", "x"},           2, "cloth must be a whole number");
         row("parameter without value",    {"build", "rope", "segments", "-o", "x"},                 2, "KEY=VALUE");
         row("no output",                  {"build", "rope"},                                        2, "output");
         row("build into nowhere",         {"build", "rope", "-o", "/nowhere/rope.ripstop.json"},    1, "/nowhere/rope.ripstop.json");

@@ -46,10 +46,18 @@ private slots:
 
     // T-F1: tan(beta) = (L - W) / D and T = sqrt((L - W)^2 + D^2) of the line where it is tied to
     // the steady kite; lift and drag are summed up over the panels.
+    void kitePullsAsStaticsSay_data()
+    {
+        QTest::addColumn<QString>("kite");
+        QTest::newRow("ideal") << "delta_kite";
+        QTest::newRow("of ripstop") << "ripstop_kite";
+    }
+
     void kitePullsAsStaticsSay()
     {
-        const Scene scene = sample("delta_kite");
-        Simulation simulation = started("delta_kite");
+        QFETCH(QString, kite);
+        const Scene scene = sample(kite);
+        Simulation simulation = started(kite);
         QVERIFY(simulation.runUntil(20.0));
         const Part& part = partOf(scene);
         const auto isLine = [&](const Link& link) {

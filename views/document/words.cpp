@@ -5,6 +5,7 @@
 #include "document/words.h"
 
 #include "document/census.h"
+#include "scene/presets.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -113,6 +114,8 @@ QString englishLabel(std::string_view choice)
 
 QString choiceLabel(std::string_view choice)
 {
+    if (const Result<const Preset*> preset = findPreset(choice)) // what is for sale has one name
+        return QString::fromStdString((*preset)->label);
     return translated(englishLabel(choice).toStdString());
 }
 

@@ -1,0 +1,64 @@
+// What a craft is made of: cloth, spars and lines by name, out of the library (scene/presets.h).
+//
+// A builder lays its craft as the papers have it, of rods that never stretch, with masses from its
+// own parameters; that is what the choice "ideal" leaves. With a cloth that one can buy, panels
+// carry the pull of the sail, the warp along the textures' v; the rods that stood for the cloth go,
+// and hems are rods of what two turns of a hem of 1 cm make of the cloth. Spars get EA and EI, and
+// so do the rods that stand for the frame, but for bending; a line stretches, and its second rods
+// (kite_flight.h), which make up for sweeps that have not converged, go. What is chosen says what
+// the craft weighs.
+//
+// The choices stand in files by their number: new ones go to the end of a list.
+#pragma once
+
+#include "builders/builder.h"
+#include "builders/network.h"
+
+#include <array>
+#include <vector>
+
+namespace ripstop {
+
+inline constexpr auto clothChoices =
+    std::to_array<std::string_view>({"ideal", "ripstop_050", "ripstop_075", "ripstop_150",
+                                     "skytex_27", "skytex_32", "skytex_38", "teijin_d2"});
+inline constexpr auto sparChoices =
+    std::to_array<std::string_view>({"ideal", "fibreglass_tube_6", "fibreglass_tube_8"});
+inline constexpr auto cordChoices = std::to_array<std::string_view>(
+    {"ideal", "dyneema_1", "dyneema_2", "liros_ltc45", "liros_ltc80", "liros_ltc120"});
+
+// clang-format off
+inline constexpr auto materialParameters = std::to_array<Parameter>({
+    {"cloth", "", 0, 0, clothChoices.size() - 1, true, "Cloth of the sail; ideal cloth never stretches and weighs what is said below, a real one is carried by panels and wrinkles.", "Materials", clothChoices},
+    {"spars", "", 0, 0, sparChoices.size() - 1,  true, "Spars of the frame; ideal ones never stretch, real ones bend.", {}, sparChoices},
+    {"cord",  "", 0, 0, cordChoices.size() - 1,  true, "What the line is made of; an ideal one never stretches.", {}, cordChoices},
+});
+// clang-format on
+
+// Ids of materials of the scene; what a craft does not have stays empty.
+struct CraftMaterials
+{
+    std::vector<Id> cloth;   // of panels
+    std::vector<Id> seams;   // of rods that stand for the cloth
+    std::vector<Id> hems;    // of rods along its free edges, and of ribbons
+    std::vector<Id> spars;   // of rods that are spars
+    std::vector<Id> frame;   // of rods that stand for the rest of the frame
+    std::vector<Id> lines;   // of the line, and of the legs of a bridle
+    std::vector<Id> doubled; // of second rods of the line
+};
+
+bool isIdeal(const Parameters& p, std::string_view parameter);
+
+// kg/m^2, of the cloth that is chosen, or what the parameter "fabric" says of an ideal one.
+double clothDensity(const Parameters& p);
+
+// kg/m, of the line that is chosen, or what the parameter "line_density" says.
+double cordDensity(const Parameters& p);
+
+// kg, of the rods so far that are spars, or what the parameter "frame_mass" says of ideal ones.
+double frameMass(const Parameters& p, const std::vector<Id>& spars, const Network& network);
+
+// Makes the craft of what is chosen, once it is laid.
+void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, Network& network);
+
+} // namespace ripstop

@@ -1,0 +1,163 @@
+// Kites of what one can buy: what they weigh, that they fly by default, and that the mesh does not
+// matter.
+//
+// Stages: what is offered is in the library; an ideal kite is the paper's; then a real one, whose
+// mass is summed up by hand, flown at two resolutions and of every cloth.
+#include "builders/craft_materials.h"
+#include "model/sample_scenes.h"
+#include "scene/check.h"
+#include "scene/cloth_area.h"
+#include "scene/presets.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ripstop;
+
+namespace {
+
+Scene kite(const Parameters& given, const char* builder = "delta_kite")
+{
+    const Result<Scene> scene = build(*findBuilder(builder), given);
+    if (!scene)
+        qFatal("%s", scene.message().english().c_str());
+    return *scene;
+}
+
+Parameters real(double segments = 14)
+{
+    return {{"cloth", 2},
+            {"spars", 1},
+            {"cord", 3},
+            {"segments", segments},
+            {"keel", std::round(segments * 5 / 14)}};
+}
+
+double number(const char* preset, std::string_view key)
+{
+    for (const auto& [name, value] : (*findPreset(preset))->values)
+        if (name == key)
+            return std::get<double>(value);
+    qFatal("%s has no %s", preset, std::string(key).c_str());
+}
+
+} // namespace
+
+class TestCraftMaterials : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void libraryHasWhatIsOffered()
+    {
+        const auto verify = [](std::span<const std::string_view> choices, PresetKind kind,
+                               std::initializer_list<const char*> keys) {
+            QCOMPARE(choices[0], std::string_view("ideal"));
+            for (const std::string_view choice : choices.subspan(1)) {
+                const Result<const Preset*> preset = findPreset(choice);
+                QVERIFY2(preset, std::string(choice).c_str());
+                QCOMPARE((*preset)->kind, kind);
+                for (const char* key : keys)
+                    QVERIFY(number(std::string(choice).c_str(), key) > 0.0);
+            }
+        };
+        verify(clothChoices, PresetKind::Fabric, {"membraneStiffness", "arealDensity"});
+        verify(sparChoices, PresetKind::Spar,
+               {"axialStiffness", "flexuralRigidity", "linearDensity"});
+        verify(cordChoices, PresetKind::Line, {"axialStiffness", "linearDensity", "diameter"});
+    }
+
+    void anIdealKiteIsThePapers()
+    {
+        const Scene scene = kite({});
+        const Part& part = partOf(scene);
+        QCOMPARE(part.carrier, FabricKind::Threads);
+        QCOMPARE(part.links.size(), std::size_t(458));
+        const auto system = compile(scene);
+        for (const Rod& rod : (*system)->rods)
+            QCOMPARE(rod.compliance, 0.0);
+    }
+
+    // Cloth by its area, spars and line by their lengths; the line's two pinned ends weigh a
+    // segment each.
+    void weighsWhatItIsMadeOf()
+    {
+        const Scene scene = kite(real());
+        const Part& part = partOf(scene);
+        double spars = 0.0;
+        for (const Link& link : part.links)
+            if (findItem<Material>(scene, link.material)->name == "spar")
+                spars += link.restLength;
+        const double line =
+            part.parameters.at("line_length") * number("liros_ltc45", "linearDensity");
+        const double expected = ClothArea(part).whole() * number("ripstop_075", "arealDensity")
+                                + spars * number("fibreglass_tube_6", "linearDensity")
+                                + line * (1.0 + 1.5 / part.parameters.at("line"));
+        double mass = 0.0;
+        for (const Particle& particle : part.particles)
+            mass += particle.mass;
+        QVERIFY2(std::abs(mass - expected) < 1e-6 * expected,
+                 qPrintable(QString("%1 of %2 kg").arg(mass).arg(expected)));
+    }
+
+    void nothingIsIdealInARealKite_data()
+    {
+        QTest::addColumn<QByteArray>("builder");
+        for (const char* builder : {"delta_kite", "diamond_kite", "rectangular_kite"})
+            QTest::newRow(builder) << QByteArray(builder);
+    }
+
+    void nothingIsIdealInARealKite()
+    {
+        QFETCH(QByteArray, builder);
+        const Scene scene = kite({{"cloth", 2}, {"spars", 1}, {"cord", 3}}, builder);
+        QCOMPARE(partOf(scene).carrier, FabricKind::Panels);
+        QVERIFY(problemsOf(scene).empty());
+        const auto system = compile(scene);
+        QVERIFY(bool(system));
+        for (const Rod& rod : (*system)->rods)
+            QVERIFY(rod.compliance > 0.0);
+        Simulation simulation(*system);
+        QVERIFY(simulation.runUntil(10.0));
+        QVERIFY(probe(simulation, "line angle") > 35.0); // where it was launched
+        QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+
+    // The same kite cut into smaller panels stands at the same angle and pulls alike.
+    void fliesAlikeAtAnyResolution()
+    {
+        const auto flown = [](double segments) {
+            Simulation simulation(*compile(kite(real(segments))));
+            if (!simulation.runUntil(15.0))
+                qFatal("it did not fly");
+            return std::pair(probe(simulation, "line angle"), probe(simulation, "line tension"));
+        };
+        const auto [angle, pull] = flown(14);
+        const auto [finerAngle, finerPull] = flown(20);
+        qInfo("%.2f and %.2f degrees, %.2f and %.2f N", angle, finerAngle, pull, finerPull);
+        QVERIFY(std::abs(angle - finerAngle) < 0.01 * finerAngle);
+        QVERIFY(std::abs(pull - finerPull) < 0.03 * finerPull);
+    }
+
+    void everyClothFlies_data()
+    {
+        QTest::addColumn<double>("cloth");
+        for (std::size_t i = 1; i < clothChoices.size(); ++i)
+            QTest::newRow(std::string(clothChoices[i]).c_str()) << double(i);
+    }
+
+    void everyClothFlies()
+    {
+        QFETCH(double, cloth);
+        Parameters given = real();
+        given["cloth"] = cloth;
+        Simulation simulation(*compile(kite(given)));
+        QVERIFY(simulation.runUntil(5.0));
+        QVERIFY(simulation.frame()->accuracy.isMet());
+        QVERIFY(probe(simulation, "max strain") < 0.05);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCraftMaterials)
+#include "test_craft_materials.moc"
