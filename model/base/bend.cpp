@@ -2,7 +2,7 @@
 //
 // Fabric cuts the panels that bend into triangles by their rest lengths, sorts the sides so that
 // the two panels of a side come together, makes a bend of each such pair, and couples the bends of
-// each panel. Spars sorts the ends of links by particle and material and joins those that go on
+// each panel; bentPanels() says the same from the side of the panels. Spars sorts the ends of links by particle and material and joins those that go on
 // into each other, the straightest pair first. The sorting makes the order of the bends depend on
 // the network alone. bendSums() goes over the stiffness matrix of all bends one row at a time,
 // since bends that overlap share entries, whose sum may be smaller than the sum of their
@@ -94,6 +94,27 @@ public:
         : m_net(net)
         , m_bends(bends)
     {}
+
+    // [panels that bend] with what they share with those beside them
+    std::vector<BentPanel> bentPanels() const
+    {
+        std::vector<BentPanel> bent;
+        std::vector<int> row(m_bendAt.size(), -1);
+        for (std::size_t panel = 0; panel < m_bendAt.size(); ++panel)
+            if (std::ranges::max(m_bendAt[panel]) >= 0) {
+                row[panel] = int(bent.size());
+                bent.push_back(alone(panel));
+            }
+        for (BentPanel& one : bent)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const int bend = m_bendAt[std::size_t(one.panel)][k]; bend >= 0) {
+                    const auto& of = m_bends[std::size_t(bend)].of;
+                    const int other = of[0] == one.panel ? of[1] : of[0];
+                    one.beside[k] = row[std::size_t(other)];
+                    lookBeside(one, k, bent[std::size_t(one.beside[k])]);
+                }
+        return bent;
+    }
 
     void addBends()
     {
@@ -215,6 +236,45 @@ private:
         }
     }
 
+    // Its axes start from the first corner, towards the second one.
+    BentPanel alone(std::size_t panel) const
+    {
+        const Triangle& triangle = m_triangles[panel];
+        BentPanel bent;
+        bent.corner = m_net.panels[panel].corner;
+        bent.panel = int(panel);
+        if (!triangle.clamped)
+            bent.stiffness = m_net.panels[panel].bending.fabric * triangle.area;
+        const auto [a, b, c] = triangle.cotangent;
+        const double height = std::sqrt(2.0 * triangle.area / (a + b)); // m, of the third corner
+        const std::array<BentPanel::Plane, 3> outwards{{// |e| n_e
+                                                        {height, b * height},
+                                                        {-height, a * height},
+                                                        {0.0, -(a + b) * height}}};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [x, y] = outwards[k];
+            bent.leastHeight[k] = leastShare * 2.0 * triangle.area / std::hypot(x, y);
+            if (m_bendAt[panel][k] < 0)
+                continue;
+            const Bend& bend = m_bends[std::size_t(m_bendAt[panel][k])];
+            const double spread = share(panel, bend) / triangle.area; // 1/m^2
+            bent.share[k] = {spread * x, spread * y};
+        }
+        return bent;
+    }
+
+    // Panels that go round alike go along a side that they share in opposite ways.
+    void lookBeside(BentPanel& one, std::size_t k, const BentPanel& other) const
+    {
+        const auto& bends = m_bendAt[std::size_t(one.panel)];
+        const auto& theirs = m_bendAt[std::size_t(other.panel)];
+        const auto there = std::size_t(std::ranges::find(theirs, bends[k]) - theirs.begin());
+        if (one.corner[(k + 1) % 3] == other.corner[(there + 1) % 3])
+            one.sign[k] = -1.0;
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            one.shareBeside[k][axis] = one.sign[k] * other.share[there][axis];
+    }
+
     const BendingNet& m_net;
     std::vector<Bend>& m_bends;
     std::vector<Triangle> m_triangles;        // [panels]
@@ -327,6 +387,7 @@ private:
         bend.corner = {particle, a, b, particle};
         bend.weight = {-(u + v), u, v, 0.0};
         bend.stiffness = first.bending.spar / (turning * turning * turning);
+        bend.length = {first.restLength, m_net.links[std::size_t(other)].restLength};
         const Vec3 turn = away(one, particle) + away(other, particle);
         bend.restTurn = turn.norm() > 1e-9 ? turning * turn.norm() : 0.0; // rounding is no bend
         bend.beside.fill(-1);
@@ -343,13 +404,38 @@ private:
 
 } // namespace
 
-std::vector<Bend> bendsOf(const BendingNet& net)
+BendsAndPanels bendsAndPanelsOf(const BendingNet& net)
 {
-    std::vector<Bend> bends;
-    Fabric(net, bends).addBends();
-    Spars(net, bends).addBends();
-    std::ranges::stable_partition(bends, [](const Bend& bend) { return !bend.withRods; });
-    return bends;
+    BendsAndPanels found;
+    Fabric fabric(net, found.bends);
+    fabric.addBends();
+    found.panels = fabric.bentPanels();
+    Spars(net, found.bends).addBends();
+    std::ranges::stable_partition(found.bends, [](const Bend& bend) { return !bend.withRods; });
+    return found;
+}
+
+std::vector<Bend> bendsOf(const BendingNet& net) { return bendsAndPanelsOf(net).bends; }
+
+SparTurn turnOf(const Bend& bend, const std::array<Vec3, 2>& ways)
+{
+    SparTurn turn{Vec3::Zero(), {}};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double turning = bend.weight[k + 1] * bend.length[k]; // m, L
+        const double size = ways[k].norm();
+        const double length = std::max(size, leastShare * bend.length[k]);
+        turn.turn += turning / length * ways[k];
+        turn.slope[k] = turning / length * Mat3::Identity();
+        if (length == size)
+            turn.slope[k] -= turning / (length * length * length) * ways[k] * ways[k].transpose();
+    }
+    return turn;
+}
+
+std::size_t countOfFabric(const std::vector<Bend>& bends)
+{
+    const auto isOfFabric = [](const Bend& bend) { return !bend.ofSpar; };
+    return std::size_t(std::ranges::partition_point(bends, isOfFabric) - bends.begin());
 }
 
 std::size_t countOfForces(const std::vector<Bend>& bends)

@@ -1,27 +1,42 @@
 // Where fabric and spars bend, and how stiff they are there.
 //
-// A bend is the side that two panels share, or the particle that two links of a spar share. Its
-// turn y is a sum over particles, y = sum of w x, with weights that sum to zero and give no turn to
-// what is flat or straight. Its length is the angle (2 sin of half of it) times the length of the
-// side, or times the length of spar that turns there.
+// Energies of bending are of angles alone, whatever the lengths are: what is bent pulls across
+// itself and does not push itself together. With a turn that shrinks with the lengths, as the
+// quadratic one of isometric bending does (Bergou et al. 2006, A quadratic bending model for
+// inextensible surfaces), cloth of curvature k would push with about B k^2 along it, which cloth
+// that wrinkles has nothing against.
 //
-// Fabric. The weights are the cotangents of isometric bending (Bergou et al. 2006, A quadratic
-// bending model for inextensible surfaces, section 3): w_a = cot b + cot b', w_b = cot a + cot a',
-// w_c = -(cot a + cot b) for the side ab and the corners c and c' across. They follow from rest
-// lengths alone. Fabric is flat at rest. What turns at the three sides e of a panel of area A is
-// spread over the panels beside them by area, and makes one curvature, as in the triangle of Onate
-// and Zarate 2000 (Rotation-free triangular plate and shell elements):
+// Fabric is flat at rest. The normal N of a panel jumps at its sides e; a jump is spread over the
+// panels A and A_e beside a side by area, and makes one gradient of the normal, as in the triangle
+// of Onate and Zarate 2000 (Rotation-free triangular plate and shell elements):
 //
-//     k = sum over e of y_e / (A + A_e) n_e n_e^T,  n_e across the side, in the plane
-//     energy = B A |k|^2 / 2, so that the moment of a bend is z_e = sum of C_ef y_f,
-//     C_ef = B A cos^2(angle of e and f) / ((A + A_e) (A + A_f))
+//     G = sum over e of |e| / (A + A_e) (N_e - N) (x) n_e,  n_e across the side, in the plane at rest
+//     energy = B A |G|^2 / 2
+//
+// It does not change while a panel moves or deforms in its plane, and it pulls corners along N.
+//
+// For small turns this is the curvature k = sum of y_e / (A + A_e) n_e (x) n_e, with the jump of the
+// slope y_e = sum of w x, a bend of its four corners. The weights are the cotangents of isometric
+// bending (there, section 3): w_a = cot b + cot b', w_b = cot a + cot a', w_c = -(cot a + cot b) for
+// the side ab and the corners c and c' across. They follow from rest lengths alone. The moment of a
+// bend is z_e = sum of C_ef y_f, C_ef = B A cos^2(angle of e and f) / ((A + A_e) (A + A_f)), of which
+// the limit of the step is made.
 //
 // The weight 3 B / (A + A') for each bend alone, of Bergou and of Grinspun 2003, makes a strip of
 // square or of equilateral cells two and a half times too stiff.
 //
-// Spars. With links of l and l' of which the length L = (l + l') / 2 turns, w = L / l for their
-// outer ends; the moment is EI / L^3 times y. A link or panel that is pinned throughout is a clamp
-// and does not bend itself, so that what it holds starts at its edge.
+// Spars bend at the particle that two links share, by the turn y = L (u + u') with unit vectors u
+// and u' along the links. Of links of l and l' the length L = (l + l') / 2 turns; the moment is
+// EI / L^3 times y. For small turns y = sum of w x with w = L / l for the outer ends. A link or
+// panel that is pinned throughout is a clamp and does not bend itself, so that what it holds starts
+// at its edge.
+//
+// What is short pulls hard for a turn. No step could bear what has no length: where the height of a
+// panel over a side is less than `leastShare` of that at rest, or the length of a link, it counts
+// as if it had that much. N and u are shorter than 1 there, and the push along them is back. So no
+// slope of a turn is more than 1 / leastShare of what it is at rest. With 3/4 the limit of the step,
+// which is made for what is flat at rest, also holds for cloth pushed together one way to nothing
+// (tests/model/test_bent_cloth.cpp).
 //
 // Spars of rods that are solved together bend together with them (constraints/spar_bends.h). As a
 // force beside such rods a spar that is bent far would not come to rest: rods that push take
@@ -48,11 +63,14 @@ struct Bending // of a material
     friend bool operator==(const Bending&, const Bending&) = default;
 };
 
+inline constexpr double leastShare = 5.0 / 6.0; // 1, see above
+
 struct Bend
 {
     std::array<int, 4> corner;        // particle indices: a, b, c, c', or three and one repeated
-    std::array<double, 4> weight;     // 1
+    std::array<double, 4> weight;     // 1, for small turns
     double stiffness;                 // N/m
+    std::array<double, 2> length{};   // m, of the links of a spar
     double restTurn = 0.0;            // m, of spars that are built bent
     std::array<int, 4> beside = {};   // bends of the same panels
     std::array<double, 4> coupling{}; // N/m, to them; 0 for none
@@ -61,6 +79,34 @@ struct Bend
     bool withRods = false; // solved together with them instead of pulling as a force
 
     friend bool operator==(const Bend&, const Bend&) = default;
+};
+
+// The turn of a spar at a particle, and how it changes where the outer ends of its links go; where
+// the particle goes it changes by the opposite of both.
+struct SparTurn
+{
+    Vec3 turn;                 // m
+    std::array<Mat3, 2> slope; // 1, symmetric
+};
+
+//   ways  m, from the particle to the outer ends
+SparTurn turnOf(const Bend& bend, const std::array<Vec3, 2>& ways);
+
+// A panel with a side that bends.
+struct BentPanel
+{
+    using Plane = std::array<double, 2>; // along axes of the panel at rest
+
+    std::array<int, 3> corner;                     // particle indices
+    std::array<int, 3> beside{-1, -1, -1};         // across from the corners: its row, or -1
+    std::array<double, 3> sign{1.0, 1.0, 1.0};     // -1 where the panel beside is turned over
+    std::array<Plane, 3> share{};                  // 1/m, |e| / (A + A_e) n_e
+    std::array<Plane, 3> shareBeside{};            // 1/m, that of the panel beside, times the sign
+    double stiffness = 0.0;                        // N m^3, B A, or 0 of a clamp
+    std::array<double, 3> leastHeight{};           // m, of the corners
+    int panel = 0;
+
+    friend bool operator==(const BentPanel&, const BentPanel&) = default;
 };
 
 // The network that bends are found in: what can bend, and what tells how stiffly.
@@ -94,7 +140,16 @@ struct BendingNet
 // 60 degrees, the straightest pair first; spars keep the turn that they are built with.
 std::vector<Bend> bendsOf(const BendingNet& net);
 
-// How many of these pull as forces; the others come last.
+// The same, with the panels of the bends of fabric, in the order of the net.
+struct BendsAndPanels
+{
+    std::vector<Bend> bends;
+    std::vector<BentPanel> panels;
+};
+BendsAndPanels bendsAndPanelsOf(const BendingNet& net);
+
+// How many of these are of fabric, and how many pull as forces; those come first.
+std::size_t countOfFabric(const std::vector<Bend>& bends);
 std::size_t countOfForces(const std::vector<Bend>& bends);
 
 // What bending as a force asks of the step (step_limit.h) at each particle, N/m, as springs would.

@@ -408,7 +408,7 @@ double DirectSolver::merit() const
         twice += energyOfWay(i);
     for (const Bar& bar : m_bars)
         twice += energyOf(bar);
-    return 0.5 * (twice + m_panels.energy());
+    return 0.5 * (twice + m_panels.energy() + m_bends.energy());
 }
 
 } // namespace ripstop

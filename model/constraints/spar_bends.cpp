@@ -6,14 +6,16 @@
 namespace ripstop {
 namespace {
 
-Vec3 turnOf(const SparBend& bend, std::span<const Row> x)
+Vec3 vec(const Row& row) { return {row.v[0], row.v[1], row.v[2]}; }
+
+// Where the rows are.
+void takeTurn(SparBend& bend, const Bend& law, std::span<const Row> x)
 {
-    Vec3 turn = Vec3::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Row& row = x[bend.row[k]];
-        turn += bend.weight[k] * Vec3(row.v[0], row.v[1], row.v[2]);
-    }
-    return turn;
+    const Vec3 at = vec(x[bend.row[0]]);
+    const SparTurn spar =
+        turnOf(law, {Vec3(vec(x[bend.row[1]]) - at), Vec3(vec(x[bend.row[2]]) - at)});
+    bend.turn = spar.turn;
+    bend.slope = {-(spar.slope[0] + spar.slope[1]), spar.slope[0], spar.slope[1]};
 }
 
 // 1, what is left of the stiffness for the moment, which is as long as the turn is over y_0.
@@ -26,7 +28,7 @@ double shareOfMoment(const SparBend& bend)
 }
 
 // kg, how the moment changes with the turn.
-Mat3 slopeOf(const SparBend& bend)
+Mat3 stiffnessOf(const SparBend& bend)
 {
     const double share = shareOfMoment(bend);
     if (share == 1.0)
@@ -49,6 +51,7 @@ void SparBends::prepare(const System& system, std::span<const std::uint32_t> row
     m_bends.clear();
     m_corners.clear();
     const std::span all = system.of<BendLists>().withRods();
+    m_laws.assign(all.begin(), all.end());
     for (std::size_t i = 0; i < all.size(); ++i) {
         m_corners.push_back(cornersOf(all[i]));
         SparBend bend;
@@ -59,7 +62,6 @@ void SparBends::prepare(const System& system, std::span<const std::uint32_t> row
         for (std::size_t k = 0; k < 3; ++k) {
             const auto particle = std::size_t(all[i].corner[k]);
             bend.row[k] = row[particle];
-            bend.weight[k] = all[i].weight[k];
             moves |= system.inverseMass[particle] > 0.0;
         }
         if (moves)
@@ -85,9 +87,8 @@ void SparBends::start(const System& system, std::span<const std::uint8_t> torn, 
         bend.gone = torn[std::size_t(bend.rod[0])] || torn[std::size_t(bend.rod[1])];
         bend.stiffness = h * h * all[bend.bend].stiffness;
         bend.rest = all[bend.bend].restTurn;
-        for (std::size_t k = 0; k < 3; ++k)
-            bend.weight[k] = all[bend.bend].weight[k];
     }
+    std::ranges::copy(all, m_laws.begin());
 }
 
 double SparBends::energy() const
@@ -104,7 +105,7 @@ double SparBends::energy() const
 double SparBends::measure(std::span<const Row> position)
 {
     for (SparBend& bend : m_bends) {
-        bend.turn = turnOf(bend, position);
+        takeTurn(bend, m_laws[bend.bend], position);
         bend.moment = bend.stiffness * shareOfMoment(bend) * bend.turn;
     }
     return energy();
@@ -112,13 +113,13 @@ double SparBends::measure(std::span<const Row> position)
 
 TripleBlock SparBends::block(const SparBend& bend) const
 {
-    const Mat3 slope = slopeOf(bend);
+    const Mat3 stiffness = stiffnessOf(bend);
     TripleBlock block;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto [from, to] = sidesOfTriple[k];
-        block.corner[k] = bend.weight[k] * bend.weight[k] * slope;
-        block.pair[k] = bend.weight[from] * bend.weight[to] * slope;
-        block.pull[k] = -bend.weight[k] * bend.moment;
+        block.corner[k] = bend.slope[k] * stiffness * bend.slope[k];
+        block.pair[k] = bend.slope[from] * stiffness * bend.slope[to];
+        block.pull[k] = -bend.slope[k] * bend.moment;
     }
     return block;
 }
@@ -127,7 +128,10 @@ void SparBends::foresee(std::span<const Row> move)
 {
     for (SparBend& bend : m_bends) {
         bend.before = bend.moment;
-        bend.foreseen = bend.moment + slopeOf(bend) * turnOf(bend, move);
+        Vec3 turn = Vec3::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            turn += bend.slope[k] * vec(move[bend.row[k]]);
+        bend.foreseen = bend.moment + stiffnessOf(bend) * turn;
     }
 }
 

@@ -1,9 +1,12 @@
 // Bends of spars whose rods are solved together, as the direct solver has them (direct_solver.h).
 //
 // A bend with the turn y (base/bend.h) adds h^2 k (|y| - y_0)^2 / 2 to the sum that is minimised,
-// y_0 being the turn that the spar is built with. Where that is 0 the sum is quadratic in the
-// positions, and one iteration is exact. Else the block has the slope along y, and across it what
-// the turn pulls with, but not less than 0: the matrix stays positive.
+// y_0 being the turn that the spar is built with. Its block of the matrix is J^T S J (Gauss and
+// Newton), J being how y changes with the corners and S how the moment does with y: the slope along
+// y, and across it what the turn pulls with, but not less than 0. What is left out is that J turns
+// with the links. A solve is by so much nearer to exact as the cosine of the angle of a bend is to
+// 1, since J takes no part along the links; the pull of the rods has what the rest would add. The
+// matrix stays positive.
 //
 // As a force that is known at the start of a substep, bending would bound the substep by l^2
 // sqrt(m / EI) or so, l and m being the length and the mass of a link; and a spar that is bent far
@@ -26,10 +29,10 @@ struct SparBend : Triple
 {
     std::size_t bend = 0; // in BendLists::withRods()
     std::array<int, 2> rod{};
-    std::array<double, 3> weight{}; // 1
     double stiffness = 0.0;         // kg, h^2 k
     double rest = 0.0;              // m, y_0
     Vec3 turn = Vec3::Zero();       // m
+    std::array<Mat3, 3> slope{};    // 1, J, symmetric, by corner
     Vec3 moment = Vec3::Zero();     // kg m, of the law where the particles are now
     Vec3 foreseen = Vec3::Zero();   // kg m, that the linear system gave
     Vec3 before = Vec3::Zero();     // kg m, of the law where the move began
@@ -70,6 +73,7 @@ public:
     double errors() const;
 
 private:
+    std::vector<Bend> m_laws;                  // of the system
     std::vector<SparBend> m_bends;             // those that have something to move
     std::vector<std::array<int, 3>> m_corners; // of all, by which they are known
 };

@@ -1,11 +1,11 @@
 // Bending of the fabric and spars of a system, as far as it is a force.
 //
-// BendForce::list() describes a finished system as a network of panels and links and lets bendsOf()
-// (base/bend.h) find the bends. prepare() sizes the arrays and notes, beside the rows of bends at
-// each particle, with which weight the particle takes part in each. fill() goes over the bends
-// twice: the turns come first and then the moments, as a moment needs the turns of the bends beside
-// it; the sums at particles are the lane's. bendingEnergy() is the energy whose slope these forces
-// are.
+// BendForce::list() describes a finished system as a network of panels and links and lets
+// bendsAndPanelsOf() (base/bend.h) find the bends. fillBends() goes over the panels three times, as
+// each needs of those beside it what the time before has found: their normals N = X / |X| with
+// X = (b - a) x (c - a), then moments B A G, and then loads. A moment M on the normal is
+// Q = (M - N (N . M)) / |X| on X, and with it Q x e on a corner, e being the side across from it.
+// The sums at particles are the lane's. bendingEnergy() is the energy whose slope these forces are.
 #include "forces/bend_force.h"
 
 #include "base/key_index.h"
@@ -13,70 +13,158 @@
 #include "parallel/simd_pack.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
 
 namespace ripstop {
 namespace {
 
-bool isGone(const System& system, const State& state, const Bend& bend)
+bool isTorn(const System& system, const State& state, const Bend& spar)
 {
-    if (bend.ofSpar)
-        return isTorn(system.links[std::size_t(bend.of[0])], state)
-               || isTorn(system.links[std::size_t(bend.of[1])], state);
-    return state.panelGone[std::size_t(bend.of[0])] || state.panelGone[std::size_t(bend.of[1])];
+    return isTorn(system.links[std::size_t(spar.of[0])], state)
+           || isTorn(system.links[std::size_t(spar.of[1])], state);
 }
 
-Vec3 sum(const Bend& bend, const std::vector<PaddedVec3>& x)
+RIPSTOP_INLINE double dot(const Pack& a, const Pack& b) // the fourth of either is zero
 {
-    Vec3 sum = bend.weight[0] * x[std::size_t(bend.corner[0])];
-    for (std::size_t k = 1; k < 4; ++k)
-        sum += bend.weight[k] * x[std::size_t(bend.corner[k])];
-    return sum;
+    const Pack c = a * b;
+    return c[0] + c[1] + c[2];
+}
+
+RIPSTOP_INLINE Pack cross(const Pack& a, const Pack& b)
+{
+    const Pack c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3)
+                   - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
+    return __builtin_shufflevector(c, c, 1, 2, 0, 3);
+}
+
+struct Sides // of a panel, across from its corners
+{
+    Pack side[3];
+
+    RIPSTOP_INLINE Sides(const BentPanel& panel, const PaddedVec3* x)
+        : side{pack(x[panel.corner[2]]) - pack(x[panel.corner[1]]),
+               pack(x[panel.corner[0]]) - pack(x[panel.corner[2]]),
+               pack(x[panel.corner[1]]) - pack(x[panel.corner[0]])}
+    {}
+};
+
+// m^4, twice the area, squared, that a panel has at least for the height over a side.
+RIPSTOP_INLINE double leastOf(const BentPanel& panel, const Sides& sides, std::size_t k)
+{
+    return panel.leastHeight[k] * panel.leastHeight[k] * dot(sides.side[k], sides.side[k]);
 }
 
 RIPSTOP_CLONES
-void fillTurns(const System& system, const State& state, PaddedVec3* turn, std::size_t first,
+void fillNormals(const System& system, const State& state, BendScratch& bends, std::size_t first,
+                 std::size_t last)
+{
+    constexpr double point = 1e-200; // m^4, so that a panel without any side divides by something
+    const BentPanel* const panels = system.of<BendLists>().panels.data();
+    for (std::size_t i = first; i < last; ++i) {
+        const BentPanel& panel = panels[i];
+        const Sides sides(panel, state.position.data());
+        const Pack normal = cross(sides.side[0], sides.side[1]);
+        const double square = dot(normal, normal);
+        const double least =
+            std::max({leastOf(panel, sides, 0), leastOf(panel, sides, 1), leastOf(panel, sides, 2),
+                      point});
+        const double area = std::sqrt(std::max(square, least));
+        pack(bends.normal[i]) = normal / area;
+        bends.doubleArea[i] = state.panelGone[std::size_t(panel.panel)] ? 0.0
+                              : square < least                          ? -area
+                                                                        : area;
+    }
+}
+
+RIPSTOP_CLONES
+void fillBending(const System& system, BendScratch& bends, std::size_t first, std::size_t last)
+{
+    const BentPanel* const panels = system.of<BendLists>().panels.data();
+    for (std::size_t i = first; i < last; ++i) {
+        const BentPanel& panel = panels[i];
+        Pack along{}, across{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int beside = panel.beside[k];
+            if (beside < 0 || bends.doubleArea[i] * bends.doubleArea[beside] == 0.0)
+                continue;
+            const Pack jump = panel.sign[k] * pack(bends.normal[beside]) - pack(bends.normal[i]);
+            along += panel.share[k][0] * jump;
+            across += panel.share[k][1] * jump;
+        }
+        pack(bends.bending[2 * i]) = panel.stiffness * along;
+        pack(bends.bending[2 * i + 1]) = panel.stiffness * across;
+    }
+}
+
+RIPSTOP_CLONES
+void fillLoads(const System& system, const State& state, BendScratch& bends, std::size_t first,
                std::size_t last)
 {
     const PaddedVec3* const x = state.position.data();
-    const Bend* const bends = system.of<BendLists>().list.data();
+    const BentPanel* const panels = system.of<BendLists>().panels.data();
     for (std::size_t i = first; i < last; ++i) {
-        const Bend& bend = bends[i];
-        if (isGone(system, state, bend)) {
-            pack(turn[i]) = Pack{};
-            continue;
+        const BentPanel& panel = panels[i];
+        Pack moment{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int beside = panel.beside[k];
+            if (beside < 0 || bends.doubleArea[i] * bends.doubleArea[beside] == 0.0)
+                continue;
+            moment += panel.shareBeside[k][0] * pack(bends.bending[2 * beside])
+                      + panel.shareBeside[k][1] * pack(bends.bending[2 * beside + 1])
+                      - panel.share[k][0] * pack(bends.bending[2 * i])
+                      - panel.share[k][1] * pack(bends.bending[2 * i + 1]);
         }
-        Pack y = bend.weight[0] * pack(x[bend.corner[0]]);
-        for (std::size_t k = 1; k < 4; ++k)
-            y += bend.weight[k] * pack(x[bend.corner[k]]);
-        pack(turn[i]) = y;
+        const Sides sides(panel, x);
+        const double area = bends.doubleArea[i];
+        Pack along{}; // what changes the area that it counts as, N times m over m of a side
+        std::size_t over = 0;
+        const double left = dot(pack(bends.normal[i]), moment);
+        if (area > 0.0) {
+            moment = (moment - left * pack(bends.normal[i])) / area;
+        } else if (area < 0.0) {
+            for (std::size_t k = 1; k < 3; ++k)
+                if (leastOf(panel, sides, k) > leastOf(panel, sides, over))
+                    over = k;
+            const double height = panel.leastHeight[over];
+            along = left * height * height / (area * area) * sides.side[over];
+            moment /= -area;
+        }
+        const Pack a = cross(sides.side[0], moment);
+        const Pack b = cross(sides.side[1], moment);
+        pack(bends.load[3 * i]) = a;
+        pack(bends.load[3 * i + 1]) = b;
+        pack(bends.load[3 * i + 2]) = -(a + b);
+        pack(bends.load[3 * i + (over + 1) % 3]) -= along;
+        pack(bends.load[3 * i + (over + 2) % 3]) += along;
     }
 }
 
-// What the bend's own turn adds to its moment, N per m of the turn.
-double ownMoment(const Bend& bend, const Vec3& turn)
+SparTurn turnIn(const Bend& bend, const std::vector<PaddedVec3>& x)
 {
-    const double size = bend.restTurn > 0.0 ? turn.norm() : 0.0;
-    return size > 0.0 ? bend.stiffness * (1.0 - bend.restTurn / size) : bend.stiffness;
+    const Vec3& at = x[std::size_t(bend.corner[0])];
+    return turnOf(bend, {Vec3(x[std::size_t(bend.corner[1])] - at),
+                         Vec3(x[std::size_t(bend.corner[2])] - at)});
 }
 
-RIPSTOP_CLONES
-void fillMoments(const System& system, const State& state, const PaddedVec3* turn,
-                 PaddedVec3* moment, std::size_t first, std::size_t last)
+// Of the spar `i` that is a force.
+void fillLoads(const System& system, const State& state, BendScratch& bends, std::size_t i)
 {
-    const Bend* const bends = system.of<BendLists>().list.data();
-    for (std::size_t i = first; i < last; ++i) {
-        const Bend& bend = bends[i];
-        if (isGone(system, state, bend)) {
-            pack(moment[i]) = Pack{};
-            continue;
-        }
-        Pack z = ownMoment(bend, turn[i]) * pack(turn[i]);
-        if (!bend.ofSpar)
-            for (std::size_t k = 0; k < 4; ++k)
-                if (bend.beside[k] >= 0)
-                    z += bend.coupling[k] * pack(turn[bend.beside[k]]);
-        pack(moment[i]) = z;
+    const BendLists& lists = system.of<BendLists>();
+    const Bend& bend = lists.spars()[i];
+    PaddedVec3* const load = &bends.load[3 * (lists.panels.size() + i)];
+    if (isTorn(system, state, bend)) {
+        std::fill_n(load, 3, PaddedVec3());
+        return;
     }
+    const SparTurn spar = turnIn(bend, state.position);
+    const double size = bend.restTurn > 0.0 ? spar.turn.norm() : 0.0;
+    const double left = size > 0.0 ? 1.0 - bend.restTurn / size : 1.0;
+    const Vec3 moment = bend.stiffness * left * spar.turn;
+    load[1] = -spar.slope[0] * moment;
+    load[2] = -spar.slope[1] * moment;
+    load[0] = -(load[1] + load[2]);
 }
 
 BendingNet bendingNetOf(const System& system)
@@ -138,50 +226,38 @@ public:
                       std::span<double>) const override;
 
 private:
-    std::vector<PaddedVec3> m_turn;   // [bends] m
-    std::vector<PaddedVec3> m_moment; // [bends] N
-    std::vector<double> m_weight;     // [items of the rows] 1, what the particle takes of a moment
-    std::uint64_t m_serial = 0;       // of the values that m_weight is of
+    BendScratch m_bends;
 };
 
 void BendForce::list(System& system) const
 {
     BendLists& bends = system.of<BendLists>();
-    bends.list.clear();
-    bends.at.start.clear();
-    bends.at.items.clear();
+    bends = {};
     if (system.bending.empty())
         return;
-    bends.list = bendsOf(bendingNetOf(system));
-    const std::span forces = std::span(bends.list).first(bends.forces());
-    if (forces.empty())
+    BendsAndPanels found = bendsAndPanelsOf(bendingNetOf(system));
+    bends.list = std::move(found.bends);
+    bends.panels = std::move(found.panels);
+    if (bends.forces() == 0)
         return;
-    fillIncidence(bends.at, system.start.position.size(), forces, [](const Bend& bend) {
-        return std::span(bend.corner).first(bend.ofSpar ? 3 : 4);
-    });
+    std::vector<int> corners; // particles
+    for (const BentPanel& panel : bends.panels)
+        corners.insert(corners.end(), panel.corner.begin(), panel.corner.end());
+    for (const Bend& bend : bends.spars())
+        corners.insert(corners.end(), bend.corner.begin(), bend.corner.begin() + 3);
+    fillIncidence(bends.at, system.start.position.size(), corners,
+                  [](const int& corner) { return std::span(&corner, 1); });
 }
 
 void BendForce::prepare(const System& system, const State&)
 {
-    const auto& [bends, at] = system.of<BendLists>();
-    m_turn.resize(countOfForces(bends));
-    m_moment.resize(m_turn.size());
-    if (m_serial == system.valuesSerial)
-        return;
-    m_serial = system.valuesSerial;
-    m_weight.resize(at.items.size());
-    for (std::size_t p = 0; p + 1 < at.start.size(); ++p)
-        for (int k = at.start[p]; k < at.start[p + 1]; ++k) {
-            const Bend& bend = bends[std::size_t(at.items[std::size_t(k)])];
-            const auto corner = std::find(bend.corner.begin(), bend.corner.end(), int(p));
-            m_weight[std::size_t(k)] = -bend.weight[std::size_t(corner - bend.corner.begin())];
-        }
+    m_bends.size(system.of<BendLists>());
 }
 
 Lane BendForce::fill(const System& system, const State& state, ThreadPool& pool)
 {
-    fillBends(system, state, pool, m_turn, m_moment);
-    return {.load = m_moment.data(), .at = &system.of<BendLists>().at, .weight = m_weight.data()};
+    fillBends(system, state, pool, m_bends);
+    return {.load = m_bends.load.data(), .at = &system.of<BendLists>().at};
 }
 
 void BendForce::addStiffness(const System& system, std::span<double> stiffness,
@@ -194,35 +270,50 @@ void BendForce::addStiffness(const System& system, std::span<double> stiffness,
 
 } // namespace
 
-void fillBends(const System& system, const State& state, ThreadPool& pool,
-               std::span<PaddedVec3> turn, std::span<PaddedVec3> moment)
+void BendScratch::size(const BendLists& bends)
 {
-    const std::size_t count = turn.size();
-    pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
-        fillTurns(system, state, turn.data(), first, last);
+    const std::size_t panels = bends.panels.size();
+    normal.resize(panels);
+    doubleArea.resize(panels);
+    bending.resize(2 * panels);
+    load.resize(3 * (panels + bends.spars().size()));
+}
+
+void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends)
+{
+    const BendLists& lists = system.of<BendLists>();
+    const auto forEachPart = [&](auto fill) { pool.parallelFor(lists.panels.size(), fill); };
+    forEachPart([&](std::size_t first, std::size_t last) {
+        fillNormals(system, state, bends, first, last);
     });
-    pool.parallelFor(count, [&](std::size_t first, std::size_t last) {
-        fillMoments(system, state, turn.data(), moment.data(), first, last);
+    forEachPart(
+        [&](std::size_t first, std::size_t last) { fillBending(system, bends, first, last); });
+    forEachPart([&](std::size_t first, std::size_t last) {
+        fillLoads(system, state, bends, first, last);
+    });
+    pool.parallelFor(lists.spars().size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            fillLoads(system, state, bends, i);
     });
 }
 
 double bendingEnergy(const System& system, const State& state)
 {
-    const auto turnOf = [&](const Bend& bend) {
-        return isGone(system, state, bend) ? Vec3(Vec3::Zero()) : Vec3(sum(bend, state.position));
-    };
+    const BendLists& lists = system.of<BendLists>();
+    BendScratch bends;
+    bends.size(lists);
+    fillNormals(system, state, bends, 0, lists.panels.size());
+    fillBending(system, bends, 0, lists.panels.size());
     double energy = 0.0;
-    for (const Bend& bend : system.of<BendLists>().list) {
-        if (isGone(system, state, bend))
+    for (std::size_t i = 0; i < lists.panels.size(); ++i)
+        if (const double stiffness = lists.panels[i].stiffness; stiffness > 0.0)
+            energy += 0.5 / stiffness
+                      * (bends.bending[2 * i].squaredNorm() + bends.bending[2 * i + 1].squaredNorm());
+    for (const Bend& bend : std::span(lists.list).subspan(countOfFabric(lists.list))) {
+        if (isTorn(system, state, bend))
             continue;
-        const Vec3 turn = turnOf(bend);
-        const double own = turn.norm() - bend.restTurn;
-        energy += 0.5 * bend.stiffness * own * own;
-        for (std::size_t k = 0; k < 4; ++k)
-            if (bend.beside[k] >= 0)
-                energy +=
-                    0.5 * bend.coupling[k]
-                    * turn.dot(turnOf(system.of<BendLists>().list[std::size_t(bend.beside[k])]));
+        const double over = turnIn(bend, state.position).turn.norm() - bend.restTurn;
+        energy += 0.5 * bend.stiffness * over * over;
     }
     return energy;
 }

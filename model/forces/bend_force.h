@@ -1,20 +1,29 @@
-// Forces of bending (base/bend.h): a bend with the turn y = sum of w x has the moment
-// z = sum of C y over the bends of its panels, and each of its particles is pulled by -w z. As
-// C is symmetric and the weights sum to zero, the forces have neither a sum nor a torque.
+// Forces of bending (base/bend.h): the slope of its energy, to the bit of rounding. As that does not
+// change where all moves or turns together, the forces have neither a sum nor a torque.
 #pragma once
 
 #include "parallel/thread_pool.h"
 #include "system/system.h"
 
-#include <span>
+#include <vector>
 
 namespace ripstop {
 
-// Fills `turn`, m, and `moment`, N, for the bends that are forces; both are zero where a panel or
-// link of the bend is gone.
-//   turn, moment  [BendLists::forces()]
-void fillBends(const System& system, const State& state, ThreadPool& pool,
-               std::span<PaddedVec3> turn, std::span<PaddedVec3> moment);
+// What the bends that are forces are between; all of it is filled anew each time.
+struct BendScratch
+{
+    std::vector<PaddedVec3> normal;   // [BendLists::panels] 1
+    std::vector<double> doubleArea;   // [BendLists::panels] m^2; less than 0 where it counts as more
+                                      // than it is, 0 of panels that are gone
+    std::vector<PaddedVec3> bending;  // [BendLists::panels] N m^2, two each: B A G
+    std::vector<PaddedVec3> load;     // [BendLists::panels, then spars()] N, three each: of corners
+
+    void size(const BendLists& bends);
+};
+
+// Fills `bends`, sized for the system, for the positions of the state. Loads are zero where a panel,
+// or a link of the spar, is gone.
+void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends);
 
 double bendingEnergy(const System& system, const State& state); // J, of all bends
 

@@ -50,11 +50,16 @@ struct LineLists
 
 struct BendLists
 {
-    std::vector<Bend> list; // where what bends stiffly can bend
-    Rows at;                // [particles] those that are forces, or empty when there are none
+    std::vector<Bend> list;        // where what bends stiffly can bend
+    std::vector<BentPanel> panels; // that bend
+    Rows at;                       // [particles] corners of panels and then of spars(), by three
 
     std::size_t forces() const { return countOfForces(list); } // the first of the list
     std::span<const Bend> withRods() const { return std::span(list).subspan(forces()); }
+    std::span<const Bend> spars() const // that are forces
+    {
+        return std::span(list).first(forces()).subspan(countOfFabric(list));
+    }
 
     static std::unique_ptr<Force> makeForce();
 

@@ -276,19 +276,19 @@ double leftover(Leftover what)
     State state = system.start;
     for (PaddedVec3& x : state.position)
         x += dice.vector(0.01);
-    std::vector<PaddedVec3> turn(system.of<BendLists>().list.size());
-    std::vector<PaddedVec3> moment(system.of<BendLists>().list.size());
+    const BendLists& lists = system.of<BendLists>();
+    BendScratch bends;
+    bends.size(lists);
     ThreadPool alone(1);
-    fillBends(system, state, alone, turn, moment);
+    fillBends(system, state, alone, bends);
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
     double size = 0.0;
-    for (std::size_t b = 0; b < system.of<BendLists>().list.size(); ++b)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Vec3 one = -system.of<BendLists>().list[b].weight[k] * moment[b];
+    for (std::size_t p = 0; p < state.position.size(); ++p)
+        for (int k = lists.at.start[p]; k < lists.at.start[p + 1]; ++k) {
+            const Vec3 one = bends.load[std::size_t(lists.at.items[std::size_t(k)])];
             force += one;
-            torque += Vec3(state.position[std::size_t(system.of<BendLists>().list[b].corner[k])])
-                          .cross(one);
+            torque += Vec3(state.position[p]).cross(one);
             size += one.norm();
         }
     return (what == Leftover::Force ? force.norm() : torque.norm() / length) / size;
