@@ -105,7 +105,8 @@ public:
                 row[panel] = int(bent.size());
                 bent.push_back(alone(panel));
             }
-        for (BentPanel& one : bent)
+        for (BentPanel& one : bent) {
+            one.beside.fill(row[std::size_t(one.panel)]);
             for (std::size_t k = 0; k < 3; ++k)
                 if (const int bend = m_bendAt[std::size_t(one.panel)][k]; bend >= 0) {
                     const auto& of = m_bends[std::size_t(bend)].of;
@@ -113,6 +114,7 @@ public:
                     one.beside[k] = row[std::size_t(other)];
                     lookBeside(one, k, bent[std::size_t(one.beside[k])]);
                 }
+        }
         return bent;
     }
 
@@ -259,6 +261,7 @@ private:
             const Bend& bend = m_bends[std::size_t(m_bendAt[panel][k])];
             const double spread = share(panel, bend) / triangle.area; // 1/m^2
             bent.share[k] = {spread * x, spread * y};
+            bent.own = {bent.own[0] - spread * x, bent.own[1] - spread * y};
         }
         return bent;
     }

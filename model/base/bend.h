@@ -98,10 +98,11 @@ struct BentPanel
     using Plane = std::array<double, 2>; // along axes of the panel at rest
 
     std::array<int, 3> corner;                     // particle indices
-    std::array<int, 3> beside{-1, -1, -1};         // across from the corners: its row, or -1
+    std::array<int, 3> beside{};                   // rows across from the corners, or its own
     std::array<double, 3> sign{1.0, 1.0, 1.0};     // -1 where the panel beside is turned over
     std::array<Plane, 3> share{};                  // 1/m, |e| / (A + A_e) n_e
     std::array<Plane, 3> shareBeside{};            // 1/m, that of the panel beside, times the sign
+    Plane own{};                                   // 1/m, less the sum of its shares
     double stiffness = 0.0;                        // N m^3, B A, or 0 of a clamp
     std::array<double, 3> leastHeight{};           // m, of the corners
     int panel = 0;

@@ -20,125 +20,43 @@
 namespace ripstop {
 namespace {
 
+struct BendWork
+{
+    const BentPanel* panels;
+    const std::uint8_t* panelGone; // [panels of the system]
+    const PaddedVec3* position;    // [particles] m
+    PaddedVec3* normal;            // of a BendScratch, as all that follows
+    double* perArea;
+    PaddedVec3* bending;
+    PaddedVec3* load;
+    bool torn; // some panel is gone
+};
+
+BendWork workOf(const System& system, const State& state, BendScratch& bends)
+{
+    return {system.of<BendLists>().panels.data(),
+            state.panelGone.data(),
+            state.position.data(),
+            bends.normal.data(),
+            bends.perArea.data(),
+            bends.bending.data(),
+            bends.load.data(),
+            std::ranges::find(state.panelGone, 1) != state.panelGone.end()};
+}
+
+} // namespace
+} // namespace ripstop
+
+#define RIPSTOP_KERNEL "forces/bend_kernel.inl"
+#include "parallel/for_each_machine.inl"
+
+namespace ripstop {
+namespace {
+
 bool isTorn(const System& system, const State& state, const Bend& spar)
 {
     return isTorn(system.links[std::size_t(spar.of[0])], state)
            || isTorn(system.links[std::size_t(spar.of[1])], state);
-}
-
-RIPSTOP_INLINE double dot(const Pack& a, const Pack& b) // the fourth of either is zero
-{
-    const Pack c = a * b;
-    return c[0] + c[1] + c[2];
-}
-
-RIPSTOP_INLINE Pack cross(const Pack& a, const Pack& b)
-{
-    const Pack c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3)
-                   - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
-    return __builtin_shufflevector(c, c, 1, 2, 0, 3);
-}
-
-struct Sides // of a panel, across from its corners
-{
-    Pack side[3];
-
-    RIPSTOP_INLINE Sides(const BentPanel& panel, const PaddedVec3* x)
-        : side{pack(x[panel.corner[2]]) - pack(x[panel.corner[1]]),
-               pack(x[panel.corner[0]]) - pack(x[panel.corner[2]]),
-               pack(x[panel.corner[1]]) - pack(x[panel.corner[0]])}
-    {}
-};
-
-// m^4, twice the area, squared, that a panel has at least for the height over a side.
-RIPSTOP_INLINE double leastOf(const BentPanel& panel, const Sides& sides, std::size_t k)
-{
-    return panel.leastHeight[k] * panel.leastHeight[k] * dot(sides.side[k], sides.side[k]);
-}
-
-RIPSTOP_CLONES
-void fillNormals(const System& system, const State& state, BendScratch& bends, std::size_t first,
-                 std::size_t last)
-{
-    constexpr double point = 1e-200; // m^4, so that a panel without any side divides by something
-    const BentPanel* const panels = system.of<BendLists>().panels.data();
-    for (std::size_t i = first; i < last; ++i) {
-        const BentPanel& panel = panels[i];
-        const Sides sides(panel, state.position.data());
-        const Pack normal = cross(sides.side[0], sides.side[1]);
-        const double square = dot(normal, normal);
-        const double least =
-            std::max({leastOf(panel, sides, 0), leastOf(panel, sides, 1), leastOf(panel, sides, 2),
-                      point});
-        const double area = std::sqrt(std::max(square, least));
-        pack(bends.normal[i]) = normal / area;
-        bends.doubleArea[i] = state.panelGone[std::size_t(panel.panel)] ? 0.0
-                              : square < least                          ? -area
-                                                                        : area;
-    }
-}
-
-RIPSTOP_CLONES
-void fillBending(const System& system, BendScratch& bends, std::size_t first, std::size_t last)
-{
-    const BentPanel* const panels = system.of<BendLists>().panels.data();
-    for (std::size_t i = first; i < last; ++i) {
-        const BentPanel& panel = panels[i];
-        Pack along{}, across{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int beside = panel.beside[k];
-            if (beside < 0 || bends.doubleArea[i] * bends.doubleArea[beside] == 0.0)
-                continue;
-            const Pack jump = panel.sign[k] * pack(bends.normal[beside]) - pack(bends.normal[i]);
-            along += panel.share[k][0] * jump;
-            across += panel.share[k][1] * jump;
-        }
-        pack(bends.bending[2 * i]) = panel.stiffness * along;
-        pack(bends.bending[2 * i + 1]) = panel.stiffness * across;
-    }
-}
-
-RIPSTOP_CLONES
-void fillLoads(const System& system, const State& state, BendScratch& bends, std::size_t first,
-               std::size_t last)
-{
-    const PaddedVec3* const x = state.position.data();
-    const BentPanel* const panels = system.of<BendLists>().panels.data();
-    for (std::size_t i = first; i < last; ++i) {
-        const BentPanel& panel = panels[i];
-        Pack moment{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int beside = panel.beside[k];
-            if (beside < 0 || bends.doubleArea[i] * bends.doubleArea[beside] == 0.0)
-                continue;
-            moment += panel.shareBeside[k][0] * pack(bends.bending[2 * beside])
-                      + panel.shareBeside[k][1] * pack(bends.bending[2 * beside + 1])
-                      - panel.share[k][0] * pack(bends.bending[2 * i])
-                      - panel.share[k][1] * pack(bends.bending[2 * i + 1]);
-        }
-        const Sides sides(panel, x);
-        const double area = bends.doubleArea[i];
-        Pack along{}; // what changes the area that it counts as, N times m over m of a side
-        std::size_t over = 0;
-        const double left = dot(pack(bends.normal[i]), moment);
-        if (area > 0.0) {
-            moment = (moment - left * pack(bends.normal[i])) / area;
-        } else if (area < 0.0) {
-            for (std::size_t k = 1; k < 3; ++k)
-                if (leastOf(panel, sides, k) > leastOf(panel, sides, over))
-                    over = k;
-            const double height = panel.leastHeight[over];
-            along = left * height * height / (area * area) * sides.side[over];
-            moment /= -area;
-        }
-        const Pack a = cross(sides.side[0], moment);
-        const Pack b = cross(sides.side[1], moment);
-        pack(bends.load[3 * i]) = a;
-        pack(bends.load[3 * i + 1]) = b;
-        pack(bends.load[3 * i + 2]) = -(a + b);
-        pack(bends.load[3 * i + (over + 1) % 3]) -= along;
-        pack(bends.load[3 * i + (over + 2) % 3]) += along;
-    }
 }
 
 SparTurn turnIn(const Bend& bend, const std::vector<PaddedVec3>& x)
@@ -274,7 +192,7 @@ void BendScratch::size(const BendLists& bends)
 {
     const std::size_t panels = bends.panels.size();
     normal.resize(panels);
-    doubleArea.resize(panels);
+    perArea.resize(panels);
     bending.resize(2 * panels);
     load.resize(3 * (panels + bends.spars().size()));
 }
@@ -282,15 +200,13 @@ void BendScratch::size(const BendLists& bends)
 void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends)
 {
     const BendLists& lists = system.of<BendLists>();
-    const auto forEachPart = [&](auto fill) { pool.parallelFor(lists.panels.size(), fill); };
-    forEachPart([&](std::size_t first, std::size_t last) {
-        fillNormals(system, state, bends, first, last);
-    });
-    forEachPart(
-        [&](std::size_t first, std::size_t last) { fillBending(system, bends, first, last); });
-    forEachPart([&](std::size_t first, std::size_t last) {
-        fillLoads(system, state, bends, first, last);
-    });
+    const BendWork work = workOf(system, state, bends);
+    for (const auto fill : {wideMachine ? wide::fillNormals : anywhere::fillNormals,
+                            wideMachine ? wide::fillBending : anywhere::fillBending,
+                            wideMachine ? wide::fillLoads : anywhere::fillLoads})
+        pool.parallelFor(lists.panels.size(), [&](std::size_t first, std::size_t last) {
+            fill(work, first, last);
+        });
     pool.parallelFor(lists.spars().size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             fillLoads(system, state, bends, i);
@@ -302,8 +218,8 @@ double bendingEnergy(const System& system, const State& state)
     const BendLists& lists = system.of<BendLists>();
     BendScratch bends;
     bends.size(lists);
-    fillNormals(system, state, bends, 0, lists.panels.size());
-    fillBending(system, bends, 0, lists.panels.size());
+    ThreadPool alone(1);
+    fillBends(system, state, alone, bends);
     double energy = 0.0;
     for (std::size_t i = 0; i < lists.panels.size(); ++i)
         if (const double stiffness = lists.panels[i].stiffness; stiffness > 0.0)

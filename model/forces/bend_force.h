@@ -13,8 +13,8 @@ namespace ripstop {
 struct BendScratch
 {
     std::vector<PaddedVec3> normal;   // [BendLists::panels] 1
-    std::vector<double> doubleArea;   // [BendLists::panels] m^2; less than 0 where it counts as more
-                                      // than it is, 0 of panels that are gone
+    std::vector<double> perArea;      // [BendLists::panels] 1/m^2, of twice the area; less than 0
+                                      // where it counts as more than it is, 0 of what is gone
     std::vector<PaddedVec3> bending;  // [BendLists::panels] N m^2, two each: B A G
     std::vector<PaddedVec3> load;     // [BendLists::panels, then spars()] N, three each: of corners
 

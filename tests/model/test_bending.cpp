@@ -284,12 +284,14 @@ private slots:
         ThreadPool alone(1);
         fillBends(system, state, alone, bends);
         const auto isGone = [&](int row) {
-            return row < 0
-                   || state.panelGone[std::size_t(lists.panels[std::size_t(row)].panel)] != 0;
+            return state.panelGone[std::size_t(lists.panels[std::size_t(row)].panel)] != 0;
         };
         int dropped = 0;
         for (std::size_t i = 0; i < lists.panels.size(); ++i) {
-            const bool isAlone = isGone(int(i)) || std::ranges::all_of(lists.panels[i].beside, isGone);
+            const bool isAlone =
+                isGone(int(i)) || std::ranges::all_of(lists.panels[i].beside, [&](int beside) {
+                    return beside == int(i) || isGone(beside);
+                });
             for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
                 QCOMPARE(bends.load[k].norm() == 0.0, isAlone);
             dropped += isAlone;
