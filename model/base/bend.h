@@ -32,11 +32,13 @@
 // at its edge.
 //
 // What is short pulls hard for a turn. No step could bear what has no length: where the height of a
-// panel over a side is less than `leastShare` of that at rest, or the length of a link, it counts
-// as if it had that much. N and u are shorter than 1 there, and the push along them is back. So no
-// slope of a turn is more than 1 / leastShare of what it is at rest. With 3/4 the limit of the step,
-// which is made for what is flat at rest, also holds for cloth pushed together one way to nothing
-// (tests/model/test_bent_cloth.cpp).
+// panel over a side, to the length of the side, is less than `leastShare` of that at rest, or a link
+// less of its length, it counts as if it had that much. N and u are shorter than 1 there, and the
+// push along them is back. So a corner never turns what it bends by more than 1 / leastShare of
+// what it does at rest. With 9/10 the limit of the step, which is made for what is flat at rest,
+// holds for cloth that is crumpled or squeezed one way, however far
+// (tests/model/test_bent_cloth.cpp); for cloth squeezed both ways, with edges as heavy as the rest,
+// it can be a twentieth too long, and for spars squeezed along them as forces a tenth.
 //
 // Spars of rods that are solved together bend together with them (constraints/spar_bends.h). As a
 // force beside such rods a spar that is bent far would not come to rest: rods that push take
@@ -63,7 +65,7 @@ struct Bending // of a material
     friend bool operator==(const Bending&, const Bending&) = default;
 };
 
-inline constexpr double leastShare = 5.0 / 6.0; // 1, see above
+inline constexpr double leastShare = 0.9; // 1, see above
 
 struct Bend
 {
@@ -104,7 +106,7 @@ struct BentPanel
     std::array<Plane, 3> shareBeside{};            // 1/m, that of the panel beside, times the sign
     Plane own{};                                   // 1/m, less the sum of its shares
     double stiffness = 0.0;                        // N m^3, B A, or 0 of a clamp
-    std::array<double, 3> leastHeight{};           // m, of the corners
+    std::array<double, 3> leastHeight{};           // m, of the corners, over sides as at rest
     int panel = 0;
 
     friend bool operator==(const BentPanel&, const BentPanel&) = default;

@@ -247,7 +247,11 @@ private slots:
             system.timeStep = factor * limit;
             State state = system.start;
             crumple(state, 1e-5, 0.0);
-            QCOMPARE(isFinite(run(system, state, 4000)), stays);
+            // bending never pulls harder than some moment: what is not stable crumples
+            state = run(system, state, 4000);
+            const bool isCrumpled = std::ranges::any_of(
+                state.position, [](const PaddedVec3& x) { return !(std::abs(x.y()) < 1e-3); });
+            QCOMPARE(isCrumpled, !stays);
         }
     }
 
