@@ -2,11 +2,11 @@
 //
 // Fabric cuts the panels that bend into triangles by their rest lengths, sorts the sides so that
 // the two panels of a side come together, makes a bend of each such pair, and couples the bends of
-// each panel; bentPanels() says the same from the side of the panels. Spars sorts the ends of links by particle and material and joins those that go on
-// into each other, the straightest pair first. The sorting makes the order of the bends depend on
-// the network alone. bendSums() goes over the stiffness matrix of all bends one row at a time,
-// since bends that overlap share entries, whose sum may be smaller than the sum of their
-// magnitudes.
+// each panel; bentPanels() says the same from the side of the panels. Spars sorts the ends of links
+// by particle and material and joins those that go on into each other, the straightest pair first.
+// The sorting makes the order of the bends depend on the network alone. bendSums() goes over the
+// stiffness matrix of all bends one row at a time, since bends that overlap share entries, whose
+// sum may be smaller than the sum of their magnitudes.
 #include "base/bend.h"
 
 #include <algorithm>
@@ -249,7 +249,7 @@ private:
             bent.stiffness = m_net.panels[panel].bending.fabric * triangle.area;
         const auto [a, b, c] = triangle.cotangent;
         const double height = std::sqrt(2.0 * triangle.area / (a + b)); // m, of the third corner
-        const std::array<BentPanel::Plane, 3> outwards{{// |e| n_e
+        const std::array<BentPanel::Plane, 3> outwards{{                // |e| n_e
                                                         {height, b * height},
                                                         {-height, a * height},
                                                         {0.0, -(a + b) * height}}};

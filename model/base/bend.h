@@ -10,17 +10,17 @@
 // panels A and A_e beside a side by area, and makes one gradient of the normal, as in the triangle
 // of Onate and Zarate 2000 (Rotation-free triangular plate and shell elements):
 //
-//     G = sum over e of |e| / (A + A_e) (N_e - N) (x) n_e,  n_e across the side, in the plane at rest
-//     energy = B A |G|^2 / 2
+//     G = sum over e of |e| / (A + A_e) (N_e - N) (x) n_e,  n_e across the side, in the plane at
+//     rest energy = B A |G|^2 / 2
 //
 // It does not change while a panel moves or deforms in its plane, and it pulls corners along N.
 //
-// For small turns this is the curvature k = sum of y_e / (A + A_e) n_e (x) n_e, with the jump of the
-// slope y_e = sum of w x, a bend of its four corners. The weights are the cotangents of isometric
-// bending (there, section 3): w_a = cot b + cot b', w_b = cot a + cot a', w_c = -(cot a + cot b) for
-// the side ab and the corners c and c' across. They follow from rest lengths alone. The moment of a
-// bend is z_e = sum of C_ef y_f, C_ef = B A cos^2(angle of e and f) / ((A + A_e) (A + A_f)), of which
-// the limit of the step is made.
+// For small turns this is the curvature k = sum of y_e / (A + A_e) n_e (x) n_e, with the jump of
+// the slope y_e = sum of w x, a bend of its four corners. The weights are the cotangents of
+// isometric bending (there, section 3): w_a = cot b + cot b', w_b = cot a + cot a', w_c = -(cot a +
+// cot b) for the side ab and the corners c and c' across. They follow from rest lengths alone. The
+// moment of a bend is z_e = sum of C_ef y_f, C_ef = B A cos^2(angle of e and f) / ((A + A_e) (A +
+// A_f)), of which the limit of the step is made.
 //
 // The weight 3 B / (A + A') for each bend alone, of Bergou and of Grinspun 2003, makes a strip of
 // square or of equilateral cells two and a half times too stiff.
@@ -32,9 +32,9 @@
 // at its edge.
 //
 // What is short pulls hard for a turn. No step could bear what has no length: where the height of a
-// panel over a side, to the length of the side, is less than `leastShare` of that at rest, or a link
-// less of its length, it counts as if it had that much. N and u are shorter than 1 there, and the
-// push along them is back. So a corner never turns what it bends by more than 1 / leastShare of
+// panel over a side, to the length of the side, is less than `leastShare` of that at rest, or a
+// link less of its length, it counts as if it had that much. N and u are shorter than 1 there, and
+// the push along them is back. So a corner never turns what it bends by more than 1 / leastShare of
 // what it does at rest. With 9/10 the limit of the step, which is made for what is flat at rest,
 // holds for cloth that is crumpled or squeezed one way, however far
 // (tests/model/test_bent_cloth.cpp); for cloth squeezed both ways, with edges as heavy as the rest,
@@ -99,14 +99,14 @@ struct BentPanel
 {
     using Plane = std::array<double, 2>; // along axes of the panel at rest
 
-    std::array<int, 3> corner;                     // particle indices
-    std::array<int, 3> beside{};                   // rows across from the corners, or its own
-    std::array<double, 3> sign{1.0, 1.0, 1.0};     // -1 where the panel beside is turned over
-    std::array<Plane, 3> share{};                  // 1/m, |e| / (A + A_e) n_e
-    std::array<Plane, 3> shareBeside{};            // 1/m, that of the panel beside, times the sign
-    Plane own{};                                   // 1/m, less the sum of its shares
-    double stiffness = 0.0;                        // N m^3, B A, or 0 of a clamp
-    std::array<double, 3> leastHeight{};           // m, of the corners, over sides as at rest
+    std::array<int, 3> corner;                 // particle indices
+    std::array<int, 3> beside{};               // rows across from the corners, or its own
+    std::array<double, 3> sign{1.0, 1.0, 1.0}; // -1 where the panel beside is turned over
+    std::array<Plane, 3> share{};              // 1/m, |e| / (A + A_e) n_e
+    std::array<Plane, 3> shareBeside{};        // 1/m, that of the panel beside, times the sign
+    Plane own{};                               // 1/m, less the sum of its shares
+    double stiffness = 0.0;                    // N m^3, B A, or 0 of a clamp
+    std::array<double, 3> leastHeight{};       // m, of the corners, over sides as at rest
     int panel = 0;
 
     friend bool operator==(const BentPanel&, const BentPanel&) = default;

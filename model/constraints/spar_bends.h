@@ -29,13 +29,13 @@ struct SparBend : Triple
 {
     std::size_t bend = 0; // in BendLists::withRods()
     std::array<int, 2> rod{};
-    double stiffness = 0.0;         // kg, h^2 k
-    double rest = 0.0;              // m, y_0
-    Vec3 turn = Vec3::Zero();       // m
-    std::array<Mat3, 3> slope{};    // 1, J, symmetric, by corner
-    Vec3 moment = Vec3::Zero();     // kg m, of the law where the particles are now
-    Vec3 foreseen = Vec3::Zero();   // kg m, that the linear system gave
-    Vec3 before = Vec3::Zero();     // kg m, of the law where the move began
+    double stiffness = 0.0;       // kg, h^2 k
+    double rest = 0.0;            // m, y_0
+    Vec3 turn = Vec3::Zero();     // m
+    std::array<Mat3, 3> slope{};  // 1, J, symmetric, by corner
+    Vec3 moment = Vec3::Zero();   // kg m, of the law where the particles are now
+    Vec3 foreseen = Vec3::Zero(); // kg m, that the linear system gave
+    Vec3 before = Vec3::Zero();   // kg m, of the law where the move began
 };
 
 class SparBends

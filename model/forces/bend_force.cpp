@@ -204,9 +204,8 @@ void fillBends(const System& system, const State& state, ThreadPool& pool, BendS
     for (const auto fill : {wideMachine ? wide::fillNormals : anywhere::fillNormals,
                             wideMachine ? wide::fillBending : anywhere::fillBending,
                             wideMachine ? wide::fillLoads : anywhere::fillLoads})
-        pool.parallelFor(lists.panels.size(), [&](std::size_t first, std::size_t last) {
-            fill(work, first, last);
-        });
+        pool.parallelFor(lists.panels.size(),
+                         [&](std::size_t first, std::size_t last) { fill(work, first, last); });
     pool.parallelFor(lists.spars().size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             fillLoads(system, state, bends, i);
@@ -223,8 +222,9 @@ double bendingEnergy(const System& system, const State& state)
     double energy = 0.0;
     for (std::size_t i = 0; i < lists.panels.size(); ++i)
         if (const double stiffness = lists.panels[i].stiffness; stiffness > 0.0)
-            energy += 0.5 / stiffness
-                      * (bends.bending[2 * i].squaredNorm() + bends.bending[2 * i + 1].squaredNorm());
+            energy +=
+                0.5 / stiffness
+                * (bends.bending[2 * i].squaredNorm() + bends.bending[2 * i + 1].squaredNorm());
     for (const Bend& bend : std::span(lists.list).subspan(countOfFabric(lists.list))) {
         if (isTorn(system, state, bend))
             continue;

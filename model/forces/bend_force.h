@@ -1,5 +1,5 @@
-// Forces of bending (base/bend.h): the slope of its energy, to the bit of rounding. As that does not
-// change where all moves or turns together, the forces have neither a sum nor a torque.
+// Forces of bending (base/bend.h): the slope of its energy, to the bit of rounding. As that does
+// not change where all moves or turns together, the forces have neither a sum nor a torque.
 #pragma once
 
 #include "parallel/thread_pool.h"
@@ -12,17 +12,17 @@ namespace ripstop {
 // What the bends that are forces are between; all of it is filled anew each time.
 struct BendScratch
 {
-    std::vector<PaddedVec3> normal;   // [BendLists::panels] 1
-    std::vector<double> perArea;      // [BendLists::panels] 1/m^2, of twice the area; less than 0
-                                      // where it counts as more than it is, 0 of what is gone
-    std::vector<PaddedVec3> bending;  // [BendLists::panels] N m^2, two each: B A G
-    std::vector<PaddedVec3> load;     // [BendLists::panels, then spars()] N, three each: of corners
+    std::vector<PaddedVec3> normal;  // [BendLists::panels] 1
+    std::vector<double> perArea;     // [BendLists::panels] 1/m^2, of twice the area; less than 0
+                                     // where it counts as more than it is, 0 of what is gone
+    std::vector<PaddedVec3> bending; // [BendLists::panels] N m^2, two each: B A G
+    std::vector<PaddedVec3> load;    // [BendLists::panels, then spars()] N, three each: of corners
 
     void size(const BendLists& bends);
 };
 
-// Fills `bends`, sized for the system, for the positions of the state. Loads are zero where a panel,
-// or a link of the spar, is gone.
+// Fills `bends`, sized for the system, for the positions of the state. Loads are zero where a
+// panel, or a link of the spar, is gone.
 void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends);
 
 double bendingEnergy(const System& system, const State& state); // J, of all bends

@@ -83,10 +83,10 @@ void addOverhangs(std::vector<Case>& cases)
 
 // --- a strip between clamps that are turned -----------------------------------------------------
 
-// A strip of 0.2 m without weight, held by a column of cells at either end. The clamps are turned so
-// that it is an arc of a circle, the shape without a force along it, as long as it was at rest. What
-// it is long then, over that. Only the law of bending could shorten it: where cloth wrinkles nothing
-// resists.
+// A strip of 0.2 m without weight, held by a column of cells at either end. The clamps are turned
+// so that it is an arc of a circle, the shape without a force along it, as long as it was at rest.
+// What it is long then, over that. Only the law of bending could shorten it: where cloth wrinkles
+// nothing resists.
 double lengthOfArc(double degrees, int cells)
 {
     constexpr double length = 0.2, density = 0.2; // m, kg/m^2
@@ -94,15 +94,15 @@ double lengthOfArc(double degrees, int cells)
     const double cell = length / cells;
     Material cloth = isotropic(1e4, 0.0);
     cloth.bendingStiffness = 1e-3;
-    Scene scene =
-        sceneOf(rectangle(length + 2.0 * cell, across * cell, cells + 2, across), cloth, 0.0, density);
+    Scene scene = sceneOf(rectangle(length + 2.0 * cell, across * cell, cells + 2, across), cloth,
+                          0.0, density);
     const double slowest =
         std::sqrt(cloth.bendingStiffness / density) * std::pow(std::numbers::pi / length, 2); // 1/s
     scene.settings.viscosity = 2.0 * slowest;
     std::vector<Particle>& particles = particlesOf(scene);
     for (Particle& particle : particles)
-        particle.pinned = particle.position.x() < 1.5 * cell
-                          || particle.position.x() > length + 0.5 * cell;
+        particle.pinned =
+            particle.position.x() < 1.5 * cell || particle.position.x() > length + 0.5 * cell;
     const std::shared_ptr<const System> system = *compile(scene);
     // each cell is a chord, and turns by as much as it does at the clamps' own
     const double turn = degrees * std::numbers::pi / 180.0 / cells;

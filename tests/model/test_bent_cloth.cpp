@@ -42,8 +42,8 @@ System sheet(Mesh mesh, int columns, int rows, bool mixed = false)
         }
     int count = 0;
     const auto add = [&](int a, int b, int c) {
-        mixed && count++ % 3 == 0 ? addPanel(system, b, a, c, AirLaw::None, 0.0)
-                                  : addPanel(system, a, b, c, AirLaw::None, 0.0);
+        mixed&& count++ % 3 == 0 ? addPanel(system, b, a, c, AirLaw::None, 0.0)
+                                 : addPanel(system, a, b, c, AirLaw::None, 0.0);
     };
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
@@ -213,7 +213,8 @@ private slots:
         QFETCH(double, size);
         const System system = systemOf(what);
         const State loose = crumpled(system, size * cell);
-        for (const Vec3& kept : {Vec3(1, 1, 1), Vec3(1, 1e-9, 1e-9), Vec3(0, 1, 0), Vec3(0, 0, 0)}) {
+        for (const Vec3& kept :
+             {Vec3(1, 1, 1), Vec3(1, 1e-9, 1e-9), Vec3(0, 1, 0), Vec3(0, 0, 0)}) {
             State state = loose;
             for (PaddedVec3& x : state.position)
                 x = Vec3(kept.cwiseProduct(Vec3(x)));
@@ -267,8 +268,8 @@ private slots:
         }
     }
 
-    // The slope of a hill of 0.001: (N_e - N) |e| = y n_e with the weights of isometric bending, but
-    // for its square.
+    // The slope of a hill of 0.001: (N_e - N) |e| = y n_e with the weights of isometric bending,
+    // but for its square.
     void smallTurnsAreIsometric()
     {
         for (const Mesh mesh : {Mesh::Alternating, Mesh::OneWay, Mesh::Equilateral}) {
@@ -299,15 +300,16 @@ private slots:
 
     void sidesOfPanelsDoNotMatter()
     {
-        const System one = sheet(Mesh::Alternating, 5, 4), mixed = sheet(Mesh::Alternating, 5, 4, true);
+        const System one = sheet(Mesh::Alternating, 5, 4),
+                     mixed = sheet(Mesh::Alternating, 5, 4, true);
         const State state = crumpled(one, 0.3 * cell);
         const std::vector<Vec3> expected = forcesOf(one, state), got = forcesOf(mixed, state);
         for (std::size_t p = 0; p < got.size(); ++p)
             QVERIFY(isNear(got[p], expected[p], 1e-12 * largestOf(expected)));
     }
 
-    // 1 or more would not be stable at the limit. Where edges are as heavy as the rest nothing is to
-    // spare for what is squeezed both ways (base/bend.h).
+    // 1 or more would not be stable at the limit. Where edges are as heavy as the rest nothing is
+    // to spare for what is squeezed both ways (base/bend.h).
     void stepLimitHoldsAtAnyShape()
     {
         for (const Mesh mesh : {Mesh::Alternating, Mesh::OneWay, Mesh::Equilateral})
