@@ -142,6 +142,13 @@ struct Material
     double porosity = 0.0;                      // 1
     double diameter = 0.0;                      // m, of links as lines in the wind
     double dragCoefficient = 1.1;               // 1, of lines across the wind
+    // At what load it breaks: noted, for margins. What tears in a run is the tear rule's business.
+    std::optional<double> warpStrength;    // N/m, of fabric pulled along its warp
+    std::optional<double> weftStrength;    // N/m, of fabric pulled across it
+    std::optional<double> tearStrength;    // N, that a tear in the fabric needs to go on
+    std::optional<double> lineStrength;    // N, of a line without knots
+    std::optional<double> breakingMoment;  // N m, of a spar
+    std::optional<double> jointEfficiency; // 1, of it that its seams or knots keep
 
     friend bool operator==(const Material&, const Material&) = default;
 };

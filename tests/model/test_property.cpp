@@ -71,7 +71,10 @@ std::vector<Value> otherValues(const Property& property)
     {
         const Property& property;
 
-        std::vector<Value> operator()(std::monostate) const { return {0.5, 2.0}; }
+        std::vector<Value> operator()(std::monostate) const
+        {
+            return {0.5, std::min(2.0, property.range.high)};
+        }
         std::vector<Value> operator()(bool value) const { return {!value}; }
         std::vector<Value> operator()(int value) const { return {value + 1}; }
         std::vector<Value> operator()(double value) const
