@@ -23,6 +23,15 @@ bool hasCanopies(const Scene& scene)
     return some;
 }
 
+// Whether panels carry the pull of some fabric. That they can hangs on several things at once:
+// where particles start, rest lengths, and the numbers of materials.
+bool hasElasticPanels(const Scene& scene)
+{
+    bool some = false;
+    forEachPart(scene, [&](Id, const Part& part) { some |= part.carrier == FabricKind::Panels; });
+    return some;
+}
+
 // A plot comes or goes, which no system knows of.
 bool isPlot(const Scene& scene, const Change& change)
 {
@@ -229,6 +238,10 @@ bool LiveSystem::Private::isSound() const
 {
     const auto sound = [&](Id id) { return ripstop::isSound(*find(m_scene, id), m_index); };
     const bool items = m_noted.obstacles || m_noted.wind || m_noted.inputs || m_noted.probes;
+    const bool fabric =
+        !m_noted.particles.empty() || !m_noted.panels.empty() || !m_noted.materials.empty();
+    if (fabric && hasElasticPanels(m_scene) && firstError(m_scene, m_index))
+        return false;
     return std::all_of(m_noted.particles.begin(), m_noted.particles.end(), sound)
            && std::all_of(m_noted.links.begin(), m_noted.links.end(), sound)
            && std::all_of(m_noted.panels.begin(), m_noted.panels.end(), sound)
