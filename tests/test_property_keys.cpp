@@ -36,6 +36,7 @@ constexpr Other others[]{
     {"model/author/draw_operations.cpp", "kind mass material side", "parameters of operations"},
     {"model/author/stability.cpp",      "step substeps",      "sorts of findings, and a word of a sentence"},
     {"model/author/condition.cpp",      "name",               "what stands for a name in an example"},
+    {"model/materials/material_file.cpp", "kind name",       "fields of files of materials"},
     {"views/document/autosave.cpp",     "file title",         "the note beside unsaved work"},
     {"views/document/rescue.cpp",       "file title",         "the note beside unsaved work"},
     {"views/import/import_form.cpp",    "material name size", "names of widgets"},

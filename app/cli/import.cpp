@@ -92,7 +92,7 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
         const Result<const Preset*> preset = findPreset(options.preset);
         if (!preset)
             return preset.failure();
-        if ((*preset)->kind != PresetKind::Fabric)
+        if (!isSheet((*preset)->kind))
             return Failure("The preset %1 is not a fabric; ripstop-cli presets lists those.",
                            options.preset);
         Material& material = fabric.material = materialFrom(**preset);

@@ -1,10 +1,11 @@
 // ripstop-cli presets: materials that one can buy, and what they make of a scene's.
 //
-// In order: the list of presets as JSON or as a text; the notes on what a preset leaves for the
-// user to look at; and applyPreset(), which changes the materials of a scene.
-#include "scene/presets.h"
+// In order: the notes on what a preset leaves for the user to look at; applyPreset(), which changes
+// the materials of a scene; and what is printed of the presets themselves (preset_list.h).
+#include "materials/presets.h"
 
 #include "cli/commands.h"
+#include "cli/preset_list.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
 #include "scene/check.h"
@@ -25,48 +26,10 @@ struct PresetOptions
     std::vector<std::string> materials;
     SceneInput scene;
     std::string output;
+    std::string shown; // the preset of which all is told
     bool json = false;
+    bool manual = false;
 };
-
-Json jsonOf(const Preset& preset)
-{
-    Json values = Json::object();
-    for (const auto& [key, value] : preset.values) {
-        const double* number = std::get_if<double>(&value);
-        values[std::string(key)] = number ? Json(*number) : Json(textFromValue(value));
-    }
-    return {{"name", preset.name},
-            {"label", preset.label},
-            {"kind", presetKindName(preset.kind)},
-            {"values", std::move(values)},
-            {"source", preset.source}};
-}
-
-int printJson()
-{
-    Json list = Json::array();
-    for (const Preset& preset : allPresets())
-        list.push_back(jsonOf(preset));
-    print({{"presets", std::move(list)}});
-    return Done;
-}
-
-int printList()
-{
-    for (const Preset& preset : allPresets()) {
-        std::cout << preset.name << " (" << presetKindName(preset.kind) << "): " << preset.label
-                  << "\n   ";
-        for (const auto& [key, value] : preset.values) {
-            const double* number = std::get_if<double>(&value);
-            const Property& property = *findProperty(Kind::Material, key);
-            std::cout << ' ' << key << ' ' << (number ? shortNumber(*number) : textFromValue(value))
-                      << (property.unit.empty() ? "" : " ") << property.unit
-                      << (key == preset.values.back().first ? "\n" : ",");
-        }
-        std::cout << "    " << preset.source << '\n';
-    }
-    return Done;
-}
 
 // What the user should know about the changed scene.
 void printNotes(const Scene& scene, const PresetEdit& made)
@@ -117,6 +80,26 @@ int applyPreset(const PresetOptions& options)
     return Done;
 }
 
+int printList(const PresetOptions& options)
+{
+    std::span<const Preset> presets = allPresets();
+    if (!options.shown.empty()) {
+        const Result<const Preset*> preset = findPreset(options.shown);
+        if (!preset)
+            return fail(WrongUsage, preset.message());
+        presets = std::span(*preset, 1);
+    }
+    if (options.json)
+        printPresetsJson(presets);
+    else if (options.manual)
+        printPresetManual(presets);
+    else if (options.shown.empty())
+        printPresets(presets);
+    else
+        printPreset(presets.front());
+    return Done;
+}
+
 } // namespace
 
 void addPresets(CLI::App& app, Command& chosen)
@@ -132,10 +115,14 @@ void addPresets(CLI::App& app, Command& chosen)
         ->allow_extra_args(false);
     command->add_option("-o,--output", options->output, "Scene file to write")->type_name("SCENE");
     addSetOption(*command, options->scene.assignments);
+    command->add_option("--show", options->shown, "Say where each number of this preset is from")
+        ->type_name("PRESET");
     command->add_flag("--json", options->json, "Print the list as one JSON object");
+    command->add_flag("--manual", options->manual, "Print the list as a page of the manual");
     command->footer(
         "Examples:\n"
         "  ripstop-cli presets\n"
+        "  ripstop-cli presets --show skytex_27\n"
         "  ripstop-cli presets rope.ripstop.json --apply liros_ltc80 --material cord \\\n"
         "      -o lines.ripstop.json\n"
         "  ripstop-cli presets cloth.ripstop.json --apply skytex_38 --material cloth \\\n"
@@ -147,7 +134,7 @@ void addPresets(CLI::App& app, Command& chosen)
                                && options->output.empty();
             if (!lists)
                 return applyPreset(*options);
-            return options->json ? printJson() : printList();
+            return printList(*options);
         };
     });
 }

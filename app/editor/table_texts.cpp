@@ -12,7 +12,7 @@
 #include "document/measurement.h"
 #include "document/words.h"
 #include "export/format.h"
-#include "scene/presets.h"
+#include "materials/presets.h"
 #include "start/samples.h"
 #include "verify/case.h"
 #include "verify/reference.h"

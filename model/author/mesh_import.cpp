@@ -232,8 +232,8 @@ Material materialFrom(const Preset& preset)
 {
     Material material;
     material.name = "fabric";
-    for (const auto& [key, value] : preset.values)
-        findProperty(Kind::Material, key)->set(&material, value);
+    for (const PresetNumber& number : preset.values)
+        findProperty(Kind::Material, number.key)->set(&material, number.value);
     return material;
 }
 

@@ -8,8 +8,8 @@
 
 #include "author/mesh_network.h"
 #include "author/mesh_repair.h"
+#include "materials/presets.h"
 #include "scene/edit.h"
-#include "scene/presets.h"
 
 #include <optional>
 
@@ -54,9 +54,9 @@ Result<PreparedMesh> prepared(const PolygonMesh& mesh, const MeshShape& shape,
 // A material of the scene, or a new one.
 struct MeshFabric
 {
-    Id existing{};                       // noId for the new one
-    Material material;                   // as it is in the scene, or is to be
-    std::optional<double> density;       // kg/m^2, where the material does not say
+    Id existing{};                 // noId for the new one
+    Material material;             // as it is in the scene, or is to be
+    std::optional<double> density; // kg/m^2, where the material does not say
     FabricKind carrier = FabricKind::Threads;
     bool isPerFileMaterial = false;      // one new material for each of the file, with its name and
                                          // colour and the numbers of `material`
@@ -71,8 +71,8 @@ Material materialFrom(const Preset& preset);
 
 // Rods along edges, which no stiffness makes unstable, and shear links where there are quads:
 // triangles resist shear as they are. Without a shear stiffness these are springs, so that they
-// give. No bend links: a material has a bending stiffness for that. No links at all where panels carry
-// the pull.
+// give. No bend links: a material has a bending stiffness for that. No links at all where panels
+// carry the pull.
 Weave defaultWeave(const PreparedMesh& mesh, const Material& material);
 Weave weaveOf(const PreparedMesh& mesh, const MeshFabric& fabric); // what is chosen, and the rest
 

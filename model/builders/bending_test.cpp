@@ -7,8 +7,8 @@
 #include "builders/designs.h"
 #include "builders/network.h"
 #include "builders/statics.h"
+#include "materials/presets.h"
 #include "scene/check.h"
-#include "scene/presets.h"
 #include "scene/weigh.h"
 
 #include <algorithm>
@@ -35,10 +35,8 @@ constexpr const char* colors[]{"#8d99a6", "#34507a", "#b0413e"};
 
 double numberOf(const Preset& preset, const Property& property)
 {
-    for (const auto& [key, value] : preset.values)
-        if (key == property.key)
-            return std::get<double>(value);
-    return 0.0;
+    const PresetNumber* number = findNumber(preset, property);
+    return number ? std::get<double>(number->value) : 0.0;
 }
 
 // The fabric's weight and bending; threads do not stretch, and shear little.

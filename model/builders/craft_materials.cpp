@@ -2,7 +2,7 @@
 // function that gives their materials the numbers and takes the rods away that they replace.
 #include "builders/craft_materials.h"
 
-#include "scene/presets.h"
+#include "materials/presets.h"
 
 #include <algorithm>
 

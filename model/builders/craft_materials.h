@@ -1,4 +1,5 @@
-// What a craft is made of: cloth, spars and lines by name, out of the library (scene/presets.h).
+// What a craft is made of: cloth, spars and lines by name, out of the library
+// (materials/presets.h).
 //
 // A builder lays its craft as the papers have it, of rods that never stretch, with masses from its
 // own parameters; that is what the choice "ideal" leaves. With a cloth that one can buy, panels

@@ -1,38 +1,38 @@
-// Materials that one can buy, with where their numbers come from.
+// The materials that the program knows, and how one of them is given to a material of a scene.
 //
-// A preset sets the physical numbers of a material and leaves its name, colour, air law and damping
-// alone; what another preset would have set and this one does not know gets its default. Where the
-// material says what density its particles were given, they are weighed anew.
+// A preset sets the physical numbers of a material (isPhysical()) and leaves its name, colour and
+// air law alone; what it does not know gets its default. Where the material says what density its
+// particles were given, they are weighed anew.
 #pragma once
 
 #include "base/result.h"
+#include "materials/preset.h"
 #include "scene/edit.h"
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
 namespace ripstop {
 
-enum class PresetKind { Fabric, Line, Spar };
-std::string_view presetKindName(PresetKind kind); // "fabric", "line", "spar"
-
-struct Preset
-{
-    PresetKind kind;
-    std::string name;   // "skytex_27", what the command line takes
-    std::string label;  // on screen
-    std::string source; // who says so, and what of it is derived or assumed
-    // Keys of material properties and their values, SI.
-    std::vector<std::pair<std::string_view, Value>> values;
-};
-
+// The library that the program carries in itself: resources/materials.json.
 std::span<const Preset> allPresets();
-Result<const Preset*> findPreset(std::string_view name); // the message names the nearest
+std::string_view presetFileText(); // that file
 
-// The preset that has given a material all its numbers, or null.
-const Preset* presetOf(const Material& material);
+// The preset of this name, of the library or of `own`. The message names the nearest.
+Result<const Preset*> findPreset(std::string_view name, std::span<const Preset> own = {});
+
+// The preset that has given a material all its numbers, or null. It is one of `own` where both
+// have.
+const Preset* presetOf(const Material& material, std::span<const Preset> own = {});
+
+// What a scene's material has of physical numbers, as a preset of its own. `source` is said of each
+// of them, unless it is as `like` has it, which then says where it is from.
+Preset presetFrom(const Material& material, PresetKind kind, std::string name, std::string source,
+                  const Preset* like = nullptr);
+
+// What a material with these numbers most likely is.
+PresetKind likelyKind(const Material& material);
 
 // Gives a material that is being made all numbers of the preset, densities included.
 void give(Material& material, const Preset& preset);

@@ -41,6 +41,6 @@ struct HungSheet
     double share(int k) const { return (k == 0 || k == cells ? 0.5 : 1.0) / cells; }
 };
 
-inline constexpr double clothDamping = 473.0 / 614600.0; // s, of scene/presets.cpp
+inline constexpr double clothDamping = 473.0 / 614600.0; // s, of resources/materials.json
 
 } // namespace ripstop

@@ -7,7 +7,7 @@
 #include "model/sample_scenes.h"
 #include "scene/check.h"
 #include "scene/cloth_area.h"
-#include "scene/presets.h"
+#include "materials/presets.h"
 
 #include <QtTest>
 
@@ -36,9 +36,9 @@ Parameters real(double segments = 14)
 
 double number(const char* preset, std::string_view key)
 {
-    for (const auto& [name, value] : (*findPreset(preset))->values)
-        if (name == key)
-            return std::get<double>(value);
+    for (const PresetNumber& number : (*findPreset(preset))->values)
+        if (number.key == key)
+            return std::get<double>(number.value);
     qFatal("%s has no %s", preset, std::string(key).c_str());
 }
 

@@ -8,11 +8,11 @@
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "io/scene_file.h"
+#include "materials/presets.h"
 #include "measure/diagnostics.h"
 #include "run/simulation.h"
 #include "scene/link_stiffness.h"
 #include "scene/path.h"
-#include "scene/presets.h"
 #include "scene/weigh.h"
 
 #include <QFile>

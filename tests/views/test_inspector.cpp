@@ -11,9 +11,9 @@
 #include "inspector/inspector.h"
 #include "inspector/preset_chooser.h"
 #include "inspector/scrub_label.h"
+#include "materials/presets.h"
 #include "scene/edit.h"
 #include "scene/path.h"
-#include "scene/presets.h"
 #include "small_scenes.h"
 
 #include <QCheckBox>

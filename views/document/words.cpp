@@ -5,7 +5,7 @@
 #include "document/words.h"
 
 #include "document/census.h"
-#include "scene/presets.h"
+#include "materials/presets.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -217,12 +217,12 @@ void ImportForm::fillMaterials(const Scene& scene)
     if (!m_choices.empty())
         m_material->insertSeparator(m_material->count());
     for (const Preset& preset : allPresets()) {
-        if (preset.kind != PresetKind::Fabric)
+        if (!isSheet(preset.kind))
             continue;
         if (preset.name == firstPreset)
             chosen = m_material->count();
         m_material->addItem(translated(preset.label));
-        m_material->setItemData(m_material->count() - 1, QString::fromStdString(preset.source),
+        m_material->setItemData(m_material->count() - 1, QString::fromStdString(sourcesOf(preset)),
                                 Qt::ToolTipRole);
         m_choices.push_back({noId, materialFrom(preset)});
         m_material->setItemData(m_material->count() - 1, int(m_choices.size()) - 1);

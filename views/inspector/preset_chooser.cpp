@@ -6,9 +6,9 @@
 
 #include "document/document.h"
 #include "document/words.h"
+#include "materials/presets.h"
 #include "scene/check.h"
 #include "scene/element_index.h"
-#include "scene/presets.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -68,8 +68,8 @@ void PresetChooser::fillMenu()
 {
     auto* menu = new QMenu(m_button);
     menu->setToolTipsVisible(true);
-    const std::array titles{tr("Fabrics"), tr("Lines"), tr("Spars")}; // as PresetKind
-    std::array<QMenu*, 3> menus{};
+    const std::array titles{tr("Fabrics"), tr("Films"), tr("Lines"), tr("Spars")}; // as PresetKind
+    std::array<QMenu*, presetKindCount> menus{};
     for (std::size_t kind = 0; kind < menus.size(); ++kind) {
         menus[kind] = menu->addMenu(titles[kind]);
         menus[kind]->setToolTipsVisible(true);
@@ -78,7 +78,7 @@ void PresetChooser::fillMenu()
         QAction* action = menus[std::size_t(preset.kind)]->addAction(
             translated(preset.label), this, [this, &preset] { apply(preset); });
         action->setToolTip(QStringLiteral("<qt>%1</qt>")
-                               .arg(QString::fromStdString(preset.source).toHtmlEscaped()));
+                               .arg(QString::fromStdString(sourcesOf(preset)).toHtmlEscaped()));
     }
     m_button->setMenu(menu);
 }
@@ -108,7 +108,7 @@ void PresetChooser::refresh()
     const Preset* preset = presetOf(m_subject.refs());
     m_button->setText(preset ? translated(preset->label) : tr("Choose\u2026"));
     QStringList notes{std::exchange(m_warning, {}),
-                      preset ? QString::fromStdString(preset->source) : QString()};
+                      preset ? QString::fromStdString(preset->note) : QString()};
     notes.removeAll({});
     m_note->setText(notes.join(' '));
     m_note->setVisible(!notes.isEmpty());
