@@ -6,6 +6,7 @@
 // writes the scene.
 #include "author/mesh_import.h"
 #include "cli/commands.h"
+#include "cli/own_library.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
 #include "scene/check.h"
@@ -35,6 +36,7 @@ struct ImportOptions
     std::string parts = "one";
     std::string name;
     std::string preset = "ripstop_075";
+    std::string own; // file of own materials
     std::string material;
     std::string materials = "one";
     std::optional<double> density;
@@ -89,7 +91,8 @@ Result<MeshFabric> fabricFor(const ImportOptions& options, const Scene& scene)
         fabric.material = *findItem<Material>(scene, *id);
         fabric.density = options.density;
     } else {
-        const Result<const Preset*> preset = findPreset(options.preset);
+        const std::vector<Preset> own = ownMaterials(options.own);
+        const Result<const Preset*> preset = findPreset(options.preset, own);
         if (!preset)
             return preset.failure();
         if (!isSheet((*preset)->kind))
@@ -329,6 +332,7 @@ void addFabricOptions(CLI::App& command, ImportOptions& options)
     auto* preset = command.add_option("--preset", options.preset, "Fabric (ripstop-cli presets)")
                        ->capture_default_str()
                        ->type_name("PRESET");
+    addOwnMaterialsOption(command, "--own-materials", options.own);
     command.add_option("--material", options.material, "A material of the scene instead")
         ->type_name("NAME")
         ->excludes(preset);

@@ -5,6 +5,7 @@
 #include "materials/presets.h"
 
 #include "cli/commands.h"
+#include "cli/own_library.h"
 #include "cli/preset_list.h"
 #include "cli/scene_input.h"
 #include "io/scene_file.h"
@@ -26,7 +27,13 @@ struct PresetOptions
     std::vector<std::string> materials;
     SceneInput scene;
     std::string output;
-    std::string shown; // the preset of which all is told
+    std::string shown;  // the preset of which all is told
+    std::string saved;  // name of an own material that is made of the scene's
+    std::string label;  // of it
+    std::string source; // who says its numbers
+    std::string kind;   // of it; empty is found from its numbers
+    bool replace = false;
+    std::string own; // file of own materials
     bool json = false;
     bool manual = false;
 };
@@ -48,9 +55,10 @@ void printNotes(const Scene& scene, const PresetEdit& made)
 int applyPreset(const PresetOptions& options)
 {
     if (options.preset.empty())
-        return fail(WrongUsage, "A scene needs --apply PRESET: without it, presets are listed and "
-                                "nothing is changed.");
-    const Result<const Preset*> preset = findPreset(options.preset);
+        return fail(WrongUsage, "A scene needs --apply PRESET or --save NAME: without it, presets "
+                                "are listed and nothing is changed.");
+    const std::vector<Preset> own = ownMaterials(options.own);
+    const Result<const Preset*> preset = findPreset(options.preset, own);
     if (!preset)
         return fail(WrongUsage, preset.message());
     if (options.scene.file.empty() || options.output.empty() || options.materials.empty())
@@ -80,14 +88,55 @@ int applyPreset(const PresetOptions& options)
     return Done;
 }
 
+std::optional<PresetKind> kindCalled(std::string_view name)
+{
+    for (int kind = 0; kind < presetKindCount; ++kind)
+        if (presetKindName(PresetKind(kind)) == name)
+            return PresetKind(kind);
+    return std::nullopt;
+}
+
+// Writes a material of the scene into the file of own materials.
+int saveMaterial(const PresetOptions& options)
+{
+    if (options.scene.file.empty() || options.materials.size() != 1 || !options.preset.empty())
+        return fail(WrongUsage, "--save needs a scene and one --material NAME of it.");
+    SceneOutcome loaded = loadScene(options.scene);
+    if (!loaded.scene)
+        return loaded.exitCode;
+    const std::string& called = options.materials.front();
+    const Result<Id> id = findNamed(*loaded.scene, Kind::Material, called);
+    if (!id)
+        return fail(WrongUsage, Message("--material %1: %2.", called, id.message()));
+    const Material& material = *findItem<Material>(*loaded.scene, *id);
+    const std::vector<Preset> own = ownMaterials(options.own);
+    const std::string source = options.source.empty()
+                                   ? "Material " + called + " of " + options.scene.file
+                                   : options.source;
+    Preset preset = presetFrom(material, kindCalled(options.kind).value_or(likelyKind(material)),
+                               options.saved, source, presetOf(material, own));
+    if (!options.label.empty())
+        preset.label = options.label;
+    const std::filesystem::path file = ownFileOf(options.own);
+    if (const auto failure =
+            saveOwnMaterial(file, preset, options.replace ? SameName::Replaced : SameName::Refused))
+        return fail(BadInput, failure->message);
+    std::cout << "Saved " << preset.name << " in " << file.string() << '\n';
+    return Done;
+}
+
 int printList(const PresetOptions& options)
 {
-    std::span<const Preset> presets = allPresets();
+    std::vector<Preset> presets(allPresets().begin(), allPresets().end());
+    if (!options.manual)
+        for (Preset& preset : ownMaterials(options.own))
+            presets.push_back(std::move(preset));
     if (!options.shown.empty()) {
-        const Result<const Preset*> preset = findPreset(options.shown);
+        const Result<const Preset*> preset =
+            findPreset(options.shown, std::span(presets).subspan(allPresets().size()));
         if (!preset)
             return fail(WrongUsage, preset.message());
-        presets = std::span(*preset, 1);
+        presets = std::vector<Preset>{**preset};
     }
     if (options.json)
         printPresetsJson(presets);
@@ -117,6 +166,15 @@ void addPresets(CLI::App& app, Command& chosen)
     addSetOption(*command, options->scene.assignments);
     command->add_option("--show", options->shown, "Say where each number of this preset is from")
         ->type_name("PRESET");
+    command->add_option("--save", options->saved, "Keep a material of the scene as an own one")
+        ->type_name("NAME");
+    command->add_option("--label", options->label, "With --save: what the screen shows");
+    command->add_option("--source", options->source, "With --save: who says its numbers");
+    command->add_option("--kind", options->kind, "With --save: what it is")
+        ->check(CLI::IsMember({"fabric", "film", "line", "spar"}))
+        ->type_name("fabric|film|line|spar");
+    command->add_flag("--replace", options->replace, "With --save: also one of the same name");
+    addOwnMaterialsOption(*command, "--materials,--own-materials", options->own);
     command->add_flag("--json", options->json, "Print the list as one JSON object");
     command->add_flag("--manual", options->manual, "Print the list as a page of the manual");
     command->footer(
@@ -126,12 +184,15 @@ void addPresets(CLI::App& app, Command& chosen)
         "  ripstop-cli presets rope.ripstop.json --apply liros_ltc80 --material cord \\\n"
         "      -o lines.ripstop.json\n"
         "  ripstop-cli presets cloth.ripstop.json --apply skytex_38 --material cloth \\\n"
-        "      --material structural --material shear -o canopy.ripstop.json");
+        "      --material structural --material shear -o canopy.ripstop.json\n"
+        "  ripstop-cli presets kite.ripstop.json --material sail --save my_sail");
     command->callback([options, &chosen] {
         chosen = [options] {
             const bool lists = options->preset.empty() && options->scene.file.empty()
                                && options->scene.assignments.empty() && options->materials.empty()
                                && options->output.empty();
+            if (!options->saved.empty())
+                return saveMaterial(*options);
             if (!lists)
                 return applyPreset(*options);
             return printList(*options);
