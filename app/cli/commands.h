@@ -27,5 +27,6 @@ void addProperties(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
 void addPresets(CLI::App& app, Command& chosen);
 void addWeigh(CLI::App& app, Command& chosen);
+void addFit(CLI::App& app, Command& chosen);
 
 } // namespace ripstop

@@ -59,6 +59,7 @@ int call(int argc, char** argv)
     addProperties(app, chosen);
     addPresets(app, chosen);
     addWeigh(app, chosen);
+    addFit(app, chosen);
     addVerify(app, chosen);
 
     if (argc > 1 && argv[1][0] != '-')
