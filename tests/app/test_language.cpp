@@ -422,8 +422,13 @@ private:
                 all << name << name + " +" << name + " " + QChar(0x2212);
             }
             for (const Preset& preset : allPresets())
-                all << "<qt>" + QString::fromStdString(preset.source).toHtmlEscaped().toLower()
-                           + "</qt>";
+                all << "<qt>"
+                           + QString::fromStdString(sourcesOf(preset))
+                                 .toHtmlEscaped()
+                                 .toLower()
+                                 .replace('\n', "<br>")
+                           + "</qt>"
+                    << QString::fromStdString(sourcesOf(preset)).toLower();
             return all;
         }();
         static const QRegularExpression coordinate("^Position [xyz] \\(m\\)$");

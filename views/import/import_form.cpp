@@ -6,6 +6,7 @@
 #include "import/import_form.h"
 
 #include "document/words.h"
+#include "materials/own_materials.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -216,12 +217,16 @@ void ImportForm::fillMaterials(const Scene& scene)
         }
     if (!m_choices.empty())
         m_material->insertSeparator(m_material->count());
-    for (const Preset& preset : allPresets()) {
+    const std::vector<Preset> own = readOwnMaterials(ownMaterialsFile()).presets;
+    std::vector<Preset> presets(allPresets().begin(), allPresets().end());
+    presets.insert(presets.end(), own.begin(), own.end());
+    for (const Preset& preset : presets) {
         if (!isSheet(preset.kind))
             continue;
         if (preset.name == firstPreset)
             chosen = m_material->count();
-        m_material->addItem(translated(preset.label));
+        m_material->addItem(preset.own ? tr("%1 (own)").arg(words(preset.label))
+                                       : translated(preset.label));
         m_material->setItemData(m_material->count() - 1, QString::fromStdString(sourcesOf(preset)),
                                 Qt::ToolTipRole);
         m_choices.push_back({noId, materialFrom(preset)});

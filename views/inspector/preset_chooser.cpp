@@ -1,11 +1,14 @@
-// fillMenu() makes a submenu for each kind of preset. apply() refuses where the scene has errors,
-// makes the edit in the model (masses of particles follow where both densities are known) and
-// pushes it. refresh() names the preset that all materials have and shows a warning, if there is
-// one, and the source.
+// fillMenu() fills the submenu of each kind of preset, own materials last, each time it opens.
+// apply() refuses where the scene has errors, makes the edit in the model (masses of particles
+// follow where both densities are known) and pushes it. refresh() names the preset that all
+// materials have and shows a warning, if there is one, and the note; where the numbers are from
+// is unfolded by a link.
 #include "inspector/preset_chooser.h"
 
 #include "document/document.h"
 #include "document/words.h"
+#include "inspector/material_test_dialog.h"
+#include "inspector/own_material_dialog.h"
 #include "materials/presets.h"
 #include "scene/check.h"
 #include "scene/element_index.h"
@@ -23,17 +26,18 @@
 namespace ripstop {
 namespace {
 
-// The preset that all these materials have, or null.
-const Preset* presetOf(const std::vector<ConstRef>& refs)
+QString richText(const std::string& text)
 {
-    const auto& first = *std::get<const Material*>(refs.front());
-    const Preset* preset = presetOf(first);
-    return std::ranges::all_of(refs,
-                               [&](const ConstRef& ref) {
-                                   return presetOf(*std::get<const Material*>(ref)) == preset;
-                               })
-               ? preset
-               : nullptr;
+    return QString::fromStdString(text).toHtmlEscaped().replace('\n', "<br>");
+}
+
+QLabel* smallPrint()
+{
+    auto* label = new QLabel;
+    label->setWordWrap(true);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    return label;
 }
 
 } // namespace
@@ -42,15 +46,24 @@ PresetChooser::PresetChooser(Subject& subject, QWidget* parent)
     : QWidget(parent)
     , m_subject(subject)
     , m_button(new QToolButton)
-    , m_note(new QLabel)
+    , m_menu(new QMenu(m_button))
+    , m_note(smallPrint())
+    , m_sources(smallPrint())
+    , m_own(readOwnMaterials(ownMaterialsFile()))
 {
     m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     m_button->setPopupMode(QToolButton::InstantPopup);
     m_button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_button->setToolTip(tr("Take the numbers of a fabric, a line or a spar that one can buy."));
+    m_menu->setToolTipsVisible(true);
+    m_button->setMenu(m_menu);
+    connect(m_menu, &QMenu::aboutToShow, this, &PresetChooser::readOwnAgain);
+    makeMenu();
     fillMenu();
-    m_note->setWordWrap(true);
-    m_note->setForegroundRole(QPalette::PlaceholderText);
+    m_note->setTextFormat(Qt::RichText);
+    m_sources->setTextFormat(Qt::PlainText);
+    m_sources->hide();
+    connect(m_note, &QLabel::linkActivated, this, &PresetChooser::showSources);
 
     auto* label = new QLabel(tr("Preset"));
     label->setBuddy(m_button);
@@ -62,25 +75,60 @@ PresetChooser::PresetChooser(Subject& subject, QWidget* parent)
     layout->setSpacing(3);
     layout->addLayout(row);
     layout->addWidget(m_note);
+    layout->addWidget(m_sources);
+}
+
+void PresetChooser::makeMenu()
+{
+    const std::array titles{tr("Fabrics"), tr("Films"), tr("Lines"), tr("Spars")}; // as PresetKind
+    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
+        m_kinds[kind] = m_menu->addMenu(titles[kind]);
+        m_kinds[kind]->setToolTipsVisible(true);
+    }
+    m_menu->addSeparator();
+    m_menu->addAction(tr("&Save as own material\u2026"), this, &PresetChooser::saveAsOwn);
+    m_menu->addAction(tr("Material from a &test\u2026"), this, &PresetChooser::fromTest);
+    m_problem = m_menu->addAction(tr("Own materials cannot be read"), this, [this] {
+        m_warning = m_own.problem ? translated(m_own.problem->message) : QString();
+        refresh();
+    });
+}
+
+void PresetChooser::readOwnAgain()
+{
+    m_own = readOwnMaterials(ownMaterialsFile());
+    fillMenu();
 }
 
 void PresetChooser::fillMenu()
 {
-    auto* menu = new QMenu(m_button);
-    menu->setToolTipsVisible(true);
-    const std::array titles{tr("Fabrics"), tr("Films"), tr("Lines"), tr("Spars")}; // as PresetKind
-    std::array<QMenu*, presetKindCount> menus{};
-    for (std::size_t kind = 0; kind < menus.size(); ++kind) {
-        menus[kind] = menu->addMenu(titles[kind]);
-        menus[kind]->setToolTipsVisible(true);
+    for (QMenu* menu : m_kinds)
+        menu->clear();
+    const auto add = [&](const Preset& preset, const QString& text) {
+        QAction* action = m_kinds[std::size_t(preset.kind)]->addAction(
+            text, this, [this, &preset] { apply(preset); });
+        action->setToolTip(QStringLiteral("<qt>%1</qt>").arg(richText(sourcesOf(preset))));
+    };
+    for (const Preset& preset : allPresets())
+        add(preset, translated(preset.label));
+    for (const Preset& preset : m_own.presets)
+        add(preset, tr("%1 (own)").arg(QString::fromStdString(preset.label)));
+    m_problem->setVisible(m_own.problem.has_value());
+    m_problem->setToolTip(m_own.problem ? translated(m_own.problem->message) : QString());
+}
+
+const Preset* PresetChooser::chosen() const
+{
+    const Preset* common = nullptr;
+    bool isFirst = true;
+    for (const ConstRef& ref : m_subject.refs()) {
+        const Preset* preset = presetOf(*std::get<const Material*>(ref), m_own.presets);
+        if (!isFirst && preset != common)
+            return nullptr;
+        common = preset;
+        isFirst = false;
     }
-    for (const Preset& preset : allPresets()) {
-        QAction* action = menus[std::size_t(preset.kind)]->addAction(
-            translated(preset.label), this, [this, &preset] { apply(preset); });
-        action->setToolTip(QStringLiteral("<qt>%1</qt>")
-                               .arg(QString::fromStdString(sourcesOf(preset)).toHtmlEscaped()));
-    }
-    m_button->setMenu(menu);
+    return common;
 }
 
 void PresetChooser::apply(const Preset& preset)
@@ -103,12 +151,50 @@ void PresetChooser::apply(const Preset& preset)
     refresh();
 }
 
+void PresetChooser::saveAsOwn()
+{
+    const Material& material = *std::get<const Material*>(m_subject.refs().front());
+    const Preset* like = presetOf(material, m_own.presets);
+    Preset preset = presetFrom(material, like ? like->kind : likelyKind(material), {}, {}, like);
+    preset.label = like && like->own ? like->label : material.name;
+    auto* dialog = new OwnMaterialDialog(std::move(preset), window());
+    connect(dialog, &QDialog::accepted, this, [this] {
+        readOwnAgain();
+        refresh();
+    });
+    dialog->open();
+}
+
+void PresetChooser::fromTest()
+{
+    auto* dialog = new MaterialTestDialog(window());
+    connect(dialog, &MaterialTestDialog::saved, this, [this] {
+        readOwnAgain();
+        refresh();
+    });
+    dialog->open();
+}
+
+void PresetChooser::showSources() { m_sources->setVisible(!m_sources->isVisible()); }
+
 void PresetChooser::refresh()
 {
-    const Preset* preset = presetOf(m_subject.refs());
-    m_button->setText(preset ? translated(preset->label) : tr("Choose\u2026"));
-    QStringList notes{std::exchange(m_warning, {}),
-                      preset ? QString::fromStdString(preset->note) : QString()};
+    const Preset* preset = chosen();
+    const auto label = [&] {
+        return preset->own ? tr("%1 (own)").arg(QString::fromStdString(preset->label))
+                           : translated(preset->label);
+    };
+    m_button->setText(preset ? label() : tr("Choose\u2026"));
+    QStringList notes{std::exchange(m_warning, {}).toHtmlEscaped()};
+    if (preset) {
+        notes << QString::fromStdString(preset->note).toHtmlEscaped();
+        notes << QStringLiteral("<a href='#'>%1</a>").arg(tr("Where its numbers are from"));
+        std::string sources = sourcesOf(*preset);
+        sources.erase(0, preset->note.empty() ? 0 : preset->note.size() + 1);
+        m_sources->setText(QString::fromStdString(sources));
+    } else {
+        m_sources->hide();
+    }
     notes.removeAll({});
     m_note->setText(notes.join(' '));
     m_note->setVisible(!notes.isEmpty());
