@@ -22,6 +22,7 @@ struct ParticleMotion // arrays of [particles]
     double reach;                   // s, reachOf()
     double keep;                    // share of the speed that viscosity leaves
     bool drifts;                    // `drift` is of a substep of this length, and so on
+    bool damps;                     // what forces take from motion joins the masses
 };
 
 enum class ParticlePass {

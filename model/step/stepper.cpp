@@ -202,11 +202,10 @@ void Stepper::substep(RodTask& task, State& state, double h)
         move(ParticlePass::Foresee, system, state, h);
     fillAccelerations(system, state, h);
     if (dampsImplicitly(system)) {
-        m_foreseen = state.velocity;
         fillDamping(system, state, m_damping);
         dropAcrossGuides(system, m_damping.at);
         task.damping = m_damping.at;
-        dampImplicitly(system, state, task.h, m_scratch, state.driftSubstep == h);
+        dampImplicitly(system, state, task.h, state.velocity, state.driftSubstep == h);
         m_clock.lap(StepStage::Air);
     }
     if (m_integrator == Integrator::RungeKutta4)
@@ -284,9 +283,9 @@ void Stepper::fillAccelerations(const System& system, const State& state, double
     m_clock.lap(StepStage::Sum);
 }
 
-// Forces F that fall by D for each m/s are not those of the velocity v* that was foreseen but of
-// the one, v, that they lead to: (m + k D) v = m v0 + k (F + D v*), k being the reach and v0 what
-// BDF2 begins with. Without that, light cloth in a wind would need many substeps.
+// Forces F that fall by D for each m/s are not those of the velocity v* of now but of the one, v,
+// that they lead to: (m + k D) v = m v0 + k (F + D v*), k being the reach and v0 what BDF2 begins
+// with, or v*. Without that, light cloth in a wind would need many substeps.
 //   now  [particles]  m/s, at the start of the substep
 void Stepper::dampImplicitly(const System& system, const State& state, double reach,
                              std::span<const PaddedVec3> now, bool drifts)
@@ -300,7 +299,7 @@ void Stepper::dampImplicitly(const System& system, const State& state, double re
             drifts ? Vec3((4.0 * now[i] - state.velocityBefore[i]) / 3.0) : Vec3(now[i]);
         const Mat3 inertia = Mat3::Identity() / system.inverseMass[i] + reach * damping;
         m_implicit[i] +=
-            inertia.inverse() * (damping * (m_foreseen[i] - begin - reach * m_acceleration[i]));
+            inertia.inverse() * (damping * (Vec3(now[i]) - begin - reach * m_acceleration[i]));
     }
 }
 
@@ -337,18 +336,20 @@ void Stepper::takeMeans(const System& system, State& state, double h)
 void Stepper::move(ParticlePass pass, const System& system, State& state, double h)
 {
     const bool drifts = state.driftSubstep == h;
+    const bool damps = dampsImplicitly(system);
     const ParticleMotion motion{state.position.data(),
                                 state.velocity.data(),
                                 state.drift.data(),
                                 state.velocityBefore.data(),
                                 m_before.data(),
                                 m_scratch.data(),
-                                (dampsImplicitly(system) ? m_implicit : m_acceleration).data(),
+                                (damps ? m_implicit : m_acceleration).data(),
                                 system.inverseMass.data(),
                                 h,
                                 reachOf(m_integrator, h, drifts),
                                 m_keep,
-                                drifts};
+                                drifts,
+                                damps};
     m_pool.parallelFor(state.position.size(), [&](std::size_t first, std::size_t last) {
         runPass(pass, m_integrator, motion, first, last);
     });

@@ -109,7 +109,6 @@ private:
     double m_reach = 0.0;                   // s, of the last substep
     std::vector<double> m_rodLength;        // [rods] m, before projection
     mutable Damping m_damping;              // of forces
-    std::vector<PaddedVec3> m_foreseen;     // [particles] m/s, that BDF2's forces are of, or empty
     std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
     std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
     int m_refinement = 1;
