@@ -55,23 +55,30 @@ public:
     }
 
     // Where the pull is greatest for 0 <= u <= `last`. A peak in between is a root of the slope.
-    // There is one positive root, or there are three: a peak near each axis, and samples, which
-    // stand closer near 0, part them.
+    // There is one positive root, or there are three: a peak near each axis, and samples of the
+    // slope, which stand closer near 0, part them.
     double greatest(double last) const
     {
         const bool hasTwoPeaks = m_slope[1] < 0.0 && m_slope[2] > 0.0;
         if (!hasTwoPeaks)
             return slope(last) > 0.0 ? last : peak(0.0, last);
         constexpr int samples = 14;
-        double best = last;
+        double best = pull(0.0) > pull(last) ? 0.0 : last;
+        double most = pull(best);
         double high = last;
+        bool risesAtHigh = slope(high) > 0.0;
         for (int i = 0; i < samples; ++i) {
             const double low = i + 1 < samples ? 0.5 * high : 0.0;
-            const bool isBetween = slope(low) > 0.0 && !(slope(high) > 0.0);
-            const double found = isBetween ? peak(low, high) : low;
-            if (pull(found) > pull(best))
-                best = found;
+            const bool rises = slope(low) > 0.0;
+            if (rises && !risesAtHigh) {
+                const double found = peak(low, high);
+                if (const double pulls = pull(found); pulls > most) {
+                    best = found;
+                    most = pulls;
+                }
+            }
             high = low;
+            risesAtHigh = rises;
         }
         return best;
     }
@@ -83,7 +90,8 @@ private:
         return m_slope[0] + u * (m_slope[1] + u * u * (m_slope[2] + u * m_slope[3]));
     }
 
-    // Newton's method between two places; where it leaves them, they are halved.
+    // Newton's method between two places; where it leaves them, they are halved. Each step squares
+    // the error that the last one left.
     double peak(double low, double high) const
     {
         double u = 0.5 * (low + high);
@@ -96,7 +104,7 @@ private:
                 next = 0.5 * (low + high);
             const double way = std::abs(next - u);
             u = next;
-            if (!(way > 1e-15 * u))
+            if (!(way > 1e-9 * u))
                 break;
         }
         return u;

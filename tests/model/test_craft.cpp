@@ -99,6 +99,32 @@ private slots:
         QVERIFY(std::abs(pull.norm() / std::hypot(up, force.x()) - 1.0) < 0.02);
     }
 
+    // Where a kite stands does not ask how it is computed.
+    void kiteStandsByAnyIntegrator_data()
+    {
+        QTest::addColumn<QString>("kite");
+        QTest::addColumn<QString>("integrator");
+        for (const QString kite : {"delta_kite", "ripstop_kite"})
+            for (const QString integrator : {"semi_implicit_euler", "implicit_euler", "bdf2"})
+                QTest::addRow("%s %s", qPrintable(kite), qPrintable(integrator))
+                    << kite << integrator;
+    }
+    void kiteStandsByAnyIntegrator()
+    {
+        QFETCH(QString, kite);
+        QFETCH(QString, integrator);
+        Scene scene = sample(kite);
+        const auto found = std::ranges::find(choiceNames<Integrator>, integrator.toStdString());
+        scene.settings.integrator = Integrator(found - choiceNames<Integrator>.begin());
+        Simulation named(scene);
+        Simulation byDefault = started(kite);
+        QVERIFY(named.runUntil(20.0) && byDefault.runUntil(20.0));
+        const double angle = probe(named, "line angle"), pull = probe(named, "line tension");
+        qInfo("%.2f degrees, %.2f N", angle, pull);
+        QVERIFY(std::abs(angle - probe(byDefault, "line angle")) < 0.3);
+        QVERIFY(std::abs(pull / probe(byDefault, "line tension") - 1.0) < 0.01);
+    }
+
     // The gusts of light turbulence shake the pull, and the kite stays up.
     void kiteFliesInGusts()
     {
