@@ -1350,11 +1350,6 @@
     </message>
     <message>
         <location filename="draw_operations.cpp"/>
-        <source>Spar</source>
-        <translation>Longeron</translation>
-    </message>
-    <message>
-        <location filename="draw_operations.cpp"/>
         <source>There are panels on all of these particles already.</source>
         <translation>Il y a déjà des panneaux sur toutes ces particules.</translation>
     </message>
@@ -2940,6 +2935,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
+        <source>%1 (own)</source>
+        <translation>%1 (personnel)</translation>
+    </message>
+    <message>
+        <location filename="import_form.cpp"/>
         <source>A fabric that one can buy, or a material of this scene.</source>
         <translation>Un tissu du commerce, ou un matériau de cette scène.</translation>
     </message>
@@ -3653,6 +3653,356 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="manifest.cpp"/>
         <source>was written by a later version of Ripstop; use that</source>
         <translation>a été écrit par une version plus récente de Ripstop ; l’utiliser</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1 cannot be in %2; it is measured in %3.</source>
+        <translation>%1 ne peut pas être en %2 ; l’unité est %3.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1 must be one of %2.</source>
+        <translation>%1 doit être l’un de %2.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1 needs a number as its value and a text as its unit.</source>
+        <translation>%1 demande un nombre comme valeur (value) et un texte comme unité (unit).</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1 needs an object with value, unit, standing and source.</source>
+        <translation>%1 demande un objet avec value, unit, standing et source.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1 needs its source: who says so, or how it was found.</source>
+        <translation>%1 demande sa source : qui le dit, ou comment on l’a trouvé.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1 needs its standing, one of %2.</source>
+        <translation>%1 demande son statut (standing), l’un de %2.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1 needs its unit, %2 or one that measures the same.</source>
+        <translation>%1 demande son unité, %2 ou une autre de même nature.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1, line %2, column %3: This is not JSON; look for a comma, a quotation mark or a bracket that is missing or too much there.</source>
+        <translation>%1, ligne %2, colonne %3 : ce n’est pas du JSON ; il y manque une virgule, un guillemet ou une parenthèse, ou il y en a en trop.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1, material %2: %3</source>
+        <translation>%1, matériau %2 : %3</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1: A number in it is too large to be read.</source>
+        <translation>%1 : un nombre y est trop grand pour être lu.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1: It needs "materials", a list of them.</source>
+        <translation>%1 : il manque « materials », leur liste.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1: Its version is not %2; a newer Ripstop may read it.</source>
+        <translation>%1 : sa version n’est pas %2 ; un Ripstop plus récent le lira peut-être.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1: Material %2 of the list has no name.</source>
+        <translation>%1 : le matériau %2 de la liste n’a pas de nom.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1: The source "%2" must be a text.</source>
+        <translation>%1 : la source « %2 » doit être un texte.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1: This is no file of materials; those begin with "format": "%2".</source>
+        <translation>%1 : ce n’est pas un fichier de matériaux ; ceux-ci commencent par "format": "%2".</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>%1: Two materials are called %2; give one another name.</source>
+        <translation>%1 : deux matériaux s’appellent %2 ; renommer l’un d’eux.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>Each point of the curve is a pair of numbers, load and strain.</source>
+        <translation>Chaque point de la courbe est une paire de nombres, charge et déformation.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>It needs "numbers", an object with at least one of them.</source>
+        <translation>Il manque « numbers », un objet avec au moins un nombre.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>Loads and strains of the curve must rise from point to point.</source>
+        <translation>Charges et déformations de la courbe doivent croître de point en point.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>The curve needs a loadUnit like %1 and a strainUnit like %2.</source>
+        <translation>La courbe demande un loadUnit comme %1 et un strainUnit comme %2.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>The curve needs points: pairs of load and strain.</source>
+        <translation>La courbe demande des points : des paires de charge et de déformation.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>The kind must be one of %1.</source>
+        <translation>La nature (kind) doit être l’une de %1.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>The yarn must be one of %1, or left out.</source>
+        <translation>Le fil (yarn) doit être l’un de %1, ou absent.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>There is no number "%1"; did you mean "%2"?</source>
+        <translation>Il n’y a pas de nombre « %1 » ; vouliez-vous dire « %2 » ?</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>There is no number "%1"; there are %2.</source>
+        <translation>Il n’y a pas de nombre « %1 » ; il y a %2.</translation>
+    </message>
+    <message>
+        <location filename="material_file.cpp"/>
+        <source>kind, label, note and yarn must be texts.</source>
+        <translation>kind, label, note et yarn doivent être des textes.</translation>
+    </message>
+    <message>
+        <location filename="material_test.cpp"/>
+        <source>%1 %2 %3, standard error %4 (%5 %); %6 points from %7 to %8 %9</source>
+        <translation>%1 %2 %3, erreur type %4 (%5 %) ; %6 points de %7 à %8 %9</translation>
+    </message>
+    <message>
+        <location filename="material_test.cpp"/>
+        <source>All points of the range have the same elongation.</source>
+        <translation>Tous les points de l’intervalle ont le même allongement.</translation>
+    </message>
+    <message>
+        <location filename="material_test.cpp"/>
+        <source>The force does not rise in this range; choose another one.</source>
+        <translation>La force ne croît pas dans cet intervalle ; en choisir un autre.</translation>
+    </message>
+    <message>
+        <location filename="material_test.cpp"/>
+        <source>The force falls from the first row on; a test begins where it is slack.</source>
+        <translation>La force décroît dès la première ligne ; un essai commence à l’état lâche.</translation>
+    </message>
+    <message>
+        <location filename="material_test.cpp"/>
+        <source>The force is never above 0: are the columns in the other order?</source>
+        <translation>La force n’est jamais au-dessus de 0 : les colonnes sont-elles dans l’autre ordre ?</translation>
+    </message>
+    <message>
+        <location filename="material_test.cpp"/>
+        <source>There are %1 points between %2 and %3 %4; a fit needs three or more.</source>
+        <translation>Il y a %1 points entre %2 et %3 %4 ; il en faut au moins trois pour un ajustement.</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>%1 cannot be read, or is larger than 20 MB.</source>
+        <translation>%1 est illisible ou dépasse 20 Mo.</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>%1: it %2.</source>
+        <translation>%1 : valeur qui %2.</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>%1: it must be above 0.</source>
+        <translation>%1 : doit être supérieur à 0.</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>&amp;Called</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>&amp;Length</source>
+        <translation>&amp;Longueur</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>&amp;Pulled</source>
+        <translation>&amp;Traction</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>&amp;Save as own material</source>
+        <translation>&amp;Enregistrer comme matériau personnel</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>&amp;Unit of force</source>
+        <translation>&amp;Unité de force</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>&amp;Width</source>
+        <translation>&amp;Largeur</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>&amp;to</source>
+        <translation>&amp;à</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>10 % of the largest force</source>
+        <translation>10 % de la plus grande force</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>60 % of the largest force</source>
+        <translation>60 % de la plus grande force</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>A table with a column for the force and one for the elongation, and a header: force (N),elongation (mm)</source>
+        <translation>Un tableau avec une colonne pour la force et une pour l’allongement, et un en-tête : force (N),elongation (mm)</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Across the warp</source>
+        <translation>En travers de la chaîne</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Along the warp</source>
+        <translation>Dans le sens de la chaîne</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Broke at %1 N and %2</source>
+        <translation>Rupture à %1 N et %2</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Choose a &amp;file…</source>
+        <translation>Choisir un &amp;fichier…</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Deflection (mm)</source>
+        <translation>Flèche (mm)</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Did not break: largest force %1 N, at %2</source>
+        <translation>Pas de rupture : plus grande force %1 N, à %2</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>F&amp;it from</source>
+        <translation>A&amp;juster de</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Force (N)</source>
+        <translation>Force (N)</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Line, pulled</source>
+        <translation>Ligne, tirée</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Material from a test</source>
+        <translation>Matériau d’après un essai</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Or draw a rectangle over the plot.</source>
+        <translation>Ou tracer un rectangle sur le graphique.</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Residual %1 N</source>
+        <translation>Résidu %1 N</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Rod on two supports, pressed in the middle</source>
+        <translation>Tige sur deux appuis, chargée au milieu</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>S&amp;pecimen</source>
+        <translation>É&amp;prouvette</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Strain (%)</source>
+        <translation>Déformation (%)</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Strip of cloth, pulled</source>
+        <translation>Bande de tissu, tirée</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+        <translation>Tableaux (*.csv *.txt *.tsv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Test of a material</source>
+        <translation>Essai d’un matériau</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>The range: it %1.</source>
+        <translation>L’intervalle : valeur qui %1.</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Unit of &amp;elongation</source>
+        <translation>Unité d’&amp;allongement</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>name of the material</source>
+        <translation>nom du matériau</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>of the header, as in “elongation (mm)”</source>
+        <translation>celle de l’en-tête, comme « elongation (mm) »</translation>
+    </message>
+    <message>
+        <location filename="material_test_dialog.cpp"/>
+        <source>of the header, as in “force (N)”</source>
+        <translation>celle de l’en-tête, comme « force (N) »</translation>
     </message>
     <message>
         <location filename="measure.cpp"/>
@@ -4369,6 +4719,106 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>le disque ne répond pas</translation>
     </message>
     <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>&amp;Replace</source>
+        <translation>&amp;Remplacer</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>&amp;What it is</source>
+        <translation>N&amp;ature</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>As %1 in %2</source>
+        <translation>Sous le nom %1 dans %2</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>Its name needs a letter from a to z or a digit.</source>
+        <translation>Son nom demande une lettre de a à z ou un chiffre.</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>S&amp;ource</source>
+        <translation>S&amp;ource</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>Save as own material</source>
+        <translation>Enregistrer comme matériau personnel</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>Spar</source>
+        <translation>Longeron</translation>
+    </message>
+    <message>
+        <location filename="own_material_dialog.cpp"/>
+        <source>who says so, or how it was found</source>
+        <translation>qui le dit, ou comment on l’a trouvé</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 ne peut pas être lu : %2.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>%1 is no file: materials cannot be read from it.</source>
+        <translation>%1 n’est pas un fichier : on ne peut pas y lire de matériaux.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>%1 is not saved, to lose nothing of a file that cannot be read. %2</source>
+        <translation>%1 n’est pas enregistré, pour ne rien perdre d’un fichier illisible. %2</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>%1 is not saved: %2.</source>
+        <translation>%1 n’est pas enregistré : %2.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>%1, material %2: A material of that name comes with Ripstop; give yours another one.</source>
+        <translation>%1, matériau %2 : Ripstop fournit un matériau de ce nom ; donner un autre nom au vôtre.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>A material called %1 comes with Ripstop; choose another name.</source>
+        <translation>Ripstop fournit un matériau nommé %1 ; choisir un autre nom.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>The material has no number that could be kept.</source>
+        <translation>Le matériau n’a aucun nombre à garder.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>The material needs a name.</source>
+        <translation>Le matériau a besoin d’un nom.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>There is an own material called %1 already; choose another name, or have it replaced.</source>
+        <translation>Il y a déjà un matériau personnel nommé %1 ; choisir un autre nom, ou le faire remplacer.</translation>
+    </message>
+    <message>
+        <location filename="own_materials.cpp"/>
+        <source>There is no place for own materials: set XDG_DATA_HOME or HOME, or name a file.</source>
+        <translation>Il n’y a pas de place pour des matériaux personnels : définir XDG_DATA_HOME ou HOME, ou nommer un fichier.</translation>
+    </message>
+    <message>
         <location filename="packed.cpp"/>
         <source>it is no compressed data</source>
         <translation>ce ne sont pas des données compressées</translation>
@@ -4994,6 +5444,21 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Ce que la simulation est devenue après %1 s devient le modèle. Annuler ramène l’ancien.</translation>
     </message>
     <message>
+        <location filename="preset.cpp"/>
+        <source>E t of %1 N/m is more than the yarn in it can hold, %2 N/m at this weight; look at the units</source>
+        <translation>E t de %1 N/m dépasse ce que son fil peut donner, %2 N/m à ce poids ; vérifier les unités</translation>
+    </message>
+    <message>
+        <location filename="preset.cpp"/>
+        <source>Poisson's ratio %1 is too large: with E t of %2 N/m along the warp and %3 N/m across it, it must be below %4</source>
+        <translation>Le coefficient de Poisson %1 est trop grand : avec E t de %2 N/m dans le sens de la chaîne et %3 N/m en travers, il doit être inférieur à %4</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>&amp;Save as own material…</source>
+        <translation>&amp;Enregistrer comme matériau personnel…</translation>
+    </message>
+    <message>
         <location filename="preset_chooser.cpp"/>
         <source>Choose…</source>
         <translation>Choisir…</translation>
@@ -5002,6 +5467,21 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="preset_chooser.cpp"/>
         <source>Fabrics</source>
         <translation>Tissus</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Films</source>
+        <translation>Films</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Material from a &amp;test…</source>
+        <translation>Matériau d’après un &amp;essai…</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Own materials cannot be read</source>
+        <translation>Matériaux personnels illisibles</translation>
     </message>
     <message>
         <location filename="preset_chooser.cpp"/>
@@ -5022,6 +5502,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="preset_chooser.cpp"/>
         <source>Take the numbers of a fabric, a line or a spar that one can buy.</source>
         <translation>Prendre les nombres d’un tissu, d’une ligne ou d’un longeron du commerce.</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
+        <source>Where its numbers are from</source>
+        <translation>D’où viennent ses nombres</translation>
     </message>
     <message>
         <location filename="presets.cpp"/>
@@ -7433,8 +7918,38 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Aluminium 6061-T6 tube 28.6 x 1.24 mm</source>
+        <translation>Tube aluminium 6061-T6 28,6 x 1,24 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Aluminium 6061-T6 tube 38.1 x 0.89 mm</source>
+        <translation>Tube aluminium 6061-T6 38,1 x 0,89 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Aluminium 6061-T6 tube 41.3 x 1.24 mm</source>
+        <translation>Tube aluminium 6061-T6 41,3 x 1,24 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Aluminium 7075-T6 tube 42 x 0.9 mm</source>
         <translation>Tube d’aluminium 7075-T6 42 x 0,9 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Aluminium 7075-T6 tube 50 x 0.9 mm</source>
+        <translation>Tube aluminium 7075-T6 50 x 0,9 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Aluminium 7075-T6 tube 52 x 0.9 mm</source>
+        <translation>Tube aluminium 7075-T6 52 x 0,9 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Aluminium 7075-T6 tube 62 x 1.0 mm</source>
+        <translation>Tube aluminium 7075-T6 62 x 1,0 mm</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7613,6 +8128,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Bending moment at which a spar snaps, or yields for good; noted for margins, so that a run does not depend on it.</source>
+        <translation>Moment de flexion auquel un longeron casse ou se plie pour de bon ; noté pour les marges, une simulation n’en dépend pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Bending stiffness</source>
         <translation>Rigidité en flexion</translation>
     </message>
@@ -7708,6 +8228,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Breaking moment</source>
+        <translation>Moment de rupture</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Bridle</source>
         <translation>Bride</translation>
     </message>
@@ -7790,6 +8315,26 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Carbon rod 4 mm</source>
         <translation>Jonc de carbone 4 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Carbon tube 4/2.5 mm</source>
+        <translation>Tube carbone 4/2,5 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Carbon tube 6/4 mm, pultruded</source>
+        <translation>Tube carbone 6/4 mm, pultrudé</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Carbon tube 8/6 mm, pultruded</source>
+        <translation>Tube carbone 8/6 mm, pultrudé</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Carbon tube 8/6.5 mm, wrapped</source>
+        <translation>Tube carbone 8/6,5 mm, enroulé</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7894,7 +8439,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Cloth of the sail; ideal cloth never stretches and weighs what is said below, a real one is carried by panels and wrinkles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus bas, une vraie est portée par des panneaux et fait des plis.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -7968,6 +8513,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Contender Nylite 90, spinnaker nylon</source>
+        <translation>Contender Nylite 90, nylon de spinnaker</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Copies what is selected again and again, each copy a step further.</source>
         <translation>Copie la sélection encore et encore, chaque copie un pas plus loin.</translation>
     </message>
@@ -7979,7 +8529,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Cord</source>
-        <translation type="unfinished"></translation>
+        <translation>Corde</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8023,6 +8573,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cousin Technoline 1110</source>
+        <translation>Cousin Technoline 1110</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cousin Vectraline 12470</source>
+        <translation>Cousin Vectraline 12470</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cousin Vectraline 16330</source>
+        <translation>Cousin Vectraline 16330</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Cross</source>
         <translation>Croisement</translation>
     </message>
@@ -8060,6 +8625,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dacron of surf-kite leading edges</source>
+        <translation>Dacron de bords d’attaque de kitesurf</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dacron sailcloth, medium firm</source>
+        <translation>Toile à voile Dacron, apprêt moyen</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8183,6 +8758,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Dominico 30D</source>
+        <translation>Dominico 30D</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dominico N20D</source>
+        <translation>Dominico N20D</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways.</source>
         <translation>Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté.</translation>
     </message>
@@ -8245,6 +8830,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Dyneema braid 2 mm</source>
         <translation>Tresse Dyneema 2 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dyneema kite line 100 daN</source>
+        <translation>Ligne de cerf-volant Dyneema 100 daN</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dyneema kite line 150 daN</source>
+        <translation>Ligne de cerf-volant Dyneema 150 daN</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dyneema kite line 50 daN</source>
+        <translation>Ligne de cerf-volant Dyneema 50 daN</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8368,6 +8968,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>F-111 class parachute nylon, new</source>
+        <translation>Nylon de parachute type F-111, neuf</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Fabric at tears</source>
         <translation>Tissu aux déchirures</translation>
     </message>
@@ -8380,6 +8985,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Factor</source>
         <translation>Facteur</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fibreglass rod 3 mm</source>
+        <translation>Jonc en fibre de verre 3 mm</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Fibreglass rod 5 mm</source>
+        <translation>Jonc en fibre de verre 5 mm</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8490,6 +9105,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Force of a spring per metre per second of stretching; empty takes the material's.</source>
         <translation>Force d’un ressort par mètre par seconde d’allongement ; vide, celle du matériau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Force that makes a tear in the fabric go on, as the tongue test has it; noted, so that a run does not depend on it.</source>
+        <translation>Force qui fait avancer une déchirure du tissu, selon l’essai de languette ; notée, une simulation n’en dépend pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9008,8 +9628,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Icarex P31, polyester</source>
+        <translation>Icarex P31, polyester</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Ideal</source>
-        <translation type="unfinished"></translation>
+        <translation>Idéal</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9078,6 +9703,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Joint efficiency</source>
+        <translation>Tenue des coutures et nœuds</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Keel</source>
         <translation>Quille</translation>
     </message>
@@ -9090,6 +9720,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Keep</source>
         <translation>Garder</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Kevlar cord 1/4 in</source>
+        <translation>Cordelette Kevlar 1/4 in</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Kevlar cord 1/8 in</source>
+        <translation>Cordelette Kevlar 1/8 in</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9193,11 +9833,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Length</source>
-        <translation>Longueur</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Length from the nose to the trailing edge.</source>
         <translation>Longueur du nez au bord de fuite.</translation>
     </message>
@@ -9298,11 +9933,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Line</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Line (pulls only)</source>
         <translation>Ligne (traction seule)</translation>
     </message>
@@ -9330,6 +9960,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Line segments</source>
         <translation>Segments de suspente</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Line strength</source>
+        <translation>Résistance de la ligne</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9368,6 +10003,26 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Liros DSL110</source>
+        <translation>Liros DSL110</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros DSL350</source>
+        <translation>Liros DSL350</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros DSL600</source>
+        <translation>Liros DSL600</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros DSL70</source>
+        <translation>Liros DSL70</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Liros LTC120</source>
         <translation>Liros LTC120</translation>
     </message>
@@ -9383,6 +10038,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Liros LTC25</source>
+        <translation>Liros LTC25</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC350</source>
+        <translation>Liros LTC350</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros LTC400</source>
+        <translation>Liros LTC400</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Liros LTC45</source>
         <translation>Liros LTC45</translation>
     </message>
@@ -9395,6 +10065,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Liros LTC80</source>
         <translation>Liros LTC80</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Liros NTSL200</source>
+        <translation>Liros NTSL200</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9460,6 +10135,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>MIL-C-44378 type I, low permeability nylon</source>
         <translation>MIL-C-44378 type I, nylon à faible perméabilité</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>MIL-C-498 type D nylon</source>
+        <translation>MIL-C-498 type D, nylon</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>MIL-C-498 type G nylon</source>
+        <translation>MIL-C-498 type G, nylon</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9803,6 +10488,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Nylon cord MIL-C-5040 I</source>
+        <translation>Cordelette nylon MIL-C-5040 I</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Nylon cord MIL-C-5040 III (550)</source>
+        <translation>Cordelette nylon MIL-C-5040 III (550)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Of a link, its length over that at rest less one; the largest where there are several.</source>
         <translation>D’une liaison, sa longueur sur celle au repos moins un ; la plus grande s’il y en a plusieurs.</translation>
     </message>
@@ -9998,6 +10693,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>PET film 25 µm (Mylar)</source>
+        <translation>Film PET 25 µm (Mylar)</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Panels push as a board does instead of wrinkling, where they carry the pull of the fabric.</source>
         <translation>Les panneaux poussent comme une planche au lieu de plisser, là où ils portent la traction du tissu.</translation>
     </message>
@@ -10035,6 +10735,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Parachutes</source>
         <translation>Parachutes</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Paraglider ripstop, coated PA 6.6</source>
+        <translation>Ripstop de parapente, PA 6.6 enduit</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10188,8 +10893,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Polyester kite line 50 daN</source>
+        <translation>Ligne de cerf-volant polyester 50 daN</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Ponte Roma knit</source>
         <translation>Maille Ponte Roma</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Porcher Skytex 21</source>
+        <translation>Porcher Skytex 21</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10285,6 +11000,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Pull of a rod per rate of strain over its pull per strain, Kelvin and Voigt's retardation time: what stretches it at w radians per second has the loss factor w times this, and rods that never stretch take none.</source>
         <translation>Traction d’une tige par vitesse de déformation sur sa traction par déformation, le temps de retard de Kelvin et Voigt : ce qui l’allonge à w radians par seconde a le facteur de perte w fois ce temps, et les tiges qui ne s’allongent jamais n’en prennent pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pull per width at which a strip of the fabric breaks across its warp, without seams; noted for margins, so that a run does not depend on it.</source>
+        <translation>Traction par largeur à laquelle une bande du tissu casse en travers de la chaîne, sans couture ; notée pour les marges, une simulation n’en dépend pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Pull per width at which a strip of the fabric breaks along its warp, without seams; noted for margins, so that a run does not depend on it.</source>
+        <translation>Traction par largeur à laquelle une bande du tissu casse dans le sens de la chaîne, sans couture ; notée pour les marges, une simulation n’en dépend pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10459,7 +11184,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Ripstop kite</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerf-volant en ripstop</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10578,6 +11303,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Sailcloth laminate, film on polyester scrim</source>
+        <translation>Laminé à voile, film sur trame polyester</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Second corner.</source>
         <translation>Deuxième coin.</translation>
     </message>
@@ -10658,6 +11388,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Share of its strength that the fabric keeps at seams or the line at knots: about 0.8 for lap seams, 0.9 for sewn loops, 0.35 to 0.6 for knots; noted for margins.</source>
+        <translation>Part de sa résistance que le tissu garde aux coutures ou la ligne aux nœuds : environ 0.8 pour les coutures rabattues, 0.9 pour les boucles cousues, 0.35 à 0.6 pour les nœuds ; notée pour les marges.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Share of the impact speed that a bounce gives back; only the response contact uses it.</source>
         <translation>Part de la vitesse d’impact qu’un rebond rend ; seule la réponse contact l’utilise.</translation>
     </message>
@@ -10730,6 +11465,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Side of the square, and width of the arms.</source>
         <translation>Côté du carré, et largeur des bras.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Silicone-coated nylon</source>
+        <translation>Nylon siliconé</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10814,7 +11554,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>Spars of the frame; ideal ones never stretch, real ones bend.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longerons de l’armature ; idéaux, ils ne s’étirent jamais, les vrais fléchissent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11053,6 +11793,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Tear strength</source>
+        <translation>Résistance à la déchirure</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Tear test</source>
         <translation>Essai de déchirure</translation>
     </message>
@@ -11070,6 +11815,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Teijin D2, canopy of surf kites</source>
         <translation>Teijin D2, voilure de kitesurf</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tension at which a line breaks, without knots; noted for margins, so that a run does not depend on it.</source>
+        <translation>Tension à laquelle une ligne casse, sans nœud ; notée pour les marges, une simulation n’en dépend pas.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11109,7 +11859,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>The delta of what one can buy: 0.75 oz ripstop, fibreglass tubes of 6 mm and a line that breaks at 450 N. Tune the membrane stiffness of sail, border and keel cloth, 20 to 90 kN/m, and watch the strain (Alt+2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Le delta de ce qui s’achète : ripstop de 0,75 oz, tubes de fibre de verre de 6 mm et une ligne qui casse à 450 N. Réglez la raideur de membrane de la voile, du bord et de la toile de quille, de 20 à 90 kN/m, et regardez la déformation (Alt+2).</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11298,6 +12048,21 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Tubular nylon 1 in, MIL-W-5625</source>
+        <translation>Sangle tubulaire nylon 1 in, MIL-W-5625</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tubular nylon 1/2 in, MIL-W-5625</source>
+        <translation>Sangle tubulaire nylon 1/2 in, MIL-W-5625</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Tubular nylon 9/16 in, MIL-W-5625</source>
+        <translation>Sangle tubulaire nylon 9/16 in, MIL-W-5625</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Turn</source>
         <translation>Orientation</translation>
     </message>
@@ -11383,6 +12148,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Warp strength</source>
+        <translation>Résistance en chaîne</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Washout</source>
         <translation>Vrillage</translation>
     </message>
@@ -11405,6 +12175,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Weft stiffness</source>
         <translation>Rigidité de trame</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Weft strength</source>
+        <translation>Résistance en trame</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11504,7 +12279,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="tables"/>
         <source>What the line is made of; an ideal one never stretches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matière de la ligne ; idéale, elle ne s’étire jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11645,11 +12420,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>White dots on black</source>
         <translation>White dots on black</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Width</source>
-        <translation>Largeur</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12165,6 +12935,81 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="temporary_folder.cpp"/>
         <source>No folder can be made beside %1: %2; make room or choose another folder.</source>
         <translation>Aucun dossier ne peut être créé à côté de %1 : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1 has %2 rows of numbers; a fit needs three or more.</source>
+        <translation>%1 a %2 lignes de nombres ; il en faut au moins trois pour un ajustement.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1 has no header: begin it with a line like "force (N),elongation (mm)", or give both units of columns in this order.</source>
+        <translation>%1 n’a pas d’en-tête : commencer par une ligne comme « force (N),elongation (mm) », ou donner les deux unités des colonnes dans cet ordre.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1 has no rows.</source>
+        <translation>%1 n’a aucune ligne.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1, line %2: "%3" is no number.</source>
+        <translation>%1, ligne %2 : « %3 » n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1, line %2: %3 has a decimal comma; write decimals with a point.</source>
+        <translation>%1, ligne %2 : %3 a une virgule décimale ; écrire les décimales avec un point.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1, line %2: Cell %3 is empty; leave the whole row out.</source>
+        <translation>%1, ligne %2 : la cellule %3 est vide ; supprimer toute la ligne.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1, line %2: It has %3 cells instead of %4; decimals are written with a point.</source>
+        <translation>%1, ligne %2 : %3 cellules au lieu de %4 ; les décimales s’écrivent avec un point.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1, line %2: The elongation goes back. A test is one pull, from slack until it ends or breaks; leave out the way back.</source>
+        <translation>%1, ligne %2 : l’allongement revient en arrière. Un essai est une seule traction, du lâche à la fin ou à la rupture ; supprimer le retour.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1, line %2: The header names no column for the %3; write "force (N),elongation (mm)" for example.</source>
+        <translation>%1, ligne %2 : l’en-tête ne nomme pas de colonne pour : %3 ; écrire par exemple « force (N),elongation (mm) ».</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1: The unit of the deflection is not told: write "deflection (mm)" in the header, or give it.</source>
+        <translation>%1 : l’unité de la flèche n’est pas dite : écrire « deflection (mm) » dans l’en-tête, ou la donner.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1: The unit of the elongation is not told: write "elongation (mm)" or "strain (%)" in the header, or give it.</source>
+        <translation>%1 : l’unité de l’allongement n’est pas dite : écrire « elongation (mm) » ou « strain (%) » dans l’en-tête, ou la donner.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>%1: The unit of the force is not told: write "force (N)" in the header, or give it.</source>
+        <translation>%1 : l’unité de la force n’est pas dite : écrire « force (N) » dans l’en-tête, ou la donner.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>The size of the specimen must be told: its length, and of a strip its width, above 0.</source>
+        <translation>La taille de l’éprouvette doit être dite : sa longueur et, pour une bande, sa largeur, supérieures à 0.</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>elongation</source>
+        <translation>allongement</translation>
+    </message>
+    <message>
+        <location filename="test_table.cpp"/>
+        <source>force</source>
+        <translation>force</translation>
     </message>
     <message>
         <location filename="timeline.cpp"/>
@@ -13744,11 +14589,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="whole_file.cpp"/>
         <source>%1 cannot be opened: %2.</source>
         <translation>%1 ne peut pas être ouvert : %2.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 cannot be read: %2.</source>
-        <translation>%1 ne peut pas être lu : %2.</translation>
     </message>
     <message>
         <location filename="whole_file.cpp"/>

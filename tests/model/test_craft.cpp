@@ -116,7 +116,9 @@ private slots:
         Scene scene = sample(kite);
         const auto found = std::ranges::find(choiceNames<Integrator>, integrator.toStdString());
         scene.settings.integrator = Integrator(found - choiceNames<Integrator>.begin());
-        Simulation named(scene);
+        const auto system = compile(scene);
+        QVERIFY(system);
+        Simulation named(*system);
         Simulation byDefault = started(kite);
         QVERIFY(named.runUntil(20.0) && byDefault.runUntil(20.0));
         const double angle = probe(named, "line angle"), pull = probe(named, "line tension");
