@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ripstop {
 namespace {
@@ -105,23 +106,18 @@ CraftMaterials craftMaterials(const Materials& materials)
 
 struct Kite
 {
-    Lattice wing;
-    Lattice keel;
-    std::vector<Id> keelLine; // the wing's nodes over the keel, without the nose
+    SailFrame frame;
     std::vector<Id> stiffeners;
     Id tow;
 };
 
 // The tip of the keel is the tow point; its opposite side is the rear of the wing's keel line.
-Lattice addKeel(Network& network, const Parameters& p, const Lattice& wing,
-                const Materials& materials)
+// Answers that point.
+Id addKeel(Network& network, const Parameters& p, int segments, const std::vector<Id>& axis,
+           const Materials& materials)
 {
-    const int n = wing.segments() - wing.segments() % 2; // only even rows have a node on the axis
-    const int k = std::min(int(p.at("keel")), n / 2);
-    const auto onWing = [&](int column) {
-        const int row = n - 2 * (k - column);
-        return wing.at(row, row / 2);
-    };
+    const int k = std::min(segments, int(axis.size()) - 1);
+    const auto onWing = [&](int column) { return axis[axis.size() - 1 - std::size_t(k - column)]; };
     const Vec3 tip(-p.at("tow") * p.at("chord"), -p.at("keel_depth"), 0.0);
     const Vec3 front = network.position(onWing(0));
     const Vec3 rear = network.position(onWing(k));
@@ -141,7 +137,17 @@ Lattice addKeel(Network& network, const Parameters& p, const Lattice& wing,
     }
     for (const Lattice::Cell& cell : keel.cells())
         network.panel(cell.a, cell.b, cell.c, materials.keel);
-    return keel;
+    return keel.at(0, 0);
+}
+
+// A real sail is sewn along the keel, and a spar goes there from the nose to the tail.
+SailFrame addRealSail(Network& network, const DeltaShape& shape, int segments, int keel,
+                      const Materials& materials)
+{
+    const SailFrame frame = addHalves(network, shape, segments, materials.sail);
+    for (std::size_t row = 0; row + 1 + std::size_t(keel) < frame.axis.size(); ++row)
+        network.rod(frame.axis[row], frame.axis[row + 1], materials.spar);
+    return frame;
 }
 
 Kite addKite(Network& network, const Parameters& p, const Materials& materials)
@@ -152,16 +158,24 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
                            p.at("billow"),
                            p.at("washout") * degrees,
                            p.at("reflex")};
-    const Lattice wing = addSail(network, shape, int(p.at("segments")), materials.sail);
-    const Lattice keel = addKeel(network, p, wing, materials);
+    const int segments = int(p.at("segments"));
+    const bool isReal = !isIdeal(p, "cloth");
+    // As many panels, of rows that all reach the axis instead of every second one.
+    const double perRow = isReal ? 1.0 / std::numbers::sqrt2 : 1.0;
+    const int rows = int(std::round(perRow * segments));
+    const int keel =
+        isReal ? std::min(int(std::round(2.0 * perRow * p.at("keel"))), rows) : int(p.at("keel"));
+    const SailFrame frame = isReal
+                                ? addRealSail(network, shape, rows, keel, materials)
+                                : SailFrame::of(addSail(network, shape, segments, materials.sail));
+    const Id tow = addKeel(network, p, keel, frame.axis, materials);
     network.addFabricMass(clothDensity(p));
-    Kite kite{wing, keel, wing.median(), addStiffeners(network, shape, wing, materials.frame),
-              keel.at(0, 0)};
+    Kite kite{frame, addStiffeners(network, shape, frame, materials.frame), tow};
 
-    std::vector<Id> spars = wing.sides(); // and the ring that the line is tied to
-    spars.push_back(kite.tow);
-    for (const std::vector<Id>& more : {kite.keelLine, kite.stiffeners})
-        spars.insert(spars.end(), more.begin(), more.end());
+    std::vector<Id> spars = frame.leadingEdges; // and the ring that the line is tied to
+    spars.push_back(tow);
+    spars.insert(spars.end(), frame.axis.begin() + 1, frame.axis.end());
+    spars.insert(spars.end(), kite.stiffeners.begin(), kite.stiffeners.end());
     const double mass = frameMass(p, {materials.spar}, network);
     for (const Id node : spars)
         network.row(node).mass += mass / double(spars.size());
@@ -185,8 +199,8 @@ Result<Scene> buildDeltaKite(const Parameters& p)
     const FlyingLine line = addFlyingLine(network, p, materials.line, kite.tow);
     makeOf(p, craftMaterials(materials), scene, network);
 
-    addGroup(scene, "leading edge", kite.wing.sides());
-    addGroup(scene, "keel", kite.keelLine);
+    addGroup(scene, "leading edge", kite.frame.leadingEdges);
+    addGroup(scene, "keel", {kite.frame.axis.begin() + 1, kite.frame.axis.end()});
     addGroup(scene, "rigidity", kite.stiffeners);
     addGroup(scene, "hand end", line.hand);
     addHandControls(scene, line.hand);

@@ -17,23 +17,41 @@ Vec3 sailPoint(const DeltaShape& shape, double s, double u)
     return {-s * shape.chord, height, u * s * halfSpan};
 }
 
+namespace {
+
+Id addNode(Network& network, const DeltaShape& shape, double s, double u)
+{
+    const Id node = network.particle(sailPoint(shape, s, u));
+    network.texture(node, 0.5 + 0.5 * u * s, 1.0 - s);
+    return node;
+}
+
+bool isTrailing(const Lattice::Edge& edge, const Lattice& lattice)
+{
+    return edge.sort == Lattice::Edge::Sort::Row && edge.row == lattice.segments();
+}
+
+} // namespace
+
+SailFrame SailFrame::of(const Lattice& lattice)
+{
+    SailFrame frame{lattice.sides(), lattice.median()};
+    frame.axis.insert(frame.axis.begin(), lattice.at(0, 0));
+    return frame;
+}
+
 Lattice addSail(Network& network, const DeltaShape& shape, int segments,
                 const SailMaterials& materials)
 {
     const Lattice lattice(segments, [&](int row, int column) {
         const double u = row == 0 ? 0.0 : 2.0 * column / row - 1.0;
-        const double s = double(row) / segments;
-        const Id node = network.particle(sailPoint(shape, s, u));
-        network.texture(node, 0.5 + 0.5 * u * s, 1.0 - s);
-        return node;
+        return addNode(network, shape, double(row) / segments, u);
     });
-    for (const Lattice::Edge& edge : lattice.edges()) {
-        const bool isTrailing = edge.sort == Lattice::Edge::Sort::Row && edge.row == segments;
+    for (const Lattice::Edge& edge : lattice.edges())
         network.rod(edge.from, edge.to,
-                    edge.onSide  ? materials.edges
-                    : isTrailing ? materials.hem
-                                 : materials.seams);
-    }
+                    edge.onSide                 ? materials.edges
+                    : isTrailing(edge, lattice) ? materials.hem
+                                                : materials.seams);
     for (const Lattice::Cell& cell : lattice.cells()) {
         const bool atEdge = cell.column == 0 || cell.column == 2 * cell.row;
         network.panel(cell.a, cell.b, cell.c, atEdge ? materials.border : materials.sail);
@@ -41,12 +59,44 @@ Lattice addSail(Network& network, const DeltaShape& shape, int segments,
     return lattice;
 }
 
-std::vector<Id> addStiffeners(Network& network, const DeltaShape& shape, const Lattice& lattice,
+SailFrame addHalves(Network& network, const DeltaShape& shape, int segments,
+                    const SailMaterials& materials)
+{
+    SailFrame frame;
+    for (int row = 0; row <= segments; ++row)
+        frame.axis.push_back(addNode(network, shape, double(row) / segments, 0.0));
+    for (const bool left : {true, false}) {
+        const auto onAxis = [&](int row, int column) { return column == (left ? row : 0); };
+        const Lattice half(segments, [&](int row, int column) {
+            const double u = row == 0 ? 0.0 : double(column) / row - (left ? 1.0 : 0.0);
+            return onAxis(row, column) ? frame.axis[std::size_t(row)]
+                                       : addNode(network, shape, double(row) / segments, u);
+        });
+        for (const Lattice::Edge& edge : half.edges()) {
+            const bool inner =
+                edge.sort == (left ? Lattice::Edge::Sort::Right : Lattice::Edge::Sort::Left);
+            if (edge.onSide && inner)
+                continue;
+            network.rod(edge.from, edge.to,
+                        edge.onSide              ? materials.edges
+                        : isTrailing(edge, half) ? materials.hem
+                                                 : materials.seams);
+        }
+        for (const Lattice::Cell& cell : half.cells()) {
+            const bool atEdge = cell.column == (left ? 0 : 2 * cell.row);
+            network.panel(cell.a, cell.b, cell.c, atEdge ? materials.border : materials.sail);
+        }
+        for (int row = left ? 0 : 1; row <= segments; ++row)
+            frame.leadingEdges.push_back(half.at(row, left ? 0 : row));
+    }
+    return frame;
+}
+
+std::vector<Id> addStiffeners(Network& network, const DeltaShape& shape, const SailFrame& frame,
                               Id material)
 {
-    std::vector<Id> held = lattice.sides();
-    for (const Id node : lattice.median())
-        held.push_back(node);
+    std::vector<Id> held = frame.leadingEdges;
+    held.insert(held.end(), frame.axis.begin() + 1, frame.axis.end()); // the nose is in both
     std::vector<Id> stiffeners;
     for (const double side : {1.0, -1.0}) {
         const Vec3 place(-0.65 * shape.chord, side * 0.4 * shape.chord, 0.0);

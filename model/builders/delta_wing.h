@@ -33,9 +33,25 @@ struct SailMaterials
 Lattice addSail(Network& network, const DeltaShape& shape, int segments,
                 const SailMaterials& materials);
 
-// Two particles above and below the sail, tied to leading edges and keel. They stand at a steep
+// Where frames are tied to a sail.
+struct SailFrame
+{
+    std::vector<Id> leadingEdges; // nose, and from there both sides to the tips
+    std::vector<Id> axis;         // the nose, and evenly from there to the trailing edge
+
+    static SailFrame of(const Lattice& lattice);
+};
+
+// The sail of two halves that are sewn together along the keel, each a lattice from there to its
+// leading edge, with n segments per side. So all rows have a node in the fold of the dihedral:
+// where only every second one has, rods and panels cut across the fold, and the wing is another one
+// for each n. There are no rods along the seam, where the caller lays the keel.
+SailFrame addHalves(Network& network, const DeltaShape& shape, int segments,
+                    const SailMaterials& materials);
+
+// Two particles above and below the sail, tied to leading edges and axis. They stand at a steep
 // angle to the sail, so that no node can give way.
-std::vector<Id> addStiffeners(Network& network, const DeltaShape& shape, const Lattice& lattice,
+std::vector<Id> addStiffeners(Network& network, const DeltaShape& shape, const SailFrame& frame,
                               Id material);
 
 // The wind, m/s, that a wing of this frame meets at `speed` and an angle of attack, rad.

@@ -75,13 +75,6 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     return materials;
 }
 
-std::vector<Id> keelOf(const Lattice& lattice)
-{
-    std::vector<Id> nodes = lattice.median();
-    nodes.insert(nodes.begin(), lattice.at(0, 0));
-    return nodes;
-}
-
 struct Wing
 {
     Lattice lattice;
@@ -99,7 +92,8 @@ Wing addWing(Network& network, const Parameters& p, const Materials& materials)
                            p.at("washout") * degrees,
                            p.at("reflex")};
     const Lattice lattice = addSail(network, shape, int(p.at("segments")), materials.sail);
-    Wing wing{lattice, addStiffeners(network, shape, lattice, materials.frame), Id{}, Id{}};
+    Wing wing{lattice, addStiffeners(network, shape, SailFrame::of(lattice), materials.frame), Id{},
+              Id{}};
     const double depth = p.at("pilot_depth");
     wing.foot = network.particle({-0.6 * shape.chord, -1.25 * depth, 0.0});
     const double each = p.at("wing_mass") / double(network.part().particles.size());
@@ -208,7 +202,7 @@ Result<Scene> buildHangGlider(const Parameters& p)
     network.place(turn, {0.0, p.at("altitude"), 0.0}, turn * -headwind(speed, angle));
 
     addGroup(scene, "leading edge", wing.lattice.sides());
-    addGroup(scene, "keel", keelOf(wing.lattice));
+    addGroup(scene, "keel", SailFrame::of(wing.lattice).axis);
     addGroup(scene, "rigidity", wing.stiffeners);
     addGroup(scene, "pilot", {wing.pilot});
     addControls(scene, p, wing.pilot, turn.col(0));

@@ -425,6 +425,7 @@ private:
                 all << "<qt>"
                            + QString::fromStdString(sourcesOf(preset))
                                  .toHtmlEscaped()
+                                 .remove('&') // as bare() does
                                  .toLower()
                                  .replace('\n', "<br>")
                            + "</qt>"

@@ -61,7 +61,7 @@ private slots:
         const QString kite = scene("delta_kite");
         // clang-format off
         row("nothing asked",              {},                                                       2, "subcommand");
-        row("unknown command",            {"fly"},                                                  2, "there are info, build");
+        row("unknown command",            {"hover"},                                                2, "there are info, build");
         row("misspelt command",           {"exprt"},                                                2, "did you mean \"export\"?");
         row("no scene",                   {"info"},                                                 2, "SCENE");
         row("unknown option",             {"info", kite, "--jsn"},                                  2, "jsn");

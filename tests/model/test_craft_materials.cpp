@@ -4,10 +4,10 @@
 // Stages: what is offered is in the library; an ideal kite is the paper's; then a real one, whose
 // mass is summed up by hand, flown at two resolutions and of every cloth.
 #include "builders/craft_materials.h"
+#include "materials/presets.h"
 #include "model/sample_scenes.h"
 #include "scene/check.h"
 #include "scene/cloth_area.h"
-#include "materials/presets.h"
 
 #include <QtTest>
 
@@ -124,20 +124,33 @@ private slots:
         QVERIFY(simulation.frame()->accuracy.isMet());
     }
 
-    // The same kite cut into smaller panels stands at the same angle and pulls alike.
+    // The same kite cut into smaller panels stands at the same angle and pulls alike. Its trailing
+    // edge flutters a little from 400 panels on, so these are means.
     void fliesAlikeAtAnyResolution()
     {
+        struct Flown
+        {
+            double angle = 0.0, pull = 0.0;
+        };
         const auto flown = [](double segments) {
             Simulation simulation(*compile(kite(real(segments))));
-            if (!simulation.runUntil(15.0))
-                qFatal("it did not fly");
-            return std::pair(probe(simulation, "line angle"), probe(simulation, "line tension"));
+            constexpr int looks = 50;
+            Flown mean;
+            for (int i = 0; i < looks; ++i) {
+                if (!simulation.runUntil(10.0 + 0.1 * i))
+                    qFatal("it did not fly");
+                mean.angle += probe(simulation, "line angle") / looks;
+                mean.pull += probe(simulation, "line tension") / looks;
+            }
+            qInfo("%.0f segments: %.2f degrees, %.2f N", segments, mean.angle, mean.pull);
+            return mean;
         };
-        const auto [angle, pull] = flown(14);
-        const auto [finerAngle, finerPull] = flown(20);
-        qInfo("%.2f and %.2f degrees, %.2f and %.2f N", angle, finerAngle, pull, finerPull);
-        QVERIFY(std::abs(angle - finerAngle) < 0.01 * finerAngle);
-        QVERIFY(std::abs(pull - finerPull) < 0.03 * finerPull);
+        const Flown finest = flown(28);
+        for (const double segments : {14.0, 20.0}) {
+            const auto [angle, pull] = flown(segments);
+            QVERIFY(std::abs(angle / finest.angle - 1.0) < 0.02);
+            QVERIFY(std::abs(pull / finest.pull - 1.0) < 0.03);
+        }
     }
 
     void everyClothFlies_data()

@@ -115,7 +115,7 @@ QString englishLabel(std::string_view choice)
 QString choiceLabel(std::string_view choice)
 {
     if (const Result<const Preset*> preset = findPreset(choice)) // what is for sale has one name
-        return QString::fromStdString((*preset)->label);
+        return translated((*preset)->label);
     return translated(englishLabel(choice).toStdString());
 }
 
