@@ -224,7 +224,8 @@ void DirectSolver::findIslands()
 
 void DirectSolver::refresh(const System& system)
 {
-    if (hasSamePins(system) && (!m_takesTriples || m_bends.areOf(system)))
+    if (hasSamePins(system)
+        && (!m_takesTriples || (m_bends.areOf(system) && m_panels.areOf(system))))
         takeValues(system);
     else
         prepare(system, std::vector<int>(m_rods), m_takesTriples ? Triples::Taken : Triples::Left);

@@ -47,6 +47,15 @@ Mat3 tangentOf(const ClothLaw& law, const ClothTension& now)
     return (1.0 - kept) * now.stiffness + kept * stiffnessOf(law);
 }
 
+// Whether there is something to pull and something to move.
+bool takesPart(const System& system, const Membrane& membrane)
+{
+    return lawOf(system, membrane).isElastic()
+           && std::ranges::any_of(
+               system.panels[std::size_t(membrane.panel)].corner,
+               [&](int corner) { return system.inverseMass[std::size_t(corner)] > 0.0; });
+}
+
 } // namespace
 
 void ElasticPanels::prepare(const System& system, std::span<const std::uint32_t> row)
@@ -54,17 +63,25 @@ void ElasticPanels::prepare(const System& system, std::span<const std::uint32_t>
     m_panels.clear();
     for (std::size_t m = 0; m < system.membranes.size(); ++m) {
         const Membrane& membrane = system.membranes[m];
+        if (!takesPart(system, membrane))
+            continue;
         ElasticPanel panel;
         panel.membrane = int(m);
-        bool moves = false;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int corner = system.panels[std::size_t(membrane.panel)].corner[k];
-            panel.row[k] = row[std::size_t(corner)];
-            moves |= system.inverseMass[std::size_t(corner)] > 0.0;
-        }
-        if (moves && lawOf(system, membrane).isElastic())
-            m_panels.push_back(panel);
+        for (std::size_t k = 0; k < 3; ++k)
+            panel.row[k] = row[std::size_t(system.panels[std::size_t(membrane.panel)].corner[k])];
+        m_panels.push_back(panel);
     }
+}
+
+bool ElasticPanels::areOf(const System& system) const
+{
+    const auto carries = [&](const Membrane& membrane) { return takesPart(system, membrane); };
+    const auto stays = [&](const ElasticPanel& panel) {
+        return std::size_t(panel.membrane) < system.membranes.size()
+               && carries(system.membranes[std::size_t(panel.membrane)]);
+    };
+    return std::size_t(std::ranges::count_if(system.membranes, carries)) == m_panels.size()
+           && std::ranges::all_of(m_panels, stays);
 }
 
 void ElasticPanels::sortByRow() { std::ranges::stable_sort(m_panels, {}, firstRow); }

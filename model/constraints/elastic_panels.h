@@ -42,6 +42,10 @@ public:
     //   row  [particles]  of the solver
     void prepare(const System& system, std::span<const std::uint32_t> row);
 
+    // Whether these are still the panels of the system that carry something; their laws and cuts
+    // may have changed.
+    bool areOf(const System& system) const;
+
     // Puts panels in the order of their first rows, for large networks.
     void sortByRow();
 
