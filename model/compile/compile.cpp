@@ -109,10 +109,10 @@ void addMembrane(const Panel& row, System& system)
         return;
     const double area = flat->area();
     const double scale = 0.5 / area;
-    system.membranes.push_back({int(system.panels.size()) - 1,
-                                area,
-                                {flat->ac.y() * scale, -flat->ac.x() * scale, -flat->ab.y() * scale,
-                                 flat->ab.x() * scale}});
+    const PanelCut cut{
+        area,
+        {flat->ac.y() * scale, -flat->ac.x() * scale, -flat->ab.y() * scale, flat->ab.x() * scale}};
+    system.membranes.push_back({cut, int(system.panels.size()) - 1});
 }
 
 void addPanels(const Scene& scene, const ElementIndex& index, System& system)

@@ -51,6 +51,10 @@ public:
         }
         for (const auto& [i, key] : patch.panels)
             m_system.panels[std::size_t(i)].air = airOf(key);
+        for (const auto& [key, law] : patch.laws)
+            cloth(airOf(key), law);
+        for (const auto& [i, cut] : patch.cuts)
+            this->cut(cut, m_system.membranes[std::size_t(i)]);
         items(patch);
         // the choice of Solver::Auto hangs on what bounds the substep
         m_allRods |= listForces(m_system, edited(patch));
@@ -101,12 +105,22 @@ private:
         }
         m_system.materialAir[std::size_t(airOf(key))] = ripstop::airOf(Id{key}, material);
         this->bending(std::size_t(airOf(key)), bendingOf(material));
-        if (!m_system.cloth.empty()) {
-            ClothLaw& held = m_system.cloth[std::size_t(airOf(key))];
-            const ClothLaw law = clothOf(material);
-            m_allRods |= held != law;
-            held = law;
-        }
+        cloth(airOf(key), clothOf(material));
+    }
+
+    void cloth(int place, const ClothLaw& law)
+    {
+        if (m_system.cloth.empty())
+            return;
+        ClothLaw& held = m_system.cloth[std::size_t(place)];
+        m_allRods |= held != law;
+        held = law;
+    }
+
+    void cut(const PanelCut& now, PanelCut& held)
+    {
+        m_allRods |= held != now;
+        held = now;
     }
 
     void bending(std::size_t place, const Bending& bending)

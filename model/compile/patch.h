@@ -27,7 +27,9 @@ struct Patch
     At<Spring> springs; // by place in System::links, as is all that concerns links
     At<Rod> rods;
     At<LinkStuff> linkStuff;
-    At<Key> panels; // their materials
+    At<Key> panels;                             // their materials
+    std::vector<std::pair<Key, ClothLaw>> laws; // of materials, after those above
+    At<PanelCut> cuts;                          // by place in System::membranes
 
     std::optional<Winds> winds;
     std::optional<std::vector<Obstacle>> obstacles;

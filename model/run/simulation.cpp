@@ -69,8 +69,8 @@ public:
     std::optional<Trouble> trouble;
 
 private:
-    std::optional<NotedLinks> linksBeforeEdit() const;
-    void rampFrom(const std::optional<NotedLinks>& noted);
+    std::optional<NotedNumbers> numbersBeforeEdit() const;
+    void rampFrom(const std::optional<NotedNumbers>& noted);
     std::shared_ptr<const System> endRamps();
     void followRamps(double time);
     void noteAccuracy();
@@ -83,37 +83,37 @@ private:
 // --- loading ---------------------------------------------------------------------------------
 
 // Before the first step nothing pulls yet, and edits count at once.
-std::optional<NotedLinks> Simulation::Private::linksBeforeEdit() const
+std::optional<NotedNumbers> Simulation::Private::numbersBeforeEdit() const
 {
     if (run.now.step == 0)
         return std::nullopt;
-    return NotedLinks(*derived.compiled(), run.now);
+    return NotedNumbers(*derived.compiled(), run.now);
 }
 
 // After the compiled system was edited, and before anything is derived from it.
-void Simulation::Private::rampFrom(const std::optional<NotedLinks>& noted)
+void Simulation::Private::rampFrom(const std::optional<NotedNumbers>& noted)
 {
     if (noted)
-        run.now.ramps = noted->rampsTo(*derived.compiled());
-    if (!run.now.ramps.empty())
-        derived.apply(rampsAt(*derived.compiled(), run.now.ramps, run.now.time));
+        noted->rampTo(*derived.compiled(), run.now);
+    if (hasRamps(run.now))
+        derived.apply(rampsAt(*derived.compiled(), run.now, run.now.time));
 }
 
 // Makes the compiled system what it was compiled to. Returns what was derived of it and is no more.
 std::shared_ptr<const System> Simulation::Private::endRamps()
 {
-    if (run.now.ramps.empty())
+    if (!hasRamps(run.now))
         return nullptr;
-    return derived.apply(endsOf(*derived.compiled(), run.now.ramps));
+    return derived.apply(endsOf(*derived.compiled(), run.now));
 }
 
 void Simulation::Private::followRamps(double time)
 {
-    if (run.now.ramps.empty())
+    if (!hasRamps(run.now))
         return;
-    if (const auto before = derived.apply(rampsAt(*derived.compiled(), run.now.ramps, time)))
+    if (const auto before = derived.apply(rampsAt(*derived.compiled(), run.now, time)))
         derived.carryOn(*before, run);
-    dropEnded(run.now.ramps, time);
+    dropEnded(run.now, time);
 }
 
 // A new run, from the start of the compiled system.
@@ -129,7 +129,7 @@ void Simulation::Private::load(std::shared_ptr<const System> system)
 {
     accuracy = {};
     const bool again = system->run != derived.compiled()->run;
-    const auto noted = linksBeforeEdit();
+    const auto noted = numbersBeforeEdit();
     const std::shared_ptr<const System> before = derived.replace(std::move(system));
     if (again) {
         startOver();
@@ -145,7 +145,7 @@ void Simulation::Private::apply(const Patch& patch)
 {
     accuracy = {};
     const bool again = patch.run != derived.compiled()->run;
-    const auto noted = linksBeforeEdit();
+    const auto noted = numbersBeforeEdit();
     std::shared_ptr<const System> before = endRamps();
     if (auto derivedBefore = derived.apply(patch))
         before = std::move(derivedBefore);
@@ -195,18 +195,18 @@ void Simulation::Private::resume(const Moment& moment)
     trouble.reset();
     endRamps();
     derived.goOnFrom(moment, run);
-    const NotedLinks noted(*moment.system, moment.state);
-    run.now.ramps = noted.rampsTo(*derived.compiled());
+    const NotedNumbers noted(*moment.system, moment.state);
+    noted.rampTo(*derived.compiled(), run.now);
     followRamps(run.now.time);
 }
 
 void Simulation::Private::place(State state)
 {
-    const bool hasRamps = !run.now.ramps.empty() || !state.ramps.empty();
+    const bool ramped = hasRamps(run.now) || hasRamps(state);
     endRamps();
-    if (hasRamps)
-        derived.apply(rampsAt(*derived.compiled(), state.ramps, state.time));
-    if (hasRamps || state.splits != run.now.splits || state.hands.pins != run.now.hands.pins)
+    if (ramped)
+        derived.apply(rampsAt(*derived.compiled(), state, state.time));
+    if (ramped || state.splits != run.now.splits || state.hands.pins != run.now.hands.pins)
         derived.derive(state);
     run.now = std::move(state);
 }

@@ -263,7 +263,7 @@ struct Settings
     Solver solver = Solver::Auto;
     double accuracy = 1.0;   // %, error of pulls that is wanted
     double strainGoal = 1.0; // %, largest strain of rods that Solver::Auto aims at
-    double rampTime = 0.1;   // s, over which links take over what is edited in flight
+    double rampTime = 0.1;   // s, over which links and panels take over edits in flight
     int tearsPerStep = 0;    // links that a time step may break, 0 for any number
     TearMesh tearMesh = TearMesh::Vanish;
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2

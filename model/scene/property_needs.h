@@ -45,7 +45,6 @@ using Around = Circumstances;
 // clang-format off
 
 // the solver and what it works on
-inline constexpr Need someLink = need([](const Around& a) { return a.all.links() > 0; }, "there are no links");
 inline constexpr Need someRod = need([](const Around& a) { return a.all.rods > 0; }, "no link is a rod");
 inline constexpr Need someLinkOrElasticPanel = need([](const Around& a) { return a.all.links() > 0 || a.all.elasticPanels > 0; }, "there are no links, and no panel is elastic");
 inline constexpr Need aimsAtStrain = need([](const Settings& s, const Around&) { return s.solver == Solver::Auto; }, "only the automatic solver aims at a strain");

@@ -81,6 +81,24 @@ inline constexpr auto fieldsOf<Ramp> =
     fields<Ramp, &Ramp::link, &Ramp::began, &Ramp::lasts, &Ramp::from, &Ramp::to>;
 
 template <>
+inline constexpr auto fieldsOf<ClothLaw> =
+    fields<ClothLaw, &ClothLaw::warp, &ClothLaw::weft, &ClothLaw::coupling, &ClothLaw::shear,
+           &ClothLaw::dampingTime, &ClothLaw::pushes>;
+
+template <>
+inline constexpr auto fieldsOf<PanelCut> = fields<PanelCut, &PanelCut::area, &PanelCut::shape>;
+
+template <>
+inline constexpr auto fieldsOf<ClothRamp> =
+    fields<ClothRamp, &ClothRamp::material, &ClothRamp::began, &ClothRamp::lasts, &ClothRamp::from,
+           &ClothRamp::to>;
+
+template <>
+inline constexpr auto fieldsOf<PanelRamp> =
+    fields<PanelRamp, &PanelRamp::panel, &PanelRamp::began, &PanelRamp::lasts, &PanelRamp::from,
+           &PanelRamp::to>;
+
+template <>
 inline constexpr auto fieldsOf<Work> = fields<Work, &Work::air, &Work::hands, &Work::damping,
                                               &Work::contact, &Work::tearing, &Work::residual>;
 
@@ -111,7 +129,9 @@ inline constexpr auto fieldsOf<State> = fields<State,
     &State::splits,
     &State::tearHolds, // name links by their places, which carryOver() finds again
     field<&State::work, Since{3}>,
-    field<&State::ramps, Since{4}>>;
+    field<&State::ramps, Since{4}>,
+    field<&State::clothRamps, Since{5}>,
+    field<&State::panelRamps, Since{5}>>;
 // clang-format on
 
 // The serials and what goes with them say when a solver looks again: two systems may be equal

@@ -54,13 +54,6 @@ Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& n
     return Vec3::Zero();
 }
 
-double largestOf(const Vec3& strain) // 1, never below 0
-{
-    const double mean = 0.5 * (strain[0] + strain[1]);
-    const double half = 0.5 * (strain[0] - strain[1]);
-    return std::max(mean + std::sqrt(half * half + 0.25 * strain[2] * strain[2]), 0.0);
-}
-
 } // namespace
 
 Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
@@ -86,14 +79,21 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
         return {};
     const Vec3 strain = strainAt(membrane, corners);
     const ClothTension now = tensionOf(law, strain);
-    return {true, now.state, largestOf(threadStrain(law, strain, now)),
+    return {true, now.state, largestStrain(threadStrain(law, strain, now)),
             largestTension(now.tension)};
+}
+
+double largestStrain(const Vec3& strain)
+{
+    const double mean = 0.5 * (strain[0] + strain[1]);
+    const double half = 0.5 * (strain[0] - strain[1]);
+    return std::max(mean + std::sqrt(half * half + 0.25 * strain[2] * strain[2]), 0.0);
 }
 
 double largestStrain(const System& system, const Membrane& membrane, const Corners& corners)
 {
     const ClothLaw& law = lawOf(system, membrane);
-    return law.isElastic() ? largestOf(pullingStrain(law, strainAt(membrane, corners))) : 0.0;
+    return law.isElastic() ? largestStrain(pullingStrain(law, strainAt(membrane, corners))) : 0.0;
 }
 
 double lossIn(const System& system, const Membrane& membrane, const Corners& from,

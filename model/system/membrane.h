@@ -43,6 +43,9 @@ ClothTension tensionIn(const System& system, const Membrane& membrane, const Cor
 // The same in the numbers that people read.
 PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& corners);
 
+// What a strain stretches most, 1; 0 where it shortens all around.
+double largestStrain(const Vec3& strain);
+
 // The largest strain of the threads of a panel, 1; 0 where it is slack.
 double largestStrain(const System& system, const Membrane& membrane, const Corners& corners);
 

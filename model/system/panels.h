@@ -48,16 +48,23 @@ struct FabricPanel // one triangle of fabric
     friend bool operator==(const FabricPanel&, const FabricPanel&) = default;
 };
 
-// A panel that carries the pull of the fabric: a triangle of constant strain. Its law is that of the
-// panel's material in System::cloth. With x_a, x_b, x_c its corners, the columns of
+// What an elastic panel is cut like. With x_a, x_b, x_c its corners, the columns of
 //     F = (x_b - x_a, x_c - x_a) shape
 // are where the warp and the weft have gone, 1 long each at rest.
-struct Membrane
+struct PanelCut
 {
-    int panel = 0;     // index into System::panels
-    double area = 0.0; // m^2, flat and at rest
-    std::array<double, 4> shape{}; // 1/m, row by row: the inverse of the sides ab and ac at rest, as
-                                   // columns, along warp and weft
+    double area = 0.0;             // m^2, flat and at rest
+    std::array<double, 4> shape{}; // 1/m, row by row: the inverse of the sides ab and ac at rest,
+                                   // as columns, along warp and weft
+
+    friend bool operator==(const PanelCut&, const PanelCut&) = default;
+};
+
+// A panel that carries the pull of the fabric: a triangle of constant strain. Its law is that of
+// the panel's material in System::cloth.
+struct Membrane : PanelCut
+{
+    int panel = 0; // index into System::panels
 
     friend bool operator==(const Membrane&, const Membrane&) = default;
 };

@@ -6,11 +6,13 @@
 // how it goes over into another system.
 #pragma once
 
+#include "base/cloth_law.h"
 #include "base/hands.h"
 #include "base/vec3.h"
 #include "system/canopy.h"
 #include "system/gust_spec.h"
 #include "system/links.h"
+#include "system/panels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -85,6 +87,30 @@ struct Ramp
     friend bool operator==(const Ramp&, const Ramp&) = default;
 };
 
+// The same of the law of a material's elastic panels, and of the cut of one of them
+// (run/cloth_ramps.h).
+struct ClothRamp
+{
+    Key material;
+    double began; // s
+    double lasts; // s
+    ClothLaw from;
+    ClothLaw to;
+
+    friend bool operator==(const ClothRamp&, const ClothRamp&) = default;
+};
+
+struct PanelRamp
+{
+    Key panel;
+    double began; // s
+    double lasts; // s
+    PanelCut from;
+    PanelCut to;
+
+    friend bool operator==(const PanelRamp&, const PanelRamp&) = default;
+};
+
 struct State
 {
     double time = 0.0;         // s
@@ -131,7 +157,9 @@ struct State
     std::vector<TearHold> tearHolds;
 
     Work work;
-    std::vector<Ramp> ramps; // in ascending order of key
+    std::vector<Ramp> ramps; // in ascending order of key, as are the next two
+    std::vector<ClothRamp> clothRamps;
+    std::vector<PanelRamp> panelRamps;
 
     friend bool operator==(const State&, const State&) = default;
 };

@@ -85,7 +85,7 @@ struct System
     Solver solver = Solver::GaussSeidel;
     double accuracy = 0.01;   // 1, error of pulls that is wanted
     double strainGoal = 0.01; // 1, the strain that stands for it in rods without compliance
-    double rampTime = 0.0;    // s, over which links take over what is edited in flight
+    double rampTime = 0.0;    // s, over which links and panels take over edits in flight
     int tearsPerStep = 0;     // links that a time step may break, 0 for any number
     TearMesh tearMesh = TearMesh::Vanish;
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2

@@ -11993,8 +11993,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Time in which links take over a stiffness, damping, rest length or tear limit that is edited in flight, and longer where that would throw what they hold; 0 takes it over at once.</source>
-        <translation>Temps que mettent les liaisons à prendre une raideur, un amortissement, une longueur au repos ou une limite de déchirure modifiés en vol, et plus long là où cela projetterait ce qu’elles tiennent ; 0 les prend aussitôt.</translation>
+        <source>Time in which links and elastic panels take over a stiffness, damping, rest length or tear limit that is edited in flight, and longer where that would throw what they hold; 0 takes it over at once.</source>
+        <translation>Temps que mettent les liaisons et les panneaux élastiques à prendre une raideur, un amortissement, une longueur au repos ou une limite de déchirure modifiés en vol, et plus long là où cela projetterait ce qu’ils tiennent ; 0 les prend aussitôt.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -202,8 +202,9 @@ private slots:
         }
     }
 
-    // Every field of a state is in a stretch. One of version 3 has all but what BDF2 looks back to
-    // and the ramps, and one of version 2 has no work either.
+    // Every field of a state is in a stretch. One of version 4 has no ramps of cloth, one of
+    // version 3 neither what BDF2 looks back to nor any ramps, and one of version 2 has no work
+    // either.
     void recorded()
     {
         State state;
@@ -215,11 +216,21 @@ private slots:
         QVERIFY(read);
         QCOMPARE(named(differingField(*read->start, state)), QString());
 
-        ByteWriter fourth({}, 4);
-        fourth(std::uint64_t(1));
-        fourth(state.velocityBefore);
-        fourth(state.ramps);
-        const std::string third = now.substr(0, now.size() - fourth.take().size());
+        ByteWriter fifth({}, 5);
+        fifth(std::uint64_t(1));
+        fifth(state.clothRamps);
+        fifth(state.panelRamps);
+        const std::string fourth = now.substr(0, now.size() - fifth.take().size());
+        const std::optional<RunChunk> later = chunkOf(fourth);
+        QVERIFY(later);
+        QCOMPARE(named(differingField(*later->start, state)), QString("clothRamps"));
+        QVERIFY(later->start->ramps == state.ramps);
+
+        ByteWriter sinceFourth({}, 4);
+        sinceFourth(std::uint64_t(1));
+        sinceFourth(state.velocityBefore);
+        sinceFourth(state.ramps);
+        const std::string third = fourth.substr(0, fourth.size() - sinceFourth.take().size());
         const std::optional<RunChunk> late = chunkOf(third);
         QVERIFY(late);
         QCOMPARE(named(differingField(*late->start, state)), QString("ramps"));

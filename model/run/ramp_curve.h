@@ -1,0 +1,64 @@
+// How what an edit in flight changes goes over: the curve of all ramps, and how long they last.
+//
+// A number goes from what it was to what was typed as s^2 (3 - 2 s) does from 0 to 1, s being the
+// share of the time that has passed: it begins and ends without a jerk.
+//
+// A soft kite on a long line that is made stiff again has far to go: the way is what its links and
+// panels have to shrink by, at most, times the size of what is edited. A load that hangs so far
+// down swings with a period of 2 pi sqrt(way / g). One that cannot follow is thrown by what the
+// cloth still holds when it gets stiff, and so the ramps of the edit last at least half as long.
+#pragma once
+
+#include "base/vec3.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+namespace ripstop {
+
+template <typename R>
+bool hasEnded(const R& ramp, double time) // s
+{
+    return time >= ramp.began + ramp.lasts;
+}
+
+// How much of the way a ramp has come at a time, s: 0 to 1.
+template <typename R>
+double shareOf(const R& ramp, double time)
+{
+    if (hasEnded(ramp, time))
+        return 1.0;
+    const double s = std::max((time - ramp.began) / ramp.lasts, 0.0);
+    return s * s * (3.0 - 2.0 * s);
+}
+
+inline double between(double from, double to, double share) { return from + share * (to - from); }
+
+// What is edited at once, and how far it has to go.
+struct RampWay
+{
+    Eigen::AlignedBox3d box; // m, around what is edited
+    double strain = 0.0;     // 1, the largest change of a length over that length
+
+    double lastsFor(double rampTime) const // s
+    {
+        constexpr double g = 9.8; // m/s^2; what flies is held by about its weight, or pulled harder
+        const double way = box.isEmpty() ? 0.0 : strain * box.diagonal().norm(); // m
+        return std::max(rampTime, std::numbers::pi * std::sqrt(way / g));
+    }
+};
+
+// The ramp of a key, or null; `ramps` in ascending order of `key`.
+template <typename R, typename K>
+const R* rampOf(const std::vector<R>& ramps, K R::*key, const K& wanted)
+{
+    const auto found = std::ranges::lower_bound(ramps, wanted, {}, key);
+    return found != ramps.end() && std::invoke(key, *found) == wanted ? &*found : nullptr;
+}
+
+} // namespace ripstop
