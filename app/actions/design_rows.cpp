@@ -202,6 +202,7 @@ MenuRows designRows(const Workbench& bench)
         {"&Design", "smooth", tr("Smoo&th…"),      nullptr,  {},                      tr("Take bumps and creases out of the selected fabric and lines."), operation("smooth"), no, nullptr, some},
         {"&Design", "weld",   tr("W&eld…"),        nullptr,  QKeySequence("M"),       tr("Make one particle of those that lie together, or of all that are selected."), operation("weld"), no, nullptr, some},
         {"&Design", "split",  tr("S&plit links…"), nullptr,  {},                      tr("Make several links of each selected one, with particles between them."), operation("split"), no, nullptr, some},
+        {"&Design", "panels", tr("T&hreads to panels…"), nullptr, {},                 tr("Have the panels of the selected parts carry the pull of their fabric, in place of threads."), operation("panels"), no, nullptr, some},
         line,
         {"&Design", "pin",    tr("Pi&n or unpin"), "pin",    QKeySequence("P"),       tr("Hold the selected particles where they are, or let them go when all are held."), [=] { shaper.pin(); }, no, nullptr, some},
         {"&Design", "guide",  tr("Free along a line or &in a plane…"), nullptr, QKeySequence("Ctrl+Alt+P"), tr("Let the selected particles slide along a line or in a plane only, as rings on a rail: along x, y or z, or as two or three selected particles lie."), operation("guide"), no, nullptr, some},

@@ -27,6 +27,7 @@ void addProperties(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
 void addPresets(CLI::App& app, Command& chosen);
 void addWeigh(CLI::App& app, Command& chosen);
+void addConvert(CLI::App& app, Command& chosen);
 void addFit(CLI::App& app, Command& chosen);
 
 } // namespace ripstop

@@ -59,6 +59,7 @@ int call(int argc, char** argv)
     addProperties(app, chosen);
     addPresets(app, chosen);
     addWeigh(app, chosen);
+    addConvert(app, chosen);
     addFit(app, chosen);
     addVerify(app, chosen);
 

@@ -6,11 +6,13 @@
 
 #include "author/copy.h"
 #include "author/draw_operations.h"
+#include "author/elements.h"
 #include "author/pin.h"
 #include "author/smooth.h"
 #include "author/split.h"
 #include "author/spread_mass.h"
 #include "author/weld.h"
+#include "scene/panel_fabric.h"
 
 #include <algorithm>
 #include <array>
@@ -206,6 +208,27 @@ Result<Shaped> splitLinks(const Scene& scene, const std::vector<Id>& ids, const 
     return Shaped{std::move(split.edit), std::move(split.made)};
 }
 
+Result<Shaped> threadsToPanels(const Scene& scene, const std::vector<Id>& ids, const Parameters&)
+{
+    const std::vector<Id> elements = elementsOf(scene, ids);
+    if (elements.empty())
+        return Failure{"Nothing is selected. Select fabric or its part first."};
+    const auto isSelected = [&](const auto& row) {
+        return std::ranges::binary_search(elements, row.id);
+    };
+    std::vector<Id> parts;
+    forEachPart(scene, [&](Id id, const Part& part) {
+        if (std::ranges::any_of(part.particles, isSelected)
+            || std::ranges::any_of(part.links, isSelected)
+            || std::ranges::any_of(part.panels, isSelected))
+            parts.push_back(id);
+    });
+    Result<PanelFabric> made = carriedByPanels(scene, parts);
+    if (!made)
+        return made.failure();
+    return Shaped{std::move(made->edit), std::move(made->parts)};
+}
+
 // clang-format off
 const std::array shapingOperations{
     Operation{"mirror", "Mirror", "Adds the other half of what is selected. What lies on the plane belongs to both halves, panels are turned round, and copies join the groups of their originals.", mirrorParameters, mirror},
@@ -216,6 +239,7 @@ const std::array shapingOperations{
     Operation{"smooth", "Smooth", "Takes bumps and creases out of the selected fabric and lines.", smoothParameters, smooth},
     Operation{"mass",   "Set mass", "Gives mass to the selected particles.", massParameters, mass},
     Operation{"split",  "Split links", "Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.", splitParameters, splitLinks},
+    Operation{"panels", "Threads to panels", "Has the panels of the selected parts carry the pull of their fabric, with warp, weft, shear and wrinkles, in place of threads. Lines, spars and hems stay, and the panels keep the cut that the threads had.", {}, threadsToPanels},
 };
 // clang-format on
 

@@ -1,6 +1,7 @@
 #include "scene/elastic_check.h"
 
 #include "scene/flat_panel.h"
+#include "scene/panel_fabric.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,9 +63,7 @@ void checkPart(const Scene& scene, const ElementIndex& index, const std::vector<
                         std::uint32_t(row.id), part.name),
                 row.id);
     }
-    const auto threads = std::ranges::count_if(part.links, [](const Link& link) {
-        return link.role != LinkRole::Line && link.width > 0.0;
-    });
+    const auto threads = std::ranges::count_if(part.links, isOfFabric);
     if (threads > 0)
         add("both", Severity::Warning,
             Message("%1 has panels that carry the pull of its fabric and %2 threads that carry it "

@@ -940,6 +940,11 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>Have the panels of the selected parts carry the pull of their fabric, in place of threads.</source>
+        <translation>Faire porter la traction du tissu par les panneaux des pièces sélectionnées, à la place des fils.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>Hold the selected particles where they are, or let them go when all are held.</source>
         <translation>Tenir en place les particules sélectionnées, ou les lâcher quand toutes sont tenues.</translation>
     </message>
@@ -1047,6 +1052,11 @@
         <location filename="design_rows.cpp"/>
         <source>Smoo&amp;th…</source>
         <translation>Li&amp;sser…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>T&amp;hreads to panels…</source>
+        <translation>&amp;Fils en panneaux…</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -4451,6 +4461,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="operation.cpp"/>
+        <source>Nothing is selected. Select fabric or its part first.</source>
+        <translation>Rien n’est sélectionné. Sélectionner d’abord du tissu ou sa pièce.</translation>
+    </message>
+    <message>
+        <location filename="operation.cpp"/>
         <source>The angle is 0, so that all would lie in one place. 360 is a full ring.</source>
         <translation>L’angle est 0, et tout serait au même endroit. 360 est un tour complet.</translation>
     </message>
@@ -4842,6 +4857,31 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="palette.cpp"/>
         <source>Type what you want to do: mirror, pin, wind…</source>
         <translation>Taper ce que vous voulez faire : symétrie, fixer, vent…</translation>
+    </message>
+    <message>
+        <location filename="panel_fabric.cpp"/>
+        <source>%1 has threads and no panels that could carry their pull: draw panels over them first.</source>
+        <translation>%1 a des fils et pas de panneaux qui pourraient porter leur traction : dessinez d’abord des panneaux dessus.</translation>
+    </message>
+    <message>
+        <location filename="panel_fabric.cpp"/>
+        <source>Panel %1 of %2 has no material and would carry nothing: give it that of the fabric first.</source>
+        <translation>Le panneau %1 de %2 n’a pas de matériau et ne porterait rien : donnez-lui d’abord celui du tissu.</translation>
+    </message>
+    <message>
+        <location filename="panel_fabric.cpp"/>
+        <source>Panels of %1 would carry nothing, as their material %2 has no membrane stiffness: give it one first, in N/m, or the numbers of a fabric of the library.</source>
+        <translation>Les panneaux de %1 ne porteraient rien, car leur matériau %2 n’a pas de raideur de membrane : donnez-lui-en d’abord une, en N/m, ou les nombres d’un tissu de la bibliothèque.</translation>
+    </message>
+    <message>
+        <location filename="panel_fabric.cpp"/>
+        <source>There is no fabric of threads here: no link has the role thread or bias and a width. Choose a part that has such links.</source>
+        <translation>Il n’y a pas ici de tissu de fils : aucune liaison n’a le rôle fil ou biais et une largeur. Choisissez une pièce qui a de telles liaisons.</translation>
+    </message>
+    <message>
+        <location filename="panel_fabric.cpp"/>
+        <source>Threads to panels</source>
+        <translation>Fils en panneaux</translation>
     </message>
     <message>
         <location filename="parameter_field.cpp"/>
@@ -7193,6 +7233,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="stability.cpp"/>
+        <source>%1 threads carry the pull of fabric that panels carry as well.</source>
+        <translation>%1 fils portent la traction d’un tissu que des panneaux portent aussi.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
         <source>1 free particle has no mass.</source>
         <translation>1 particule libre n’a pas de masse.</translation>
     </message>
@@ -7230,6 +7275,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="stability.cpp"/>
         <source>1 particle needs a shorter substep than %1 s, down to %2 s.</source>
         <translation>1 particule demande un sous-pas plus court que %1 s, jusqu’à %2 s.</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>1 thread carries the pull of fabric that panels carry as well.</source>
+        <translation>1 fil porte la traction d’un tissu que des panneaux portent aussi.</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -7310,6 +7360,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="stability.cpp"/>
         <source>Remove the loose particles</source>
         <translation>Supprimer les particules seules</translation>
+    </message>
+    <message>
+        <location filename="stability.cpp"/>
+        <source>Remove the threads</source>
+        <translation>Supprimer les fils</translation>
     </message>
     <message>
         <location filename="stability.cpp"/>
@@ -9380,6 +9435,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Hanging rods</source>
         <translation>Tiges suspendues</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Has the panels of the selected parts carry the pull of their fabric, with warp, weft, shear and wrinkles, in place of threads. Lines, spars and hems stay, and the panels keep the cut that the threads had.</source>
+        <translation>Fait porter la traction du tissu par les panneaux des pièces sélectionnées, avec chaîne, trame, cisaillement et plis, à la place des fils. Les lignes, les longerons et les ourlets restent, et les panneaux gardent la coupe qu’avaient les fils.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12835,11 +12895,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>the whole scene</source>
         <translation>toute la scène</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>there are no links</source>
-        <translation>il n’y a pas de liaisons</translation>
     </message>
     <message>
         <location filename="tables"/>

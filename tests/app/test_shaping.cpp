@@ -192,6 +192,45 @@ private slots:
         QCOMPARE(shop.part().particles.size(), std::size_t(3));
     }
 
+    // One step of the history; the dialog has nothing to ask and says what goes. A fabric that
+    // would carry nothing is refused by name.
+    void threadsBecomePanels()
+    {
+        const auto sheet = [](double membrane) {
+            return *build(*findBuilder("cloth"),
+                          {{"columns", 4}, {"rows", 4}, {"sphere", 0}, {"membrane", membrane}});
+        };
+        const auto partOf = [](const Shop& shop) {
+            Id found = noId;
+            forEachPart(shop.scene(), [&](Id id, const Part&) { found = id; });
+            return found;
+        };
+        Shop shop(sheet(40e3));
+        const Id part = partOf(shop);
+        const auto links = [&] { return findItem<Part>(shop.scene(), part)->links.size(); };
+        const std::size_t before = links();
+        shop.selection.set({part});
+        QVERIFY(shop.action("panels")->isEnabled());
+        OperationDialog dialog(operation("panels"), shop.document, shop.selection, &shop.window);
+        // 2 x 4 x 5 edges and two diagonals in each of 16 cells
+        QVERIFY2(dialog.findChild<QLabel*>("outcome")->text().contains("72 links"),
+                 qPrintable(dialog.findChild<QLabel*>("outcome")->text()));
+        dialog.accept();
+        QCOMPARE(shop.document.history().count(), 1);
+        QCOMPARE(links(), before - 72);
+        QVERIFY(findItem<Part>(shop.scene(), part)->carrier == FabricKind::Panels);
+        shop.document.history().undo();
+        QCOMPARE(links(), before);
+        QVERIFY(findItem<Part>(shop.scene(), part)->carrier == FabricKind::Threads);
+
+        Shop knit(sheet(0.0));
+        knit.selection.set({partOf(knit)});
+        OperationDialog refused(operation("panels"), knit.document, knit.selection, &knit.window);
+        QVERIFY(refused.findChild<QLabel*>("outcome")->text().contains("material cloth has no"));
+        refused.accept();
+        QCOMPARE(knit.document.history().count(), 0);
+    }
+
     // All docks look at what the hand moves: 100 489 particles, with the window free in between.
     void theWindowFollowsALargeDrag()
     {
