@@ -1,11 +1,13 @@
 // A taut cloth is one product. Where a component pushes, Wrinkles looks for the direction that
 // pulls: along (1, u) in the plane, u being its slope, the function (t.e.t) / sqrt(D(t)) does not
-// depend on the length of t and has its greatest value where a quartic in u is 0.
+// depend on the length of t and has its greatest value where a quartic in u is 0. Both ends of the
+// quarter turn are looked at alike: from the warp u counts from it, from the weft its inverse does.
 #include "base/cloth_law.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace ripstop {
 namespace {
@@ -21,10 +23,10 @@ struct Compliance // m/N; D(t) = first + both u^2 + second u^4 for t = (1, u)
     double first, second, coupling, shear;
     explicit Compliance(const ClothLaw& law)
     {
-        const double determinant = law.warp * law.weft - law.coupling * law.coupling;
-        first = law.weft / determinant;
-        second = law.warp / determinant;
-        coupling = -law.coupling / determinant;
+        const double inverse = 1.0 / (law.warp * law.weft - law.coupling * law.coupling);
+        first = law.weft * inverse;
+        second = law.warp * inverse;
+        coupling = -law.coupling * inverse;
         shear = 1.0 / law.shear;
     }
 };
@@ -54,123 +56,166 @@ public:
         return along > 0.0 ? along * along / compliance(u) : 0.0;
     }
 
-    // Where the pull is greatest for 0 <= u <= `last`. A peak in between is a root of the slope.
-    // There is one positive root, or there are three: a peak near each axis, and samples of the
-    // slope, which stand closer near 0, part them.
-    double greatest(double last) const
+    // Whether there may be three places where the pull neither grows nor falls, a peak near each
+    // axis and a valley in between, as the signs of the slope tell (Descartes). There is one
+    // otherwise. From both axes the answer is the same.
+    bool mayHaveTwoPeaks() const { return m_slope[1] < 0.0 && m_slope[2] > 0.0; }
+
+    // Of two peaks that of this axis. The slope bends upwards as u leaves the axis, so that Newton's
+    // method comes to its first root from below and never passes it; where it leads out of that
+    // bend, there is none in it.
+    std::optional<double> peakAtAxis() const
     {
-        const bool hasTwoPeaks = m_slope[1] < 0.0 && m_slope[2] > 0.0;
-        if (!hasTwoPeaks)
-            return slope(last) > 0.0 ? last : peak(0.0, last);
-        constexpr int samples = 14;
-        double best = pull(0.0) > pull(last) ? 0.0 : last;
-        double most = pull(best);
-        double high = last;
-        bool risesAtHigh = slope(high) > 0.0;
-        for (int i = 0; i < samples; ++i) {
-            const double low = i + 1 < samples ? 0.5 * high : 0.0;
-            const bool rises = slope(low) > 0.0;
-            if (rises && !risesAtHigh) {
-                const double found = peak(low, high);
-                if (const double pulls = pull(found); pulls > most) {
-                    best = found;
-                    most = pulls;
-                }
-            }
-            high = low;
-            risesAtHigh = rises;
+        double u = 0.0;
+        for (int i = 0; i < mostSteps; ++i) {
+            const double rise = riseOfSlope(u);
+            if (!(rise < 0.0 && m_slope[2] + 2.0 * u * m_slope[3] >= 0.0))
+                return {};
+            const double way = slope(u) / rise;
+            u -= way;
+            if (!(std::abs(way) > nearEnough * u))
+                return u;
         }
-        return best;
+        return {};
+    }
+
+    bool growsAtDiagonal() const { return slope(1.0) > 0.0; }
+
+    // The only one for 0 <= u <= 1: Newton's method between two places; where it leaves them, they
+    // are halved. It begins where the slope would be 0 if it were straight: of cloth that pushes
+    // across its pull it is nearly so. The upper place is well above 1, where the peak of cloth in
+    // pure shear is, so that Newton's steps may come from there.
+    double onlyPeak() const
+    {
+        double low = 0.0, high = 2.0;
+        double u = m_slope[0] < -m_slope[1] ? -m_slope[0] / m_slope[1] : 0.5;
+        for (int i = 0; i < mostSteps; ++i) {
+            const double value = slope(u);
+            (value > 0.0 ? low : high) = u;
+            double next = u - value / riseOfSlope(u);
+            if (!(next >= low && next <= high))
+                next = 0.5 * (low + high);
+            const double way = std::abs(next - u);
+            u = next;
+            if (!(way > nearEnough * u))
+                break;
+        }
+        return u;
     }
 
 private:
+    static constexpr int mostSteps = 60;
+    static constexpr double nearEnough = 1e-7; // each step squares the error that the last one left
+
     // Positive where the pull grows with u.
     double slope(double u) const
     {
         return m_slope[0] + u * (m_slope[1] + u * u * (m_slope[2] + u * m_slope[3]));
     }
 
-    // Newton's method between two places; where it leaves them, they are halved. Each step squares
-    // the error that the last one left.
-    double peak(double low, double high) const
+    double riseOfSlope(double u) const
     {
-        double u = 0.5 * (low + high);
-        for (int i = 0; i < 60; ++i) {
-            const double value = slope(u);
-            (value > 0.0 ? low : high) = u;
-            const double rise = m_slope[1] + u * u * (3.0 * m_slope[2] + 4.0 * u * m_slope[3]);
-            double next = u - value / rise;
-            if (!(next >= low && next <= high))
-                next = 0.5 * (low + high);
-            const double way = std::abs(next - u);
-            u = next;
-            if (!(way > 1e-9 * u))
-                break;
-        }
-        return u;
+        return m_slope[1] + u * u * (3.0 * m_slope[2] + 4.0 * u * m_slope[3]);
     }
 
     double m_e11, m_e22, m_g, m_first, m_second, m_both;
     std::array<double, 4> m_slope; // of 1, u, u^3, u^4
 };
 
-// Tension r (1, u^2, u), r = e / D, and its derivatives, in the order of the axes that u belongs
-// to.
-ClothTension wrinkled(const Vec3& strain, double first, double second, double both, double u)
+// Where a wrinkled cloth pulls: along (1, u) from one of its axes, which comes first in what has two
+// components here. Which way the threads shear only mirrors the direction.
+struct PullAlong
 {
-    const double compliance = first + u * u * (both + u * u * second);
-    const double along = strain[0] + u * (strain[2] + u * strain[1]);
-    const double r = along / compliance;
-    const double slope = u * (2.0 * both + 4.0 * u * u * second); // of D
-    const double bend = 2.0 * both + 12.0 * u * u * second;
-    const double turned = -0.5 * r * slope / compliance; // r' where the energy is stationary
-    const double curvature =
-        r * (2.0 * strain[1] - 0.5 * turned * slope - 0.5 * r * bend); // of the energy
-    const Vec3 t(1.0, u * u, u);
-    const Vec3 t1(0.0, 2.0 * u, 1.0);
-    ClothTension result;
-    result.state = ClothState::Wrinkled;
-    result.tension = r * t;
-    result.energy = 0.5 * along * r;
-    result.stiffness = t * t.transpose() / compliance;
-    if (curvature < 0.0) {
-        const Vec3 turn = turned * t + r * t1;
-        result.stiffness -= turn * turn.transpose() / curvature;
+    bool fromWarp;
+    double sign;   // of the shear
+    Vec3 strain;   // 1, the shear not negative
+    double first;  // m/N, of D
+    double second; // m/N
+    double both;   // m/N
+    double u;
+
+    double compliance() const { return first + u * u * (both + u * u * second); }
+    double along() const { return strain[0] + u * (strain[2] + u * strain[1]); }
+
+    Vec3 inClothFrame(const Vec3& value) const
+    {
+        return fromWarp ? Vec3(value[0], value[1], sign * value[2])
+                        : Vec3(value[1], value[0], sign * value[2]);
     }
-    return result;
-}
+    Mat3 inClothFrame(const Mat3& value) const
+    {
+        const int one = fromWarp ? 0 : 1;
+        const int other = 1 - one;
+        const double mixed = sign * value(one, 2), shear = sign * value(other, 2);
+        Mat3 result;
+        result << value(one, one), value(0, 1), mixed, value(0, 1), value(other, other), shear,
+            mixed, shear, value(2, 2);
+        return result;
+    }
+};
 
-void swapAxes(ClothTension& tension)
+// Nothing where it does not pull at all.
+std::optional<PullAlong> findPull(const ClothLaw& law, const Vec3& strain)
 {
-    std::swap(tension.tension[0], tension.tension[1]);
-    tension.stiffness.row(0).swap(tension.stiffness.row(1));
-    tension.stiffness.col(0).swap(tension.stiffness.col(1));
-}
-
-ClothTension wrinkledOf(const ClothLaw& law, const Vec3& strain)
-{
-    // Which way the threads shear only mirrors the direction.
     const double sign = strain[2] < 0.0 ? -1.0 : 1.0;
     const double g = sign * strain[2];
     const Compliance c(law);
     const double both = 2.0 * c.coupling + c.shear;
-    const double middle = std::sqrt(std::sqrt(c.first / c.second));
     const Wrinkles fromWarp(strain[0], strain[1], g, c.first, c.second, both);
     const Wrinkles fromWeft(strain[1], strain[0], g, c.second, c.first, both);
-    const double warpSlope = fromWarp.greatest(middle);
-    const double weftSlope = fromWeft.greatest(1.0 / middle);
-    const bool warp = fromWarp.pull(warpSlope) >= fromWeft.pull(weftSlope);
-    if (!(std::max(fromWarp.pull(warpSlope), fromWeft.pull(weftSlope)) > 0.0))
+    std::optional<double> warpSlope, weftSlope;
+    if (fromWarp.mayHaveTwoPeaks()) {
+        warpSlope = fromWarp.peakAtAxis();
+        weftSlope = fromWeft.peakAtAxis();
+    }
+    if (!warpSlope && !weftSlope) {
+        if (fromWarp.growsAtDiagonal())
+            weftSlope = fromWeft.onlyPeak();
+        else
+            warpSlope = fromWarp.onlyPeak();
+    }
+    const double warpPull = warpSlope ? fromWarp.pull(*warpSlope) : 0.0;
+    const double weftPull = weftSlope ? fromWeft.pull(*weftSlope) : 0.0;
+    if (!(std::max(warpPull, weftPull) > 0.0))
         return {};
-    ClothTension result =
-        warp ? wrinkled({strain[0], strain[1], g}, c.first, c.second, both, warpSlope)
-             : wrinkled({strain[1], strain[0], g}, c.second, c.first, both, weftSlope);
-    if (!warp)
-        swapAxes(result);
-    result.tension[2] *= sign;
-    result.stiffness.row(2) *= sign;
-    result.stiffness.col(2) *= sign;
-    return result;
+    if (warpPull >= weftPull)
+        return PullAlong{true,     sign,     {strain[0], strain[1], g}, c.first,
+                         c.second, both,     *warpSlope};
+    return PullAlong{false, sign, {strain[1], strain[0], g}, c.second, c.first, both, *weftSlope};
+}
+
+// Tension r (1, u^2, u), r = e / D, and its derivatives.
+ClothTension wrinkled(const PullAlong& pull)
+{
+    const double u = pull.u;
+    const double stiffness = 1.0 / pull.compliance();
+    const double along = pull.along();
+    const double r = along * stiffness;
+    const double slope = u * (2.0 * pull.both + 4.0 * u * u * pull.second); // of D
+    const double bend = 2.0 * pull.both + 12.0 * u * u * pull.second;
+    const double turned = -0.5 * r * slope * stiffness; // r' where the energy is stationary
+    const double curvature =
+        r * (2.0 * pull.strain[1] - 0.5 * turned * slope - 0.5 * r * bend); // of the energy
+    const Vec3 t(1.0, u * u, u);
+    const Vec3 t1(0.0, 2.0 * u, 1.0);
+    Mat3 change = stiffness * (t * t.transpose());
+    if (curvature < 0.0) {
+        const Vec3 turn = turned * t + r * t1;
+        change -= 1.0 / curvature * (turn * turn.transpose());
+    }
+    return {ClothState::Wrinkled, pull.inClothFrame(Vec3(r * t)), pull.inClothFrame(change),
+            0.5 * along * r};
+}
+
+Vec3 tautTension(const ClothLaw& law, const Vec3& strain)
+{
+    return {law.warp * strain[0] + law.coupling * strain[1],
+            law.coupling * strain[0] + law.weft * strain[1], law.shear * strain[2]};
+}
+
+bool isTaut(const ClothLaw& law, const Vec3& tension)
+{
+    return law.pushes || pushesNowhere(tension);
 }
 
 } // namespace
@@ -196,10 +241,31 @@ Mat3 stiffnessOf(const ClothLaw& law)
 
 ClothTension tensionOf(const ClothLaw& law, const Vec3& strain)
 {
-    ClothTension taut{ClothState::Taut, Vec3::Zero(), stiffnessOf(law), 0.0};
-    taut.tension = taut.stiffness * strain;
-    taut.energy = 0.5 * taut.tension.dot(strain);
-    return law.pushes || pushesNowhere(taut.tension) ? taut : wrinkledOf(law, strain);
+    const Vec3 tension = tautTension(law, strain);
+    if (isTaut(law, tension))
+        return {ClothState::Taut, tension, stiffnessOf(law), 0.5 * tension.dot(strain)};
+    const std::optional<PullAlong> pull = findPull(law, strain);
+    return pull ? wrinkled(*pull) : ClothTension{};
+}
+
+Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
+{
+    if (isTaut(law, tautTension(law, strain)))
+        return strain;
+    const std::optional<PullAlong> pull = findPull(law, strain);
+    if (!pull)
+        return Vec3::Zero();
+    const double r = pull->along() / pull->compliance();
+    return strainOf(law, pull->inClothFrame(Vec3(r * Vec3(1.0, pull->u * pull->u, pull->u))));
+}
+
+double leastEnergyOf(const ClothLaw& law, const Vec3& strain)
+{
+    if (law.pushes)
+        return 0.5 * tautTension(law, strain).dot(strain);
+    const Compliance c(law);
+    const double warp = std::max(strain[0], 0.0), weft = std::max(strain[1], 0.0);
+    return 0.5 * std::max(warp * warp / c.first, weft * weft / c.second);
 }
 
 Vec3 strainOf(const ClothLaw& law, const Vec3& tension)

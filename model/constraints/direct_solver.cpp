@@ -227,18 +227,17 @@ void DirectSolver::startNearer(const RodTask& task, ThreadPool& pool)
             here += part.here;
             nearer += part.nearer;
         });
-    if (!m_panels.empty()) {
-        std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
-        here += m_panels.measure(task.system, m_position);
-        std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
-        nearer += m_panels.measure(task.system, m_position);
-    }
     here += m_bends.measure(m_from);
-    nearer += m_bends.measure(m_position);
+    nearer += m_bends.measure(m_position) + m_panels.measure(task.system, m_position);
     if (nearer < here)
         return;
-    std::copy_n(m_from.begin(), nodes(), m_position.begin());
-    measure(task.system, pool);
+    std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
+    const bool isSure = m_panels.hasMoreThan(nearer - here, task.system, m_position);
+    if (!isSure && nearer >= here + m_panels.measure(task.system, m_position))
+        return measure(task.system, pool);
+    std::swap_ranges(m_from.begin(), m_from.end(), m_position.begin());
+    if (!isSure)
+        m_panels.measure(task.system, m_position);
 }
 
 // Of rods, with their ends where m_from has them and where m_position does.

@@ -9,15 +9,40 @@
 namespace ripstop {
 namespace {
 
-// How the strain changes as a corner moves, 1/m: a row for each component.
-Mat3 strainPerMove(const ClothAxes& axes, const std::array<double, 2>& g)
+using Mat2 = Eigen::Matrix2d;
+using Gradient = std::array<double, 2>;
+
+// How the strain changes as a corner moves, in the frame of where the warp and the weft have gone,
+// 1/m: that of the warp by the first, of the weft by the second, the shear by both, crosswise.
+struct StrainPerMove
 {
-    Mat3 rows;
-    rows.row(0) = g[0] * axes[0].transpose();
-    rows.row(1) = g[1] * axes[1].transpose();
-    rows.row(2) = g[1] * axes[0].transpose() + g[0] * axes[1].transpose();
-    return rows;
-}
+    Gradient g;
+
+    // In the places of one corner and of another, L^T C L'.
+    Mat2 between(const Mat3& c, const StrainPerMove& other) const
+    {
+        const auto [a, b] = g;
+        const auto [p, q] = other.g;
+        Mat2 m;
+        m(0, 0) = a * (c(0, 0) * p + c(0, 2) * q) + b * (c(2, 0) * p + c(2, 2) * q);
+        m(0, 1) = a * (c(0, 1) * q + c(0, 2) * p) + b * (c(2, 1) * q + c(2, 2) * p);
+        m(1, 0) = b * (c(1, 0) * p + c(1, 2) * q) + a * (c(2, 0) * p + c(2, 2) * q);
+        m(1, 1) = b * (c(1, 1) * q + c(1, 2) * p) + a * (c(2, 1) * q + c(2, 2) * p);
+        return m;
+    }
+
+    Vec3 of(const ClothAxes& axes, const Vec3& move) const
+    {
+        const double warp = axes[0].dot(move), weft = axes[1].dot(move);
+        return {g[0] * warp, g[1] * weft, g[1] * warp + g[0] * weft};
+    }
+
+    Vec3 pull(const ClothAxes& axes, const Vec3& tension) const
+    {
+        return (g[0] * tension[0] + g[1] * tension[2]) * axes[0]
+               + (g[1] * tension[1] + g[0] * tension[2]) * axes[1];
+    }
+};
 
 // The nearest tension that pushes nowhere.
 Vec3 pullingPart(const Vec3& tension)
@@ -34,6 +59,13 @@ Vec3 pullingPart(const Vec3& tension)
 }
 
 Vec3 at(const Row& row) { return {row.v[0], row.v[1], row.v[2]}; }
+
+ClothAxes axesWith(const Membrane& membrane, const ElasticPanel& panel,
+                   std::span<const Row> position)
+{
+    const Vec3 a = at(position[panel.row[0]]);
+    return axesOf(membrane, at(position[panel.row[1]]) - a, at(position[panel.row[2]]) - a);
+}
 
 // What a panel that gives way has in the matrix beside its law, of what it has when it is taut:
 // cloth that folds switches between the two from one iteration to the next, and with nothing to
@@ -128,46 +160,62 @@ double ElasticPanels::energy() const
     return twice;
 }
 
+bool ElasticPanels::hasMoreThan(double twice, const System& system,
+                                std::span<const Row> position) const
+{
+    for (const ElasticPanel& panel : m_panels) {
+        if (panel.gone)
+            continue;
+        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
+        const Vec3 strain = strainOf(axesWith(membrane, panel, position)) - panel.offset;
+        twice -= 2.0 * panel.weight * leastEnergyOf(lawOf(system, membrane), strain);
+        if (twice < 0.0)
+            return true;
+    }
+    return false;
+}
+
 double ElasticPanels::measure(const System& system, std::span<const Row> position)
 {
     for (ElasticPanel& panel : m_panels) {
         if (panel.gone)
             continue;
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
-        const Vec3 a = at(position[panel.row[0]]);
-        panel.axes =
-            axesOf(membrane, at(position[panel.row[1]]) - a, at(position[panel.row[2]]) - a);
+        panel.axes = axesWith(membrane, panel, position);
         panel.law = tensionOf(lawOf(system, membrane), strainOf(panel.axes) - panel.offset);
     }
     return energy();
 }
 
+// What the first corner has is minus what the two others have together, in each row and column.
 TripleBlock ElasticPanels::block(const System& system, const ElasticPanel& panel) const
 {
     const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
     const Vec3 pulling = pullingPart(panel.law.tension);
-    std::array<Mat3, 3> perMove, pullPerMove;
-    std::array<std::array<double, 2>, 3> g;
-    TripleBlock block;
     const Mat3 tangent = tangentOf(lawOf(system, membrane), panel.law);
-    for (std::size_t k = 0; k < 3; ++k) {
-        g[k] = gradient(membrane, int(k));
-        perMove[k] = strainPerMove(panel.axes, g[k]);
-        pullPerMove[k] = panel.weight * (tangent * perMove[k]);
-        block.pull[k] = -panel.weight * (perMove[k].transpose() * panel.law.tension);
-    }
-    const auto across = [&](std::size_t i, std::size_t j) {
-        return panel.weight
-               * (g[i][0] * (pulling[0] * g[j][0] + pulling[2] * g[j][1])
-                  + g[i][1] * (pulling[2] * g[j][0] + pulling[1] * g[j][1]));
+    const std::array<StrainPerMove, 2> perMove{StrainPerMove{gradient(membrane, 1)},
+                                               StrainPerMove{gradient(membrane, 2)}};
+    const auto between = [&](const StrainPerMove& one, const StrainPerMove& other) -> Mat3 {
+        const Mat2 m = panel.weight * one.between(tangent, other);
+        const double across =
+            panel.weight
+            * (one.g[0] * (pulling[0] * other.g[0] + pulling[2] * other.g[1])
+               + one.g[1] * (pulling[2] * other.g[0] + pulling[1] * other.g[1]));
+        Mat3 sum = (m(0, 0) * panel.axes[0] + m(1, 0) * panel.axes[1]) * panel.axes[0].transpose()
+                   + (m(0, 1) * panel.axes[0] + m(1, 1) * panel.axes[1]) * panel.axes[1].transpose();
+        sum.diagonal().array() += across;
+        return sum;
     };
-    const auto between = [&](std::size_t i, std::size_t j) -> Mat3 {
-        return perMove[i].transpose() * pullPerMove[j] + across(i, j) * Mat3::Identity();
-    };
-    for (std::size_t k = 0; k < 3; ++k) {
-        block.corner[k] = between(k, k);
-        block.pair[k] = between(sidesOfTriple[k].first, sidesOfTriple[k].second);
-    }
+    TripleBlock block;
+    block.corner[1] = between(perMove[0], perMove[0]);
+    block.corner[2] = between(perMove[1], perMove[1]);
+    block.pair[1] = between(perMove[0], perMove[1]);
+    block.pair[0] = -(block.corner[1] + block.pair[1].transpose()); // of the first and the second
+    block.pair[2] = -(block.corner[2] + block.pair[1].transpose()); // of the third and the first
+    block.corner[0] = -(block.pair[0] + block.pair[2].transpose());
+    for (std::size_t k = 0; k < 2; ++k)
+        block.pull[k + 1] = -panel.weight * perMove[k].pull(panel.axes, panel.law.tension);
+    block.pull[0] = -(block.pull[1] + block.pull[2]);
     return block;
 }
 
@@ -178,10 +226,11 @@ void ElasticPanels::foresee(const System& system, std::span<const Row> move)
             continue;
         panel.before = panel.law.tension;
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
+        const Vec3 first = at(move[panel.row[0]]);
         Vec3 change = Vec3::Zero();
-        for (std::size_t k = 0; k < 3; ++k)
-            change +=
-                strainPerMove(panel.axes, gradient(membrane, int(k))) * at(move[panel.row[k]]);
+        for (int k = 1; k < 3; ++k)
+            change += StrainPerMove{gradient(membrane, k)}.of(
+                panel.axes, at(move[panel.row[std::size_t(k)]]) - first);
         panel.tension = panel.law.tension + tangentOf(lawOf(system, membrane), panel.law) * change;
     }
 }

@@ -62,6 +62,9 @@ public:
     double measure(const System& system, std::span<const Row> position);
     double energy() const; // that again
 
+    // Whether twice the energy there is surely more than this, kg m^2; mostly told by a few panels.
+    bool hasMoreThan(double twice, const System& system, std::span<const Row> position) const;
+
     TripleBlock block(const System& system, const ElasticPanel& panel) const;
 
     // Foresees the tension at the end of a move, as if the corners moved little; before measure().

@@ -38,29 +38,6 @@ const ClothLaw& lawOf(const System& system, const Membrane& membrane)
     return system.cloth[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
 }
 
-namespace {
-
-// What of a strain the threads have, where they pull like this.
-Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now)
-{
-    switch (now.state) {
-    case ClothState::Taut:
-        return strain;
-    case ClothState::Wrinkled:
-        return strainOf(law, now.tension);
-    case ClothState::Slack:
-        break;
-    }
-    return Vec3::Zero();
-}
-
-} // namespace
-
-Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
-{
-    return threadStrain(law, strain, tensionOf(law, strain));
-}
-
 Vec3 strainAt(const Membrane& membrane, const Corners& corners)
 {
     return strainOf(axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]));
@@ -79,7 +56,7 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
         return {};
     const Vec3 strain = strainAt(membrane, corners);
     const ClothTension now = tensionOf(law, strain);
-    return {true, now.state, largestStrain(threadStrain(law, strain, now)),
+    return {true, now.state, largestStrain(pullingStrain(law, strain)),
             largestTension(now.tension)};
 }
 

@@ -23,9 +23,6 @@ std::array<double, 2> gradient(const Membrane& membrane, int corner);
 
 const ClothLaw& lawOf(const System& system, const Membrane& membrane);
 
-// The strain of the threads; wrinkles take none of it.
-Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain);
-
 using Corners = std::array<Vec3, 3>; // m
 
 template <typename Positions> // [particles] m
