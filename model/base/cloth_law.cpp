@@ -61,9 +61,9 @@ public:
     // otherwise. From both axes the answer is the same.
     bool mayHaveTwoPeaks() const { return m_slope[1] < 0.0 && m_slope[2] > 0.0; }
 
-    // Of two peaks that of this axis. The slope bends upwards as u leaves the axis, so that Newton's
-    // method comes to its first root from below and never passes it; where it leads out of that
-    // bend, there is none in it.
+    // Of two peaks that of this axis. The slope bends upwards as u leaves the axis, so that
+    // Newton's method comes to its first root from below and never passes it; where it leads out of
+    // that bend, there is none in it.
     std::optional<double> peakAtAxis() const
     {
         double u = 0.0;
@@ -122,8 +122,8 @@ private:
     std::array<double, 4> m_slope; // of 1, u, u^3, u^4
 };
 
-// Where a wrinkled cloth pulls: along (1, u) from one of its axes, which comes first in what has two
-// components here. Which way the threads shear only mirrors the direction.
+// Where a wrinkled cloth pulls: along (1, u) from one of its axes, which comes first in what has
+// two components here. Which way the threads shear only mirrors the direction.
 struct PullAlong
 {
     bool fromWarp;
@@ -179,8 +179,8 @@ std::optional<PullAlong> findPull(const ClothLaw& law, const Vec3& strain)
     if (!(std::max(warpPull, weftPull) > 0.0))
         return {};
     if (warpPull >= weftPull)
-        return PullAlong{true,     sign,     {strain[0], strain[1], g}, c.first,
-                         c.second, both,     *warpSlope};
+        return PullAlong{true, sign,      {strain[0], strain[1], g}, c.first, c.second,
+                         both, *warpSlope};
     return PullAlong{false, sign, {strain[1], strain[0], g}, c.second, c.first, both, *weftSlope};
 }
 

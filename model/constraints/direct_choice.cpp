@@ -4,8 +4,8 @@
 // riggings and everything else into clusters; loads and numbers of particles give the sweeps that
 // each would need. frames(): Networks finds what rods join without passing a pin, and isSmall()
 // prepares a solver on trial to count the products of blocks. rodsForDirect() then takes
-// candidates, the slowest first, until there are enough particles. rodsOfSmallFabric() asks
-// Networks alone.
+// candidates, the slowest first, until there are enough particles. The other two ask Networks
+// alone.
 //
 // All of it looks at the system and never at the clock, so that every machine chooses alike.
 #include "constraints/direct_choice.h"
@@ -278,14 +278,30 @@ public:
         , m_network(system, freeParticles(system), [](int) { return true; })
         , m_rods(std::size_t(m_network.count()))
         , m_masses(m_rods.size())
+        , m_traits(m_rods.size())
     {
         for (int i = 0; i < int(system.inverseMass.size()); ++i)
             if (m_network[i] >= 0)
                 m_masses[std::size_t(m_network[i])].push_back(1.0
                                                               / system.inverseMass[std::size_t(i)]);
-        for (int r = 0; r < int(system.rods.size()); ++r)
-            if (ofRod(r) >= 0)
-                m_rods[std::size_t(ofRod(r))].push_back(r);
+        for (int r = 0; r < int(system.rods.size()); ++r) {
+            if (ofRod(r) < 0)
+                continue;
+            const Rod& rod = system.rods[std::size_t(r)];
+            m_rods[std::size_t(ofRod(r))].push_back(r);
+            m_traits[std::size_t(ofRod(r))].endsInPins |=
+                m_network[rod.a] < 0 || m_network[rod.b] < 0;
+        }
+        for (const FabricPanel& panel : system.panels) {
+            const bool isPinned =
+                std::ranges::any_of(panel.corner, [&](int p) { return m_network[p] < 0; });
+            for (const int corner : panel.corner)
+                if (m_network[corner] >= 0) {
+                    Traits& traits = m_traits[std::size_t(m_network[corner])];
+                    traits.hasPanels = true;
+                    traits.hasPinnedPanels |= isPinned;
+                }
+        }
     }
     std::size_t count() const { return m_rods.size(); }
     int operator[](int particle) const { return m_network[particle]; }
@@ -296,6 +312,26 @@ public:
     }
     const std::vector<int>& rods(std::size_t n) const { return m_rods[n]; }
     const std::vector<double>& masses(std::size_t n) const { return m_masses[n]; }
+    bool hasPanels(std::size_t n) const { return m_traits[n].hasPanels; }
+    bool hasPinnedPanels(std::size_t n) const { return m_traits[n].hasPinnedPanels; }
+    bool endsInPins(std::size_t n) const { return m_traits[n].endsInPins; }
+
+    // Those of all networks that are like this, ascending.
+    template <typename IsOne> // isOne(network)
+    std::vector<int> rodsOf(IsOne isOne) const
+    {
+        std::vector<int> rods;
+        for (std::size_t n = 0; n < count(); ++n)
+            if (isOne(n))
+                rods.insert(rods.end(), m_rods[n].begin(), m_rods[n].end());
+        std::ranges::sort(rods);
+        return rods;
+    }
+
+    bool isHeavilyLoaded(std::size_t n) const
+    {
+        return *std::ranges::max_element(m_masses[n]) >= heavyLoad * median(m_masses[n]);
+    }
 
     // Whether an iteration of the direct solver over all of a network is worth its time.
     bool isSmall(std::size_t n) const
@@ -307,6 +343,13 @@ public:
     }
 
 private:
+    struct Traits
+    {
+        bool hasPanels = false;
+        bool hasPinnedPanels = false; // a corner of one
+        bool endsInPins = false;      // a rod does
+    };
+
     static std::vector<std::uint8_t> freeParticles(const System& system)
     {
         std::vector<std::uint8_t> free(system.inverseMass.size());
@@ -319,6 +362,7 @@ private:
     Groups m_network;
     std::vector<std::vector<int>> m_rods;      // [networks]
     std::vector<std::vector<double>> m_masses; // [networks] kg, of what is free
+    std::vector<Traits> m_traits;              // [networks]
 };
 
 // Networks that are small enough and slow; others have no sweeps here.
@@ -333,11 +377,9 @@ std::vector<Candidate> frames(const System& system, std::span<const Candidate> r
         sweeps = std::max(sweeps, rigging.sweeps);
     }
     for (std::size_t n = 0; n < found.size(); ++n) {
-        const std::vector<double>& masses = networks.masses(n);
         found[n].rods = networks.rods(n);
-        found[n].particles = int(masses.size());
-        const double heaviest = *std::max_element(masses.begin(), masses.end());
-        if (heaviest >= heavyLoad * median(masses))
+        found[n].particles = int(networks.masses(n).size());
+        if (networks.isHeavilyLoaded(n))
             found[n].sweeps = std::max(found[n].sweeps, manySweeps);
         if (found[n].sweeps < manySweeps || !networks.isSmall(n))
             found[n].sweeps = 0.0;
@@ -376,17 +418,17 @@ std::vector<int> rodsForDirect(const System& system)
 std::vector<int> rodsOfSmallFabric(const System& system)
 {
     const Networks networks(system);
-    std::vector<std::uint8_t> hasPanels(networks.count(), 0);
-    for (const FabricPanel& panel : system.panels)
-        for (const int corner : panel.corner)
-            if (networks[corner] >= 0)
-                hasPanels[std::size_t(networks[corner])] = 1;
-    std::vector<int> rods;
-    for (std::size_t n = 0; n < networks.count(); ++n)
-        if (hasPanels[n] && networks.isSmall(n))
-            rods.insert(rods.end(), networks.rods(n).begin(), networks.rods(n).end());
-    std::sort(rods.begin(), rods.end());
-    return rods;
+    return networks.rodsOf(
+        [&](std::size_t n) { return networks.hasPanels(n) && networks.isSmall(n); });
+}
+
+std::vector<int> rodsOfFlyingFabric(const System& system)
+{
+    const Networks networks(system);
+    return networks.rodsOf([&](std::size_t n) {
+        return networks.hasPanels(n) && !networks.hasPinnedPanels(n)
+               && (networks.endsInPins(n) || networks.isHeavilyLoaded(n));
+    });
 }
 
 std::vector<int> rodsOfNetworks(const System& system, const std::function<bool(const Rod&)>& isOne)

@@ -197,12 +197,12 @@ TripleBlock ElasticPanels::block(const System& system, const ElasticPanel& panel
                                                StrainPerMove{gradient(membrane, 2)}};
     const auto between = [&](const StrainPerMove& one, const StrainPerMove& other) -> Mat3 {
         const Mat2 m = panel.weight * one.between(tangent, other);
-        const double across =
-            panel.weight
-            * (one.g[0] * (pulling[0] * other.g[0] + pulling[2] * other.g[1])
-               + one.g[1] * (pulling[2] * other.g[0] + pulling[1] * other.g[1]));
-        Mat3 sum = (m(0, 0) * panel.axes[0] + m(1, 0) * panel.axes[1]) * panel.axes[0].transpose()
-                   + (m(0, 1) * panel.axes[0] + m(1, 1) * panel.axes[1]) * panel.axes[1].transpose();
+        const double across = panel.weight
+                              * (one.g[0] * (pulling[0] * other.g[0] + pulling[2] * other.g[1])
+                                 + one.g[1] * (pulling[2] * other.g[0] + pulling[1] * other.g[1]));
+        Mat3 sum =
+            (m(0, 0) * panel.axes[0] + m(1, 0) * panel.axes[1]) * panel.axes[0].transpose()
+            + (m(0, 1) * panel.axes[0] + m(1, 1) * panel.axes[1]) * panel.axes[1].transpose();
         sum.diagonal().array() += across;
         return sum;
     };

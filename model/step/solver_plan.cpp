@@ -336,6 +336,12 @@ SolverPlan planFor(const System& system)
                            "enough for it; %2",
                            count, rest);
         });
+    if (system.airDensity > 0.0 && system.inverseMass.size() <= mostRigid)
+        planner.give(rodsOfFlyingFabric(system), [](std::size_t count, const Message& rest) {
+            return Message("%1 rods are solved together, since the air loads their fabric by more "
+                           "than sweeps hold; %2",
+                           count, rest);
+        });
     Worst worst = worstRod(system, planner.direct());
     // A heavy load on light lines stretches them little in a step, but the sweeps give back more
     // than they took: it bounces higher and higher.
