@@ -7108,6 +7108,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="solver_plan.cpp"/>
+        <source>%1 rods are solved together, since the air loads their fabric by more than sweeps hold; %2</source>
+        <translation>%1 tiges sont résolues ensemble, car l’air charge la voile qu’elles tiennent plus que des balayages ne peuvent retenir ; %2</translation>
+    </message>
+    <message>
+        <location filename="solver_plan.cpp"/>
         <source>%1 rods are solved together, since they are too stiff for sweeps; %2</source>
         <translation>%1 tiges sont résolues ensemble, car elles sont trop raides pour des balayages ; %2</translation>
     </message>

@@ -299,8 +299,10 @@ void MaterialTestDialog::draw(const SpecimenSize& size)
                                                            : tr("Strain (%)"));
     m_plot->yAxis->setLabel(tr("Force (N)"));
     m_plot->rescaleAxes();
-    m_plot->xAxis->scaleRange(1.06);
-    m_plot->yAxis->scaleRange(1.06);
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
+        axis->scaleRange(1.06);
+        axis->setVisible(!m_points.empty()); // without points there is nothing to read off
+    }
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
