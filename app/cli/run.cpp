@@ -112,15 +112,22 @@ double fly(Simulation& simulation, const Options& options, ControlPlayer& contro
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Json tearSummary(std::span<const Tear> tears)
+const char* elementKind(const Tear& tear, const Frame& frame)
 {
+    return isOfPanel(tear, *frame.layout) ? "panel" : "link";
+}
+
+Json tearSummary(const Frame& frame)
+{
+    const std::span<const Tear> tears = frame.tears;
     const TearReport report = tearReport(tears);
     Json result;
     result["count"] = report.count;
     result["energy"] = report.energy;
     result["first"] = nullptr;
     if (!tears.empty())
-        result["first"] = {{"time", tears[0].time}, {"link", tears[0].link}};
+        result["first"] = {{"time", tears[0].time},
+                           {elementKind(tears[0], frame), tears[0].element}};
     result["front"] = Json::array();
     for (const TearReport::Front& front : report.front)
         result["front"].push_back({{"time", front.time}, {"distance", front.distance}});
@@ -155,10 +162,9 @@ Json report(const Simulation& simulation, double wallSeconds)
     result["wall_seconds"] = wallSeconds;
     result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
     result["hash"] = hashText(stateHash(state));
-    result["torn"] = tornLinks(*frame);
-    result["max_strain"] =
-        std::max(largest == frame->strain.end() ? 0.0 : double(*largest),
-                 largestPanelStrain(simulation.system(), simulation.state()));
+    result["torn"] = tornElements(*frame);
+    result["max_strain"] = std::max(largest == frame->strain.end() ? 0.0 : double(*largest),
+                                    largestPanelStrain(simulation.system(), simulation.state()));
     result["accuracy"] = accuracyOf(frame->accuracy);
     result["energy"] = energy.total();
     result["energies"] = {
@@ -168,14 +174,15 @@ Json report(const Simulation& simulation, double wallSeconds)
         result["probes"][frame->layout->probes[i].name] = frame->probe[i];
     result["tears"] = Json::array();
     for (const Tear& tear : frame->tears)
-        result["tears"].push_back({{"time", tear.time},
-                                   {"link", tear.link},
-                                   {"length", tear.length},
-                                   {"strain", tear.strain},
-                                   {"force", tear.force},
-                                   {"energy", tear.energy},
-                                   {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
-    result["tear_report"] = tearSummary(frame->tears);
+        result["tears"].push_back(
+            {{"time", tear.time},
+             {elementKind(tear, *frame), tear.element},
+             {"length", tear.length},
+             {"strain", tear.strain},
+             {isOfPanel(tear, *frame->layout) ? "tension" : "force", tear.force},
+             {"energy", tear.energy},
+             {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
+    result["tear_report"] = tearSummary(*frame);
     result["stopped"] = simulation.trouble().has_value();
     if (simulation.trouble())
         result["message"] = simulation.trouble()->message.english();
@@ -228,11 +235,13 @@ void printTable(const Json& result, const Layout& layout)
                     + " steps");
     row("wall time", shortNumber(result["wall_seconds"]) + " s, "
                          + shortNumber(result["steps_per_second"]) + " steps/s");
-    row("torn links", std::to_string(result["torn"].get<long>()));
+    row("torn", std::to_string(result["torn"].get<long>()));
     if (const Json& tears = result["tear_report"]; tears["count"].get<long>() > 0) {
         const Json& end = tears["front"].back();
-        row("first tear", shortNumber(tears["first"]["time"]) + " s, link "
-                              + std::to_string(tears["first"]["link"].get<long>()));
+        const Json& first = tears["first"];
+        const std::string kind = first.contains("panel") ? "panel" : "link";
+        row("first tear", shortNumber(first["time"]) + " s, " + kind + ' '
+                              + std::to_string(first[kind].get<long>()));
         row("tears reach",
             shortNumber(end["distance"]) + " m from there at " + shortNumber(end["time"]) + " s");
         row("energy they released", shortNumber(tears["energy"]) + " J");

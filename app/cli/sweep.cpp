@@ -138,7 +138,7 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
     row.time = simulation.state().time;
     row.steps = simulation.state().step;
     row.hash = hashText(stateHash(simulation.state()));
-    row.torn = tornLinks(*simulation.frame());
+    row.torn = tornElements(*simulation.frame());
     return row;
 }
 

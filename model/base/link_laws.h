@@ -32,10 +32,12 @@ constexpr bool isSlack(Resists resists, double stretch)
            || (resists == Resists::Compression && stretch > 0.0);
 }
 
-enum class TearRule { Never, Length, Strain, Force };
+// Tension is per width of fabric, N/m; Strength takes its limits from the strengths of the
+// material.
+enum class TearRule { Never, Length, Strain, Force, Tension, Strength };
 template <>
-inline constexpr std::array<std::string_view, 4> choiceNames<TearRule>{"never", "length", "strain",
-                                                                       "force"};
+inline constexpr std::array<std::string_view, 6> choiceNames<TearRule>{
+    "never", "length", "strain", "force", "tension", "strength"};
 
 enum class TearMesh { Vanish, Split }; // what panels do beside a link that tears
 template <>

@@ -27,7 +27,7 @@ constexpr std::array table{
     QuantityRow{Quantity::PotentialEnergy, "J", Of::Whole, 1, "Of weight, zero at the origin."},
     QuantityRow{Quantity::ElasticEnergy,   "J", Of::Whole, 1, "In springs, rods that give and bends."},
     QuantityRow{Quantity::TotalEnergy,     "J", Of::Whole, 1, "Kinetic, potential and elastic."},
-    QuantityRow{Quantity::TornLinks,       "", Of::Links, 1, "How many have torn."},
+    QuantityRow{Quantity::TornLinks,       "", Of::Links, 1, "How many have torn, and elastic panels among them."},
     QuantityRow{Quantity::CanopyPressure,  "Pa", Of::Canopy, 1, "Above that of the air around."},
     QuantityRow{Quantity::CanopyVolume,    "m\u00b3", Of::Canopy, 1, "Of the air under the canopy."},
     QuantityRow{Quantity::VelocityX,       "m/s", Of::Particles, 1, "Of the centre of mass, along x."},

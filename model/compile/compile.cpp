@@ -120,6 +120,8 @@ void addPanels(const Scene& scene, const ElementIndex& index, System& system)
     system.materialAir = materialAirOf(scene);
     system.bending = bendingsOf(scene);
     system.cloth = clothsOf(scene);
+    if (!system.cloth.empty())
+        system.clothTear = fabricTearsOf(scene);
     KeyIndex airs(system.materialAir.size());
     for (const MaterialAir& air : system.materialAir)
         airs.add(air.key, int(&air - system.materialAir.data()));

@@ -6,6 +6,7 @@
 #include "assembly/finish.h"
 #include "constraints/guides.h"
 #include "forces/forces.h"
+#include "scene/tear_bounds.h"
 
 #include <algorithm>
 
@@ -93,19 +94,22 @@ private:
             const LinkPlace& link = m_system.links[i];
             if (link.kind == LinkKind::Spring) {
                 Spring& spring = m_system.springs[std::size_t(link.index)];
-                m_tearRules |= spring.tear.rule != material.tearRule;
+                const TearRule before = spring.tear.rule;
                 takeMaterial(material, stuff, spring);
+                m_tearRules |= spring.tear.rule != before;
             } else {
                 Rod& rod = m_system.rods[std::size_t(link.index)];
-                m_tearRules |= rod.tear.rule != material.tearRule;
                 const Rod before = rod;
                 takeMaterial(material, stuff, rod);
+                m_tearRules |= rod.tear.rule != before.tear.rule;
                 m_allRods |= !solvesLike(rod, before);
             }
         }
         m_system.materialAir[std::size_t(airOf(key))] = ripstop::airOf(Id{key}, material);
         this->bending(std::size_t(airOf(key)), bendingOf(material));
         cloth(airOf(key), clothOf(material));
+        if (!m_system.clothTear.empty())
+            m_system.clothTear[std::size_t(airOf(key))] = fabricTearOf(material);
     }
 
     void cloth(int place, const ClothLaw& law)

@@ -9,6 +9,7 @@
 #include "scene/collider_shape.h"
 #include "scene/formula.h"
 #include "scene/link_stiffness.h"
+#include "scene/tear_bounds.h"
 #include "scene/wind.h"
 
 #include <algorithm>
@@ -21,11 +22,10 @@ namespace {
 
 enum Own : std::uint8_t { OwnStiffness = 1, OwnDamping = 2, OwnCompliance = 4, OwnTearLimit = 8 };
 
-void takeTear(const Material& material, std::uint8_t own, TearLimit& tear)
+void takeTear(const Material& material, const LinkStuff& stuff, TearLimit& tear)
 {
-    tear.rule = material.tearRule;
-    if (!(own & OwnTearLimit))
-        tear.limit = material.tearLimit;
+    tear = linkTearOf(material, stuff.role, stuff.width,
+                      stuff.own & OwnTearLimit ? std::optional(tear.limit) : std::nullopt);
 }
 
 template <typename T, typename Visit>
@@ -286,13 +286,20 @@ std::vector<ClothLaw> clothsOf(const Scene& scene)
     return cloths;
 }
 
+std::vector<FabricTear> fabricTearsOf(const Scene& scene)
+{
+    std::vector<FabricTear> tears{FabricTear()};
+    forEachItem<Material>(scene, [&](Id, const Material& m) { tears.push_back(fabricTearOf(m)); });
+    return tears;
+}
+
 void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring)
 {
     if (!(stuff.own & OwnStiffness))
         spring.stiffness = springStiffness(material, stuff.role, stuff.width, spring.restLength);
     if (!(stuff.own & OwnDamping))
         spring.damping = material.damping;
-    takeTear(material, stuff.own, spring.tear);
+    takeTear(material, stuff, spring.tear);
 }
 
 void takeMaterial(const Material& material, const LinkStuff& stuff, Rod& rod)
@@ -300,7 +307,7 @@ void takeMaterial(const Material& material, const LinkStuff& stuff, Rod& rod)
     if (!(stuff.own & OwnCompliance))
         rod.compliance = rodCompliance(material, stuff.role, stuff.width, rod.restLength);
     rod.dampingTime = material.dampingTime;
-    takeTear(material, stuff.own, rod.tear);
+    takeTear(material, stuff, rod.tear);
 }
 
 const Material& materialOf(const Scene& scene, const ElementIndex& index, Id id)

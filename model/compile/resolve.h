@@ -26,6 +26,7 @@ std::vector<Bending> bendingsOf(const Scene& scene); // [materialAir], empty whe
 bool isLimp(const std::vector<Bending>& bendings);
 ClothLaw clothOf(const Material& material);
 std::vector<ClothLaw> clothsOf(const Scene& scene); // [materialAir], empty when no panel needs them
+std::vector<FabricTear> fabricTearsOf(const Scene& scene); // [materialAir]
 
 // The numbers that come from the material, but for those that the link has itself.
 void takeMaterial(const Material& material, const LinkStuff& stuff, Spring& spring);

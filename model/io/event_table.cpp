@@ -19,6 +19,7 @@ std::string subjectOf(const RunEvent& event, const Scene& scene)
 {
     switch (event.kind) {
     case RunEvent::Kind::Tear:
+        return (isPanel(scene, Id{event.what}) ? "panel " : "link ") + std::to_string(event.what);
     case RunEvent::Kind::Slack:
     case RunEvent::Kind::Taut:
         return "link " + std::to_string(event.what);

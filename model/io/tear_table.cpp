@@ -7,14 +7,22 @@
 namespace ripstop {
 namespace {
 
-std::string partOf(const Scene& scene, Id link)
+struct Torn
 {
-    std::string name;
+    std::string part;
+    bool isPanel = false;
+};
+
+Torn tornBy(const Scene& scene, Id element)
+{
+    Torn torn;
     forEachPart(scene, [&](Id, const Part& part) {
-        if (findRow(part.links, link))
-            name = part.name;
+        if (findRow(part.links, element))
+            torn = {part.name, false};
+        else if (findRow(part.panels, element))
+            torn = {part.name, true};
     });
-    return name;
+    return torn;
 }
 
 } // namespace
@@ -22,15 +30,23 @@ std::string partOf(const Scene& scene, Id link)
 std::optional<Failure> writeTears(const Scene& scene, std::span<const Tear> tears,
                                   const std::filesystem::path& file)
 {
-    std::string text = "time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m)\n";
+    std::string text = "time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m),"
+                       "tension (N/m)\n";
     for (const Tear& tear : tears) {
+        const Torn torn = tornBy(scene, Id{tear.element});
         appendNumber(text, tear.time);
-        text += ',' + std::to_string(tear.link) + ',' + csvCell(partOf(scene, Id{tear.link}));
-        for (const double value : {tear.strain, tear.force, tear.energy, tear.place.x(),
-                                   tear.place.y(), tear.place.z()}) {
+        text += ',' + std::to_string(tear.element) + ',' + csvCell(torn.part) + ',';
+        appendNumber(text, tear.strain);
+        text += ',';
+        if (!torn.isPanel)
+            appendNumber(text, tear.force);
+        for (const double value : {tear.energy, tear.place.x(), tear.place.y(), tear.place.z()}) {
             text += ',';
             appendNumber(text, value);
         }
+        text += ',';
+        if (torn.isPanel)
+            appendNumber(text, tear.force);
         text += '\n';
     }
     return replaceFile(file, text);

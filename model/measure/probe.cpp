@@ -40,20 +40,24 @@ double glideRatio(const Vec3& motion)
     return motion.y() < 0.0 ? horizontal(motion) / -motion.y() : nothing;
 }
 
-// Links that the mesh has parted at are whole again.
+// Links and panels that the mesh has parted at are whole again.
 double tornCount(const ProbeSpec& probe, const System& system, const State& state)
 {
-    if (!state.splits.empty()) {
-        std::set<Key> torn;
-        for (const State::Tear& tear : state.tears)
-            torn.insert(tear.link);
-        return double(std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
-            return torn.contains(system.links[std::size_t(l)].key);
-        }));
-    }
-    return double(std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
-        return isTorn(system.links[std::size_t(l)], state);
-    }));
+    std::set<Key> torn;
+    for (const State::Tear& tear : state.tears)
+        torn.insert(tear.element);
+    const auto panels = system.membranes.empty() // or the keys are those of links
+                            ? 0
+                            : std::count_if(probe.panels.begin(), probe.panels.end(), [&](int p) {
+                                  return torn.contains(system.panelKey[std::size_t(p)]);
+                              });
+    if (!state.splits.empty())
+        return double(panels + std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
+                          return torn.contains(system.links[std::size_t(l)].key);
+                      }));
+    return double(panels + std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
+                      return isTorn(system.links[std::size_t(l)], state);
+                  }));
 }
 
 } // namespace

@@ -26,7 +26,7 @@ std::span<const RunEvent> EventWatch::look(const Simulation& simulation,
     }
     if (state.tears.size() > m_tears)
         m_events.push_back({RunEvent::Kind::Tear, state.step, state.tears[m_tears].time,
-                            state.tears[m_tears].link, int(state.tears.size() - m_tears)});
+                            state.tears[m_tears].element, int(state.tears.size() - m_tears)});
     m_touches.look(simulation, m_events);
     m_lines.look(simulation, m_events);
     m_tears = state.tears.size();

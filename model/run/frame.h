@@ -74,10 +74,10 @@ struct Layout
 struct Tear
 {
     double time = 0.0;         // s
-    std::uint32_t link = 0;    // id
-    double length = 0.0;       // m
+    std::uint32_t element = 0; // id of a link, or of a panel that carried the pull of a fabric
+    double length = 0.0;       // m, of a panel its width across the pull
     double strain = 0.0;       // 1
-    double force = 0.0;        // N
+    double force = 0.0;        // N, of a panel N/m
     Vec3 place = Vec3::Zero(); // m
     double energy = 0.0;       // J, released
 };

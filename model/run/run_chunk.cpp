@@ -150,6 +150,9 @@ std::optional<RunChunk> chunkOf(std::string_view bytes)
     auto& velocityBefore = const_cast<State&>(*chunk.start).velocityBefore;
     if (velocityBefore.empty()) // an older stretch, which has no integrator that looks at it
         velocityBefore = chunk.start->velocity;
+    auto& panelHold = const_cast<State&>(*chunk.start).panelHold;
+    if (panelHold.empty()) // older still: no panel tore
+        panelHold.assign(chunk.start->panelGone.size(), 0.0);
     return chunk;
 }
 

@@ -17,9 +17,9 @@ struct RunEvent
     Kind kind = Kind::Tear;
     std::int64_t step = 0;
     double time = 0.0;      // s
-    std::uint32_t what = 0; // id of the link that tore, the control that was moved, the part that
-                            // touches, the first link of the line; 0 for none
-    int count = 1;          // links that tore in the step, lines that changed
+    std::uint32_t what = 0; // id of the link or panel that tore, the control that was moved, the
+                            // part that touches, the first link of the line; 0 for none
+    int count = 1;          // links and panels that tore in the step, lines that changed
     std::uint32_t with = 0; // id of the collider that is touched
 
     friend bool operator==(const RunEvent&, const RunEvent&) = default;

@@ -312,8 +312,8 @@ void Simulation::Private::fillArrays(Frame& frame) const
     frame.inputCommand = state.inputCommand;
     frame.inputValue = state.inputValue;
     for (const State::Tear& tear : state.tears)
-        frame.tears.push_back(
-            {tear.time, tear.link, tear.length, tear.strain, tear.force, tear.place, tear.energy});
+        frame.tears.push_back({tear.time, tear.element, tear.length, tear.strain, tear.force,
+                               tear.place, tear.energy});
 }
 
 Readings Simulation::Private::readings() const

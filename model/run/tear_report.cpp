@@ -1,5 +1,6 @@
 #include "run/tear_report.h"
 
+#include <algorithm>
 #include <set>
 
 namespace ripstop {
@@ -17,15 +18,20 @@ TearReport tearReport(std::span<const Tear> tears)
     return report;
 }
 
-std::size_t tornLinks(const Frame& frame)
+std::size_t tornElements(const Frame& frame)
 {
     std::set<std::uint32_t> torn;
     for (std::size_t i = 0; i < frame.torn.size(); ++i)
         if (frame.torn[i])
             torn.insert(frame.layout->links[i].id);
     for (const Tear& tear : frame.tears)
-        torn.insert(tear.link);
+        torn.insert(tear.element);
     return torn.size();
+}
+
+bool isOfPanel(const Tear& tear, const Layout& layout)
+{
+    return std::ranges::find(layout.panelId, tear.element) != layout.panelId.end();
 }
 
 } // namespace ripstop

@@ -25,7 +25,11 @@ struct TearReport
 // a sheet that flies away moves with it.
 TearReport tearReport(std::span<const Tear> tears);
 
-// Links at which the mesh has parted are whole again, and have torn all the same.
-std::size_t tornLinks(const Frame& frame);
+// Links and panels that have torn by their own load. Those at which the mesh has parted are whole
+// again, and have torn all the same.
+std::size_t tornElements(const Frame& frame);
+
+// Whether a tear is of a panel, and not of a link.
+bool isOfPanel(const Tear& tear, const Layout& layout);
 
 } // namespace ripstop

@@ -16,6 +16,7 @@
 #include "scene/element_index.h"
 #include "scene/formula.h"
 #include "scene/step_limits.h"
+#include "scene/tear_check.h"
 
 #include <algorithm>
 #include <cctype>
@@ -95,6 +96,7 @@ public:
         duplicates();
         stability();
         gaps();
+        checkTearing(m_scene, adding());
         if (!m_hasParticles)
             add("empty", Severity::Warning,
                 Message("The scene has no particles: insert a part or import a mesh."), noId);
@@ -132,12 +134,13 @@ private:
         elasticPanels();
     }
 
-    void elasticPanels()
+    void elasticPanels() { checkElasticPanels(m_scene, m_index, adding()); }
+
+    AddFinding adding()
     {
-        checkElasticPanels(m_scene, m_index,
-                           [this](const char* sort, Severity severity, Message message, Id id) {
-                               add(sort, severity, std::move(message), id);
-                           });
+        return [this](const char* sort, Severity severity, Message message, Id id) {
+            add(sort, severity, std::move(message), id);
+        };
     }
 
     std::optional<Finding> first() const

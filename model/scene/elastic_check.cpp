@@ -13,6 +13,38 @@ namespace {
 constexpr double stiffest = 1e10; // N/m, of panels; steel of 50 mm
 constexpr double nearlyUnstable = 0.98;
 
+// What of the tear rule of a material does not hold for panels.
+void checkTear(const Part& part, Id id, const Material& material, const AddFinding& add)
+{
+    const auto warn = [&](const Message& message) { add("whole", Severity::Warning, message, id); };
+    switch (material.tearRule) {
+    case TearRule::Length:
+    case TearRule::Force:
+        warn(Message("Panels of %1 do not tear: %2 tears by length or force, which are of links. "
+                     "Choose tension, strength or strain.",
+                     part.name, material.name));
+        break;
+    case TearRule::Strength:
+        if (!material.warpStrength && !material.weftStrength)
+            warn(Message("Panels of %1 do not tear: %2 tears by strength, and has none along its "
+                         "warp or across it. Type its warp and weft strength.",
+                         part.name, material.name));
+        else if (!material.warpStrength)
+            warn(Message("Panels of %1 do not tear along the warp of %2, which tears by strength "
+                         "and has no warp strength: type it.",
+                         part.name, material.name));
+        else if (!material.weftStrength)
+            warn(Message("Panels of %1 do not tear across the warp of %2, which tears by strength "
+                         "and has no weft strength: type it.",
+                         part.name, material.name));
+        break;
+    case TearRule::Never:
+    case TearRule::Strain:
+    case TearRule::Tension:
+        break;
+    }
+}
+
 void checkMaterial(const Part& part, Id partId, Id id, const Material* material,
                    const AddFinding& add)
 {
@@ -24,12 +56,7 @@ void checkMaterial(const Part& part, Id partId, Id id, const Material* material,
             material ? id : partId);
         return;
     }
-    if (material->tearRule != TearRule::Never)
-        add("whole", Severity::Warning,
-            Message("Panels of %1 do not tear: the tear limit of %2 holds for links alone. Have "
-                    "threads carry the pull of what is to tear.",
-                    part.name, material->name),
-            id);
+    checkTear(part, id, *material, add);
     const double warp = *material->membraneStiffness;
     const double weft = material->weftStiffness.value_or(warp);
     if (std::max({warp, weft, material->shearStiffness.value_or(0.0)}) > stiffest)

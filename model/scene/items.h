@@ -60,7 +60,7 @@ struct Link
     std::optional<double> stiffness;  // N/m, springs
     std::optional<double> damping;    // N s/m, springs
     std::optional<double> compliance; // m/N, rods
-    std::optional<double> tearLimit;  // in the unit of the material's tear rule
+    std::optional<double> tearLimit;  // as the material's tear rule says (scene/tear_bounds.h)
 
     friend bool operator==(const Link&, const Link&) = default;
 };
@@ -132,7 +132,7 @@ struct Material
     std::optional<double> arealDensity;      // kg/m^2, of fabric, as weighed into the particles
     std::optional<double> linearDensity;     // kg/m, of lines and spars, as weighed into them
     TearRule tearRule = TearRule::Never;
-    double tearLimit = 0.5; // m, 1 or N, as the rule says
+    double tearLimit = 0.5; // m, 1, N or N/m, as the rule says
     AirLaw airLaw = AirLaw::LinearNormal;
     double normalCoefficient = 2.0;             // 1
     std::optional<double> broadsideCoefficient; // 1; absent, that of small angles holds
@@ -142,7 +142,8 @@ struct Material
     double porosity = 0.0;                      // 1
     double diameter = 0.0;                      // m, of links as lines in the wind
     double dragCoefficient = 1.1;               // 1, of lines across the wind
-    // At what load it breaks: noted, for margins. What tears in a run is the tear rule's business.
+    // At what load it breaks, for margins. A run depends on the strengths of fabric and lines where
+    // the tear rule is strength (scene/tear_bounds.h), and on the others never.
     std::optional<double> warpStrength;    // N/m, of fabric pulled along its warp
     std::optional<double> weftStrength;    // N/m, of fabric pulled across it
     std::optional<double> tearStrength;    // N, that a tear in the fabric needs to go on

@@ -76,6 +76,7 @@ inline constexpr Need holdsAir = need([](const Part& p, const Around&) { return 
 
 // materials: what is made of them
 inline constexpr Need ofLinks = need([](const Around& a) { return a.made.links() > 0; }, "no link is made of it");
+inline constexpr Need ofWhatTears = need([](const Around& a) { return a.made.links() > 0 || a.made.elasticPanels > 0; }, "no link is made of it, and no panel of it carries the pull of a fabric");
 inline constexpr Need ofPanels = need([](const Around& a) { return a.made.panels > 0; }, "no panel is made of it");
 inline constexpr Need ofSprings = need([](const Around& a) { return a.made.springs > 0; }, "its links are all rods, which take the compliance");
 inline constexpr Need ofRods = need([](const Around& a) { return a.made.rods > 0; }, "its links are all springs, which take the stiffness");
@@ -100,7 +101,8 @@ inline constexpr Need isAbstract = need([](const Material& m, const Around& a) {
     return physical < a.made.links();
 }, "its axial, membrane or shear stiffness counts instead");
 inline constexpr Need tears = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Never; }, "the material never tears; choose what it tears by");
-inline constexpr Need givesTearLimit = need([](const Around& a) { return a.made.ownTearLimit < a.made.links(); }, "each of its links has its own");
+inline constexpr Need hasTearLimit = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Strength; }, "its strengths are the limits");
+inline constexpr Need givesTearLimit = need([](const Around& a) { return a.made.ownTearLimit < a.made.links() || a.made.elasticPanels > 0; }, "each of its links has its own");
 inline constexpr Need hasDiameter = need([](const Material& m, const Around&) { return m.diameter != 0.0; }, "the line diameter is 0");
 
 // air and wind

@@ -21,6 +21,14 @@ Item* findItem(Scene& scene, Id id)
 
 const Item* findItem(const Scene& scene, Id id) { return findItem(const_cast<Scene&>(scene), id); }
 
+bool isPanel(const Scene& scene, Id element)
+{
+    return std::ranges::any_of(scene.items, [&](const Entry& entry) {
+        const Part* part = std::get_if<Part>(&entry.item);
+        return part && findRow(part->panels, element);
+    });
+}
+
 template <typename Row>
 Row* findRow(std::vector<Row>& rows, Id id)
 {

@@ -65,6 +65,8 @@ const Row* findRow(const std::vector<Row>& rows, Id id)
     return findRow(const_cast<std::vector<Row>&>(rows), id);
 }
 
+bool isPanel(const Scene& scene, Id element); // of any part
+
 // The name of an item of any kind.
 const std::string& nameOf(const Item& item);
 

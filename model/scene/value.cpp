@@ -266,7 +266,21 @@ std::string_view unitOf(const Scene& scene, const Property& property, const Cons
     else if (const auto* link = std::get_if<const Link*>(&ref))
         material = findItem<Material>(scene, (*link)->material);
     const TearRule rule = material ? material->tearRule : TearRule::Never;
-    return rule == TearRule::Length ? "m" : rule == TearRule::Force ? "N" : "";
+    const bool isOfLink = std::holds_alternative<const Link*>(ref);
+    switch (rule) {
+    case TearRule::Length:
+        return "m";
+    case TearRule::Force:
+        return "N";
+    case TearRule::Tension:
+        return isOfLink ? "N" : "N/m";
+    case TearRule::Strength: // a material has its strengths for it
+        return isOfLink ? "N" : "";
+    case TearRule::Never:
+    case TearRule::Strain:
+        break;
+    }
+    return "";
 }
 
 Result<Value> valueFromText(const Property& property, std::string_view text)

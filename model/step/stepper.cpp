@@ -75,7 +75,7 @@ int Stepper::step(const System& system, State& state)
         }
         task.note = m_tearsByForce || s + meanOver >= substeps;
         task.shifted = s == 0;
-        m_judgesLinks = system.tearMesh == TearMesh::Vanish || s + 1 == substeps;
+        m_judgesTears = system.tearMesh == TearMesh::Vanish || s + 1 == substeps;
         substep(task, state, h);
         ++state.substep;
     }
@@ -100,7 +100,8 @@ void Stepper::prepare(const System& system, State& state)
     m_scratch.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
-    m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size());
+    m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size()
+                        + system.membranes.size());
     m_lanes.reserve(m_forces.size());
     for (const auto& force : m_forces)
         force->prepare(system, state);
@@ -237,9 +238,9 @@ void Stepper::substep(RodTask& task, State& state, double h)
     if (isBdf2)
         move(ParticlePass::FollowContact, system, state, h);
     m_clock.lap(StepStage::Contact);
-    if (m_judgesLinks)
-        tearLinks(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
-                  m_overloads);
+    if (m_judgesTears)
+        tearOverloaded(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
+                       m_overloads);
     m_clock.lap(StepStage::Tearing);
     const bool waits = isBdf2 && state.driftSubstep < 0.0; // for motion from after an impact alone
     state.driftSubstep = impact ? -h : looksBack(m_integrator) && !waits ? h : 0.0;

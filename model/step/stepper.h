@@ -110,14 +110,15 @@ private:
     std::vector<double> m_rodLength;        // [rods] m, before projection
     mutable Damping m_damping;              // of forces
     std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
-    std::vector<Overload> m_overloads; // scratch of tearLinks(), with room for all that may tear
+    std::vector<Overload>
+        m_overloads; // scratch of tearOverloaded(), with room for all that may tear
     int m_refinement = 1;
     std::size_t m_tears = 0;    // before this time step
     std::uint64_t m_serial = 0; // of the system that m_restLength is of
     std::uint64_t m_valuesSerial = 0;
     bool m_summed = false;       // accelerations were, in this step
     double m_keep = 1.0;         // share of the speed that viscosity leaves in a substep
-    bool m_judgesLinks = true;   // in this substep, which of them break
+    bool m_judgesTears = true;   // in this substep, what breaks
     bool m_tearsByForce = false; // some rod does, so tensions are needed in every substep
 };
 

@@ -68,7 +68,7 @@ inline constexpr auto fieldsOf<TearHold> = fields<TearHold, &TearHold::link, &Te
 
 template <>
 inline constexpr auto fieldsOf<State::Tear> =
-    fields<State::Tear, &State::Tear::time, &State::Tear::link, &State::Tear::length,
+    fields<State::Tear, &State::Tear::time, &State::Tear::element, &State::Tear::length,
            &State::Tear::strain, &State::Tear::force, &State::Tear::place, &State::Tear::energy>;
 
 template <>
@@ -124,6 +124,7 @@ inline constexpr auto fieldsOf<State> = fields<State,
     field<&State::springTorn, Per::Spring, Hash::In>,
     field<&State::rodTorn, Per::Rod, Hash::In>,
     field<&State::panelGone, Per::Panel, Hash::In>,
+    field<&State::panelHold, Per::Panel, Since{5}>,
     field<&State::rodTension, Per::Rod>,
     &State::tears,
     &State::splits,
@@ -137,22 +138,21 @@ inline constexpr auto fieldsOf<State> = fields<State,
 // The serials and what goes with them say when a solver looks again: two systems may be equal
 // without them.
 template <>
-inline constexpr auto fieldsOf<System> =
-    fields<System, &System::generation, &System::run, field<&System::serial, Compared::No>,
-           field<&System::valuesSerial, Compared::No>, field<&System::touched, Compared::No>,
-           &System::timeStep, &System::substeps, &System::sweeps, &System::integrator,
-           &System::solver, &System::accuracy, &System::strainGoal, &System::rampTime,
-           &System::tearsPerStep, &System::tearMesh, &System::gravity, &System::airDensity,
-           &System::wind, &System::airflows, &System::gusts, &System::viscosity,
-           &System::speedLimit, &System::key, &System::parts, &System::mass, &System::inverseMass,
-           &System::guided, &System::springs, &System::springsAsRods, &System::rods,
-           &System::colorStart, &System::chunkStart, &System::chunkClass, &System::chunkReach,
-           &System::direct, &System::materialAir, &System::bending, &System::forces,
-           &System::panels, &System::panelKey, &System::cloth, &System::membranes, &System::links,
-           &System::linkStuff, &System::springLink, &System::rodLink, &System::tearableSprings,
-           &System::tearableRods, &System::springsAt, &System::rodsAt, &System::panelsAt,
-           &System::panelsBeside, &System::obstacles, &System::fabricLayer, &System::canopies,
-           &System::inputs, &System::shiftedRods, &System::probes, &System::start>;
+inline constexpr auto fieldsOf<System> = fields<
+    System, &System::generation, &System::run, field<&System::serial, Compared::No>,
+    field<&System::valuesSerial, Compared::No>, field<&System::touched, Compared::No>,
+    &System::timeStep, &System::substeps, &System::sweeps, &System::integrator, &System::solver,
+    &System::accuracy, &System::strainGoal, &System::rampTime, &System::tearsPerStep,
+    &System::tearMesh, &System::gravity, &System::airDensity, &System::wind, &System::airflows,
+    &System::gusts, &System::viscosity, &System::speedLimit, &System::key, &System::parts,
+    &System::mass, &System::inverseMass, &System::guided, &System::springs, &System::springsAsRods,
+    &System::rods, &System::colorStart, &System::chunkStart, &System::chunkClass,
+    &System::chunkReach, &System::direct, &System::materialAir, &System::bending, &System::forces,
+    &System::panels, &System::panelKey, &System::cloth, &System::clothTear, &System::membranes,
+    &System::links, &System::linkStuff, &System::springLink, &System::rodLink,
+    &System::tearableSprings, &System::tearableRods, &System::springsAt, &System::rodsAt,
+    &System::panelsAt, &System::panelsBeside, &System::obstacles, &System::fabricLayer,
+    &System::canopies, &System::inputs, &System::shiftedRods, &System::probes, &System::start>;
 
 // Calls visit(array, the same array in the next state, ...) for each array that has an entry for
 // each of these.

@@ -7,21 +7,12 @@
 // tearing/tearing.h.
 #pragma once
 
-#include "base/link_laws.h"
+#include "base/tear_limits.h"
 #include "system/key.h"
 
 #include <cstdint>
 
 namespace ripstop {
-
-// When a link tears; the rule says what the limit is of.
-struct TearLimit
-{
-    TearRule rule = TearRule::Never;
-    double limit = 0.0; // m of length, 1 of strain or N of force
-
-    friend bool operator==(const TearLimit&, const TearLimit&) = default;
-};
 
 // A link that is a force: F = k (|d| - l) + nu (vb - va).u along u = d/|d|, on `a` towards `b`.
 struct Spring

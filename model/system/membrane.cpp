@@ -38,6 +38,13 @@ const ClothLaw& lawOf(const System& system, const Membrane& membrane)
     return system.cloth[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
 }
 
+namespace {
+
+// 1, length over that at rest, of threads of this strain of Green's.
+double stretchOf(double strain) { return std::sqrt(std::max(1.0 + 2.0 * strain, 0.0)); }
+
+} // namespace
+
 Vec3 strainAt(const Membrane& membrane, const Corners& corners)
 {
     return strainOf(axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]));
@@ -56,8 +63,16 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
         return {};
     const Vec3 strain = strainAt(membrane, corners);
     const ClothTension now = tensionOf(law, strain);
-    return {true, now.state, largestStrain(pullingStrain(law, strain)),
-            largestTension(now.tension)};
+    const Vec3 threads = pullingStrain(law, strain);
+    const double warp = stretchOf(threads[0]), weft = stretchOf(threads[1]);
+    return {true,
+            now.state,
+            largestStrain(threads),
+            largestTension(now.tension),
+            warp * now.tension[0],
+            weft * now.tension[1],
+            warp - 1.0,
+            weft - 1.0};
 }
 
 double largestStrain(const Vec3& strain)

@@ -137,17 +137,19 @@ struct State
     std::vector<std::uint8_t> springTorn; // [springs]
     std::vector<std::uint8_t> rodTorn;    // [rods]
     std::vector<std::uint8_t> panelGone;  // [panels]
+    std::vector<double> panelHold;        // [panels] as TearHold::ratio: the panel waits; negative
+                                          // where the mesh has yet to open, 0 for all others
     std::vector<double> rodTension;       // [rods] N, mean over the last step
 
     struct Tear
     {
         double time;         // s
-        Key link;            // key of the link
-        double length;       // m, at the break
-        double strain;       // 1
-        double force;        // N
-        Vec3 place;          // m, middle of the link
-        double energy = 0.0; // J, that the link held and no longer does
+        Key element;         // key of the link, or of the panel that carried the pull of a fabric
+        double length;       // m, at the break; of a panel its width across the pull, flat
+        double strain;       // 1, of a panel that of the threads that broke
+        double force;        // N, of a panel N/m: the pull of those threads per flat width
+        Vec3 place;          // m, its middle
+        double energy = 0.0; // J, that it held and no longer does
 
         friend bool operator==(const Tear&, const Tear&) = default;
     };

@@ -86,7 +86,7 @@ struct System
     double accuracy = 0.01;   // 1, error of pulls that is wanted
     double strainGoal = 0.01; // 1, the strain that stands for it in rods without compliance
     double rampTime = 0.0;    // s, over which links and panels take over edits in flight
-    int tearsPerStep = 0;     // links that a time step may break, 0 for any number
+    int tearsPerStep = 0;     // breaks that a time step may have, 0 for any number
     TearMesh tearMesh = TearMesh::Vanish;
     Vec3 gravity = Vec3(0.0, -9.80665, 0.0); // m/s^2
     double airDensity = 1.225;               // kg/m^3
@@ -114,15 +114,16 @@ struct System
     std::vector<Bending> bending;         // [materialAir], or empty when nothing bends stiffly
     ForceLists forces;                    // what each force derives from all else
     std::vector<FabricPanel> panels;
-    std::vector<Key> panelKey;        // [panels]
-    std::vector<ClothLaw> cloth;      // [materialAir], or empty when no panel carries a pull
-    std::vector<Membrane> membranes;  // panels that do, in ascending order
-    std::vector<LinkPlace> links;     // in the author's order
-    std::vector<LinkStuff> linkStuff; // [links], or empty when made by hand
-    std::vector<int> springLink;      // [springs] index into links
-    std::vector<int> rodLink;         // [rods] index into links
-    std::vector<int> tearableSprings; // indices into springs, ascending
-    std::vector<int> tearableRods;    // indices into rods, ascending
+    std::vector<Key> panelKey;         // [panels]
+    std::vector<ClothLaw> cloth;       // [materialAir], or empty when no panel carries a pull
+    std::vector<FabricTear> clothTear; // [cloth] at what those panels tear
+    std::vector<Membrane> membranes;   // panels that do, in ascending order
+    std::vector<LinkPlace> links;      // in the author's order
+    std::vector<LinkStuff> linkStuff;  // [links], or empty when made by hand
+    std::vector<int> springLink;       // [springs] index into links
+    std::vector<int> rodLink;          // [rods] index into links
+    std::vector<int> tearableSprings;  // indices into springs, ascending
+    std::vector<int> tearableRods;     // indices into rods, ascending
 
     Rows springsAt;    // [particles] springs that end there
     Rows rodsAt;       // [particles] rods that end there

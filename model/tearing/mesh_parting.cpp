@@ -9,6 +9,8 @@
 //    links near the opening have lost their neighbours and break.
 #include "tearing/mesh_parting.h"
 
+#include "base/key_index.h"
+#include "tearing/panel_tearing.h"
 #include "tearing/tearing.h"
 
 #include <algorithm>
@@ -40,6 +42,31 @@ MeshParting::MeshParting(const System& system, State& state)
             m_isOnTear[i] = 1;
     for (const Split& split : state.splits)
         m_cuts += split.cut.size();
+    if (!system.membranes.empty())
+        markTips();
+}
+
+// Fabric that panels carry has no links along a tear to tell where it ends: there, a panel of
+// either lip has the particle as a corner.
+void MeshParting::markTips()
+{
+    KeyIndex particleOf(m_system.key.size());
+    for (std::size_t i = 0; i < m_system.key.size(); ++i)
+        particleOf.add(m_system.key[i], int(i));
+    for (const Split& split : m_state.splits)
+        if (const int from = particleOf(split.from), twin = particleOf(split.twin);
+            from >= 0 && twin >= 0)
+            markTips(from, twin);
+}
+
+void MeshParting::markTips(int from, int twin)
+{
+    m_isOnTear[std::size_t(from)] = 1;
+    for (const int ofTwin : m_mesh.panelsAt(twin))
+        for (const int corner : m_mesh.corners(ofTwin))
+            for (const int panel : m_mesh.panelsAt(from))
+                if (m_mesh.hasCorner(panel, corner))
+                    m_isOnTear[std::size_t(corner)] = 1;
 }
 
 bool MeshParting::isTorn(int link) const
@@ -154,9 +181,15 @@ void MeshParting::part(int from, const Sides& sides, std::optional<double> heldR
         m_isOnTear[std::size_t(m_mesh.otherEnd(link, from))] = 1;
     }
     m_state.splits.push_back(std::move(split));
-    if (heldRatio)
+    if (heldRatio) {
         for (const int link : incident)
             hold(link, *heldRatio);
+        for (const int end : {from, twin})
+            for (const int panel : m_mesh.panelsAt(end))
+                holdPanel(panel, *heldRatio);
+    }
+    if (!m_system.membranes.empty())
+        markTips(from, twin);
     for (const Across& one : across) {
         const auto [a, b] = m_mesh.ends(one.link);
         if (m_mesh.nearness(a, b) < one.nearness && one.link < int(m_system.links.size()))
@@ -171,6 +204,13 @@ void MeshParting::hold(int link, double ratio)
         && std::none_of(holds.begin(), holds.end(),
                         [&](const TearHold& held) { return held.link == link; }))
         holds.push_back({link, ratio});
+}
+
+void MeshParting::holdPanel(int panel, double ratio)
+{
+    double& held = m_state.panelHold[std::size_t(panel)];
+    if (held == 0.0 && membraneOf(m_system, panel))
+        held = ratio;
 }
 
 } // namespace ripstop

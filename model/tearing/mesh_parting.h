@@ -42,7 +42,7 @@ public:
     Sides sides(int from, const std::vector<int>& panels, const std::vector<std::uint8_t>& isNear,
                 const Vec3& direction) const;
 
-    // With a ratio, links at the particle are held (State::tearHolds).
+    // With a ratio, links and panels at the particle are held (State::tearHolds, panelHold).
     void part(int from, const Sides& sides, std::optional<double> heldRatio);
 
 private:
@@ -58,6 +58,9 @@ private:
                    const std::vector<std::uint8_t>& isNear) const;
     std::vector<Across> linksAcross(int particle) const;
     void hold(int link, double ratio);
+    void holdPanel(int panel, double ratio);
+    void markTips();
+    void markTips(int from, int twin);
 
     const System& m_system;
     State& m_state;

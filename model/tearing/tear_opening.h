@@ -1,4 +1,4 @@
-// Parts the mesh where links have torn, so that each panel stays whole on its side.
+// Parts the mesh where links or panels have torn, so that each panel stays whole on its side.
 //
 // A link tears because it is pulled along its length, so the tear opens across it: at one of its
 // ends, in a plane through the particle at right angles to the link, as Mueller, Heidelberger,
@@ -11,6 +11,12 @@
 // that tears run on; then one on the hem; then the link's first. Where nothing would stay behind at
 // either end (a crumb), the link breaks for good and the panels beside it go.
 //
+// A panel that carries the pull of a fabric tears across the threads that are overloaded in it: at
+// one of its corners, in a plane through the particle at right angles to where these threads run
+// now. The panels on its own side take the twin. The corner is chosen as the end of a link is, and
+// of corners of one kind it is the one from which the panel lies most along the threads. The panel
+// stays whole and holds what it held.
+//
 // mesh_parting.h says what becomes of what ends at the particle.
 #pragma once
 
@@ -19,8 +25,9 @@
 namespace ripstop {
 
 // Adds what parts to State::splits and says whether anything does; splitSystem() and carryOver()
-// then make the system and the state to go on with. For the links that tearLinks() has just noted
-// in State::tearHolds; those at the particles that part are noted there as well.
+// then make the system and the state to go on with. For the links that tearOverloaded() has just
+// noted in State::tearHolds and the panels that it has in State::panelHold; those at the particles
+// that part are noted there as well.
 [[nodiscard]] bool openTears(const System& system, State& state);
 
 } // namespace ripstop

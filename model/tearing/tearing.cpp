@@ -1,5 +1,6 @@
-// tearLinks() finds the overloads of springs and rods, lets links that are held wait, sorts the
-// rest (by overload where only some may break, else by link) and breaks them, noting an event each.
+// tearOverloaded() finds the overloads of springs, rods and panels, lets what is held wait, sorts
+// the rest (by overload where only some may break, else by place) and breaks them, noting an event
+// each.
 //
 // Springs are sifted first by a test without roots, since nearly all are far from their limit in
 // every substep.
@@ -7,6 +8,7 @@
 
 #include "assembly/split_system.h"
 #include "forces/spring_force.h"
+#include "tearing/panel_tearing.h"
 
 #include <algorithm>
 #include <limits>
@@ -33,6 +35,8 @@ double measured(const Load& load, TearRule rule)
     case TearRule::Force:
         return load.force;
     case TearRule::Never:
+    case TearRule::Tension: // of fabric; links have a force instead
+    case TearRule::Strength:
         break;
     }
     return -std::numeric_limits<double>::infinity();
@@ -76,14 +80,31 @@ void tear(const System& system, State& state, const TearLoads& loads, int number
     } else {
         state.springTorn[index] = 1;
     }
+    double released = releasedEnergy(system, link, load);
     if (system.tearMesh == TearMesh::Vanish)
-        for (int k = system.panelsBeside.start[l]; k < system.panelsBeside.start[l + 1]; ++k)
-            state.panelGone[std::size_t(system.panelsBeside.items[std::size_t(k)])] = 1;
+        for (int k = system.panelsBeside.start[l]; k < system.panelsBeside.start[l + 1]; ++k) {
+            const int panel = system.panelsBeside.items[std::size_t(k)];
+            released += elasticEnergyIn(system, state, panel);
+            state.panelGone[std::size_t(panel)] = 1;
+        }
     const Key key = state.splits.empty() ? link.key : TwinOrigins(state.splits).link(link.key);
     const Vec3& a = state.position[std::size_t(link.a)];
     const Vec3& b = state.position[std::size_t(link.b)];
-    state.tears.push_back({state.time, key, load.length, load.strain(), load.force, 0.5 * (a + b),
-                           releasedEnergy(system, link, load)});
+    state.tears.push_back(
+        {state.time, key, load.length, load.strain(), load.force, 0.5 * (a + b), released});
+}
+
+// A panel that a link has taken along in the same substep does not tear once more.
+bool tearPanel(const System& system, State& state, int number)
+{
+    const Membrane& membrane = system.membranes[std::size_t(number)];
+    std::uint8_t& gone = state.panelGone[std::size_t(membrane.panel)];
+    if (gone)
+        return false;
+    noteTear(system, state, membrane, judge(system, state, membrane),
+             elasticEnergyIn(system, state, membrane.panel));
+    gone = 1;
+    return true;
 }
 
 // Whether a spring is far from breaking, told without a root or a quotient: that is what all but a
@@ -103,6 +124,8 @@ bool isSafe(const Spring& spring, const State& state, const Vec3& force)
     case TearRule::Force:
         return force.squaredNorm() < nearly * spring.tear.limit * spring.tear.limit;
     case TearRule::Never:
+    case TearRule::Tension:
+    case TearRule::Strength:
         break;
     }
     return true;
@@ -113,6 +136,18 @@ void judge(const Load& load, const TearLimit& tear, int link, std::vector<Overlo
     const double value = measured(load, tear.rule);
     if (value > tear.limit) // above a limit of 0 is infinitely far above it
         overloads.push_back({link, value / tear.limit});
+}
+
+void findPanelOverloads(const System& system, const State& state, std::vector<Overload>& overloads)
+{
+    const auto tears = [](const FabricTear& tear) { return tear.rule != TearRule::Never; };
+    if (std::ranges::none_of(system.clothTear, tears))
+        return;
+    for (std::size_t i = 0; i < system.membranes.size(); ++i)
+        if (const Membrane& membrane = system.membranes[i];
+            !state.panelGone[std::size_t(membrane.panel)])
+            if (const double ratio = judge(system, state, membrane).worst.ratio; ratio > 1.0)
+                overloads.push_back({int(i), ratio, true});
 }
 
 // Springs and rods are gone through as they lie in memory; the links that they are tell the order.
@@ -132,24 +167,45 @@ void findOverloads(const System& system, const State& state, const TearLoads& lo
         if (!state.rodTorn[i])
             judge(loadOfRod(state, loads, i), system.rods[i].tear, system.rodLink[i], overloads);
     }
+    findPanelOverloads(system, state, overloads);
 }
 
-bool inOrder(const Overload& one, const Overload& other) { return one.link < other.link; }
+bool inOrder(const Overload& one, const Overload& other)
+{
+    return one.isPanel != other.isPanel ? other.isPanel : one.element < other.element;
+}
 
 bool worstFirst(const Overload& one, const Overload& other)
 {
     return one.ratio != other.ratio ? one.ratio > other.ratio : inOrder(one, other);
 }
 
-// Links that are held wait until they have been below their limit, or are far above it after all.
-void takeHeldOut(State& state, std::vector<Overload>& overloads)
+//   overloads  in order
+void takeHeldPanelsOut(const System& system, State& state, std::vector<Overload>& overloads,
+                       double farAbove, double waits)
+{
+    auto next = std::ranges::find(overloads, true, &Overload::isPanel);
+    for (std::size_t i = 0; i < system.membranes.size(); ++i) {
+        double& hold = state.panelHold[std::size_t(system.membranes[i].panel)];
+        const bool isAbove = next != overloads.end() && next->element == int(i);
+        if (hold > 0.0 && !isAbove)
+            hold = 0.0;
+        else if (hold > 0.0 && !(next->ratio > farAbove * hold))
+            next->ratio = waits;
+        next += isAbove;
+    }
+}
+
+// What is held waits until it has been below its limit, or is far above it after all.
+void takeHeldOut(const System& system, State& state, std::vector<Overload>& overloads)
 {
     constexpr double farAbove = 1.25; // times the overload that opened the mesh
     std::sort(overloads.begin(), overloads.end(), inOrder);
     const auto find = [&](int link) {
         const auto found =
             std::lower_bound(overloads.begin(), overloads.end(), Overload{link, 0.0}, inOrder);
-        return found != overloads.end() && found->link == link ? found : overloads.end();
+        const bool isThere = found != overloads.end() && !found->isPanel && found->element == link;
+        return isThere ? found : overloads.end();
     };
     std::erase_if(state.tearHolds,
                   [&](const TearHold& hold) { return find(hold.link) == overloads.end(); });
@@ -157,41 +213,56 @@ void takeHeldOut(State& state, std::vector<Overload>& overloads)
     for (const TearHold& hold : state.tearHolds)
         if (const auto found = find(hold.link); !(found->ratio > farAbove * hold.ratio))
             found->ratio = waits;
+    takeHeldPanelsOut(system, state, overloads, farAbove, waits);
     std::erase_if(overloads, [](const Overload& overload) { return overload.ratio == waits; });
 }
 
-// Breaks at most `most`, and of edges of panels that share an end the worst alone: the mesh opens
-// there, and the others are about to lose their load.
+// Breaks at most `most`, and of edges of panels and of panels that share a particle the worst
+// alone: the mesh opens there, and the others are about to lose their load.
 void tearApart(const System& system, State& state, const TearLoads& loads,
                const std::vector<Overload>& overloads, std::size_t most)
 {
     if (overloads.empty())
         return;
     std::vector<std::uint8_t> opens(state.position.size(), 0);
+    const auto takes = [&](std::span<const int> particles) {
+        const auto isTaken = [&](int particle) { return opens[std::size_t(particle)] != 0; };
+        if (std::ranges::any_of(particles, isTaken))
+            return false;
+        for (const int particle : particles)
+            opens[std::size_t(particle)] = 1;
+        return true;
+    };
     for (const Overload& overload : overloads) {
         if (most == 0)
             return;
-        const auto l = std::size_t(overload.link);
-        const LinkPlace& link = system.links[l];
-        if (system.panelsBeside.start[l] < system.panelsBeside.start[l + 1]) {
-            std::uint8_t& a = opens[std::size_t(link.a)];
-            std::uint8_t& b = opens[std::size_t(link.b)];
-            if (a || b)
+        const auto number = std::size_t(overload.element);
+        if (overload.isPanel) {
+            const Membrane& membrane = system.membranes[number];
+            if (!takes(system.panels[std::size_t(membrane.panel)].corner))
                 continue;
-            a = b = 1;
-            std::erase_if(state.tearHolds,
-                          [&](const TearHold& hold) { return hold.link == overload.link; });
-            state.tearHolds.push_back({overload.link, overload.ratio});
+            state.panelHold[std::size_t(membrane.panel)] = -overload.ratio;
+            noteTear(system, state, membrane, judge(system, state, membrane), 0.0);
+            --most;
+            continue;
         }
-        tear(system, state, loads, overload.link);
+        const LinkPlace& link = system.links[number];
+        if (system.panelsBeside.start[number] < system.panelsBeside.start[number + 1]) {
+            if (!takes(std::array{link.a, link.b}))
+                continue;
+            std::erase_if(state.tearHolds,
+                          [&](const TearHold& hold) { return hold.link == overload.element; });
+            state.tearHolds.push_back({overload.element, overload.ratio});
+        }
+        tear(system, state, loads, overload.element);
         --most;
     }
 }
 
 } // namespace
 
-void tearLinks(const System& system, State& state, const TearLoads& loads,
-               std::vector<Overload>& scratch)
+void tearOverloaded(const System& system, State& state, const TearLoads& loads,
+                    std::vector<Overload>& scratch)
 {
     const bool splits = system.tearMesh == TearMesh::Split;
     const bool limited = system.tearsPerStep > 0;
@@ -202,16 +273,23 @@ void tearLinks(const System& system, State& state, const TearLoads& loads,
                                      : std::numeric_limits<std::size_t>::max();
     findOverloads(system, state, loads, scratch);
     if (splits)
-        takeHeldOut(state, scratch);
+        takeHeldOut(system, state, scratch);
     if (limited || splits)
         std::sort(scratch.begin(), scratch.end(), worstFirst);
     else
         std::sort(scratch.begin(), scratch.end(), inOrder);
     if (splits)
         return tearApart(system, state, loads, scratch, most);
-    scratch.resize(std::min(scratch.size(), most));
-    for (const Overload& overload : scratch)
-        tear(system, state, loads, overload.link);
+    std::size_t torn = 0;
+    for (std::size_t i = 0; i < scratch.size() && torn < most; ++i) {
+        const Overload& overload = scratch[i];
+        if (overload.isPanel) {
+            torn += tearPanel(system, state, overload.element);
+        } else {
+            tear(system, state, loads, overload.element);
+            ++torn;
+        }
+    }
 }
 
 void noteBreak(const System& system, State& state, int number)

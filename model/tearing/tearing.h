@@ -1,8 +1,9 @@
 // Tearing: links that break when they are above their limit, and the panels beside them that vanish
-// with them or part.
+// with them or part; and panels that carry the pull of a fabric, which tear by it themselves
+// (panel_tearing.h).
 //
-// The stepper calls tearLinks() within a substep; cuts and the parting of the mesh call the others
-// between two steps. Nothing here fails: what breaks is noted in the State.
+// The stepper calls tearOverloaded() within a substep; cuts and the parting of the mesh call the
+// others between two steps. Nothing here fails: what breaks is noted in the State.
 #pragma once
 
 #include "system/system.h"
@@ -20,30 +21,32 @@ struct TearLoads
     std::size_t tearsBefore = 0;             // breaks before this time step
 };
 
-// A link above its limit, and how far: its length, strain or force over the limit.
+// What is above its limit, and how far: the length, strain, force or pull over the limit.
 struct Overload
 {
-    int link;     // index into System::links
+    int element;  // index into System::links or, of a panel, into System::membranes
     double ratio; // 1
+    bool isPanel = false;
 };
 
-// Breaks links above their limit (above, not at) and notes the events. A rod is judged by its
-// length before projection, since none is ever long afterwards, or by its multiplier.
+// Breaks links and panels above their limit (above, not at) and notes the events. A rod is judged
+// by its length before projection, since none is ever long afterwards, or by its multiplier.
 //
-// Without System::tearsPerStep all of them break, in the order of the links. With it, the most
-// overloaded break first and of equals the first in the order of the links; who is left over is
-// judged again in the next substep, when the breaks have moved the load.
+// Without System::tearsPerStep all of them break, in order: the links, then the panels. With it,
+// the most overloaded break first and of equals the first in that order; who is left over is judged
+// again in the next substep, when the breaks have moved the load.
 //
-// Where the mesh is to split instead of losing panels (TearMesh::Split), links are judged once in a
-// time step, after its last substep. The worst break first, and of those that share an end only
-// one; a link that is the edge of a panel is noted in State::tearHolds, for openTears() to part the
-// mesh there (tear_opening.h). A link that is held is let be until it has been below its limit, or
-// is a quarter farther above it than the one that tore there was.
+// Where the mesh is to split instead of losing panels (TearMesh::Split), all are judged once in a
+// time step, after its last substep. The worst break first, and of those that share a particle only
+// one; a link that is the edge of a panel is noted in State::tearHolds, a panel in
+// State::panelHold, for openTears() to part the mesh there (tear_opening.h). What is held is let be
+// until it has been below its limit, or is a quarter farther above it than what tore there was.
 //
 // A break releases what the link held: k s^2 / 2 of a spring stretched by s, T^2 alpha / 2 of a rod
-// of compliance alpha under the tension T, nothing of a stiff rod.
-void tearLinks(const System& system, State& state, const TearLoads& loads,
-               std::vector<Overload>& scratch);
+// of compliance alpha under the tension T, nothing of a stiff rod; and what the panels that go held
+// of their own.
+void tearOverloaded(const System& system, State& state, const TearLoads& loads,
+                    std::vector<Overload>& scratch);
 
 // Breaks a link between two steps, whatever its limit: by a cut, or as it has lost its panels.
 void breakLink(const System& system, State& state, int link);

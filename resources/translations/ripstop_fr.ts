@@ -1607,8 +1607,23 @@
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
-        <source>Panels of %1 do not tear: the tear limit of %2 holds for links alone. Have threads carry the pull of what is to tear.</source>
-        <translation>Les panneaux de %1 ne se déchirent pas : la limite de déchirure de %2 ne vaut que pour les liaisons. Faites porter par des fils la traction de ce qui doit se déchirer.</translation>
+        <source>Panels of %1 do not tear across the warp of %2, which tears by strength and has no weft strength: type it.</source>
+        <translation>Les panneaux de %1 ne se déchirent pas en travers de la chaîne de %2, qui cède par résistance et n’a pas de résistance en trame : saisissez-la.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>Panels of %1 do not tear along the warp of %2, which tears by strength and has no warp strength: type it.</source>
+        <translation>Les panneaux de %1 ne se déchirent pas dans le sens de la chaîne de %2, qui cède par résistance et n’a pas de résistance en chaîne : saisissez-la.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>Panels of %1 do not tear: %2 tears by length or force, which are of links. Choose tension, strength or strain.</source>
+        <translation>Les panneaux de %1 ne se déchirent pas : %2 cède par longueur ou par force, qui sont celles des liaisons. Choisissez tension, résistance ou déformation.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
+        <source>Panels of %1 do not tear: %2 tears by strength, and has none along its warp or across it. Type its warp and weft strength.</source>
+        <translation>Les panneaux de %1 ne se déchirent pas : %2 cède par résistance et n’en a ni en chaîne ni en trame. Saisissez ses résistances en chaîne et en trame.</translation>
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
@@ -1665,8 +1680,18 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
+        <source>it tore at %1 places, panel %2 first</source>
+        <translation>déchirures en %1 endroits, d'abord le panneau %2</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
         <source>link %1 tore</source>
         <translation>la liaison %1 a cédé</translation>
+    </message>
+    <message>
+        <location filename="event_words.cpp"/>
+        <source>panel %1 tore</source>
+        <translation>le panneau %1 s’est déchiré</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
@@ -7698,8 +7723,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>A link breaks above this, in metres, as a strain or in newtons as the rule says.</source>
-        <translation>Une liaison rompt au-delà, en mètres, en déformation ou en newtons comme le dit la règle.</translation>
+        <source>A link or an elastic panel tears above this, in metres, as a strain, in newtons or in newtons per metre as the rule says.</source>
+        <translation>Une liaison ou un panneau élastique cède au-delà, en mètres, en déformation, en newtons ou en newtons par mètre comme le dit la règle.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9658,8 +9683,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>How many have torn.</source>
-        <translation>Combien ont rompu.</translation>
+        <source>How many have torn, and elastic panels among them.</source>
+        <translation>Combien ont cédé, panneaux élastiques compris.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10463,8 +10488,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Most links that break in one time step, the most overloaded first, so that a tear runs on from its tip; 0 sets no limit.</source>
-        <translation>Nombre maximal de liaisons qui rompent en un pas de temps, les plus surchargées d’abord, pour qu’une déchirure se propage par sa pointe ; 0 ne pose pas de limite.</translation>
+        <source>Most links and elastic panels that tear in one time step, the most overloaded first, so that a tear runs on from its tip; 0 sets no limit.</source>
+        <translation>Nombre maximal de liaisons et de panneaux élastiques qui cèdent en un pas de temps, les plus surchargés d’abord, pour qu’une déchirure se propage par sa pointe ; 0 ne pose pas de limite.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11068,13 +11093,13 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Pull per width at which a strip of the fabric breaks across its warp, without seams; noted for margins, so that a run does not depend on it.</source>
-        <translation>Traction par largeur à laquelle une bande du tissu casse en travers de la chaîne, sans couture ; notée pour les marges, une simulation n’en dépend pas.</translation>
+        <source>Pull per width at which a strip of the fabric breaks across its warp, without seams; elastic panels tear by it where the material tears by strength, and else it is noted for margins.</source>
+        <translation>Traction par largeur à laquelle une bande du tissu casse en travers de la chaîne, sans couture ; les panneaux élastiques s’y déchirent si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>Pull per width at which a strip of the fabric breaks along its warp, without seams; noted for margins, so that a run does not depend on it.</source>
-        <translation>Traction par largeur à laquelle une bande du tissu casse dans le sens de la chaîne, sans couture ; notée pour les marges, une simulation n’en dépend pas.</translation>
+        <source>Pull per width at which a strip of the fabric breaks along its warp, without seams; elastic panels tear by it where the material tears by strength, and else it is noted for margins.</source>
+        <translation>Traction par largeur à laquelle une bande du tissu casse dans le sens de la chaîne, sans couture ; les panneaux élastiques s’y déchirent si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11250,6 +11275,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Ripstop kite</source>
         <translation>Cerf-volant en ripstop</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Ripstop with a slit is drawn apart at 0.1 m/s. Its panels carry the pull and tear by the strength of the material, 8 kN/m; the mesh parts, and every panel stays whole on its side.</source>
+        <translation>De la toile ripstop fendue est étirée à 0,1 m/s. Ses panneaux portent la traction et se déchirent à la résistance du matériau, 8 kN/m ; le maillage se fend, et chaque panneau reste entier de son côté.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11868,6 +11898,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Tearing sheet</source>
+        <translation>Toile qui se déchire</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Tears by</source>
         <translation>Rompt par</translation>
     </message>
@@ -11883,8 +11918,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Tension at which a line breaks, without knots; noted for margins, so that a run does not depend on it.</source>
-        <translation>Tension à laquelle une ligne casse, sans nœud ; notée pour les marges, une simulation n’en dépend pas.</translation>
+        <source>Tension at which a line breaks, without knots; lines and spars tear by it where the material tears by strength, and else it is noted for margins.</source>
+        <translation>Tension à laquelle une ligne casse, sans nœud ; lignes et longerons y rompent si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11938,8 +11973,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>The link breaks above this, in metres, as a strain or in newtons as its material's tear rule says; empty takes the material's.</source>
-        <translation>La liaison rompt au-delà, en mètres, en déformation ou en newtons selon la règle de rupture de son matériau ; vide, celle du matériau.</translation>
+        <source>The link breaks above this, in metres, as a strain or in newtons as its material's tear rule says, and in newtons where that is of tension or strength; empty takes the material's.</source>
+        <translation>La liaison rompt au-delà, en mètres, en déformation ou en newtons selon la règle de rupture de son matériau, et en newtons si celle-ci est de tension ou de résistance ; vide, celle du matériau.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12263,8 +12298,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>What breaks a link: its length (m), its strain, the force in it (N), or nothing.</source>
-        <translation>Ce qui rompt une liaison : sa longueur (m), sa déformation, la force en elle (N), ou rien.</translation>
+        <source>What breaks a link: its length (m), its strain, or the force in it (N); what tears an elastic panel: the strain of its threads; or, of fabric, the tension of its threads per width (N/m); or what the strengths below say of panels and lines; or nothing.</source>
+        <translation>Ce qui rompt une liaison : sa longueur (m), sa déformation ou la force en elle (N) ; ce qui déchire un panneau élastique : la déformation de ses fils ; ou, d’un tissu, la tension de ses fils par largeur (N/m) ; ou ce que les résistances ci-dessous disent des panneaux et des lignes ; ou rien.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12313,8 +12348,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>What panels do beside a link that tears: they vanish with it, or the mesh splits, so that each panel stays whole on its side.</source>
-        <translation>Ce que font les panneaux à côté d’une liaison qui rompt : ils disparaissent avec elle, ou le maillage se fend, et chaque panneau reste entier de son côté.</translation>
+        <source>What panels do that tear or are beside a link that does: they vanish, or the mesh splits, so that each panel stays whole on its side.</source>
+        <translation>Ce que font les panneaux qui se déchirent ou sont à côté d’une liaison qui rompt : ils disparaissent, ou le maillage se fend, et chaque panneau reste entier de son côté.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12653,6 +12688,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>its strengths are the limits</source>
+        <translation>ses résistances sont les limites</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>link</source>
         <translation>liaison</translation>
     </message>
@@ -12675,6 +12715,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>no link is made of it</source>
         <translation>aucune liaison n’en est faite</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>no link is made of it, and no panel of it carries the pull of a fabric</source>
+        <translation>aucune liaison n’en est faite, et aucun de ses panneaux ne porte la traction d’un tissu</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12990,6 +13035,26 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="targets.cpp"/>
         <source>No target mass is set.</source>
         <translation>Aucune masse cible n’est donnée.</translation>
+    </message>
+    <message>
+        <location filename="tear_check.cpp"/>
+        <source>Lines of %1 do not tear: %2 tears by its tension per width, and a line has no width. Choose force.</source>
+        <translation>Les lignes de %1 ne rompent pas : %2 cède par sa tension par largeur, et une ligne n’a pas de largeur. Choisissez force.</translation>
+    </message>
+    <message>
+        <location filename="tear_check.cpp"/>
+        <source>Lines of %1 do not tear: %2 tears by strength and has no line strength. Type it, or choose another rule.</source>
+        <translation>Les lignes de %1 ne rompent pas : %2 cède par résistance et n’a pas de résistance de ligne. Saisissez-la, ou choisissez une autre règle.</translation>
+    </message>
+    <message>
+        <location filename="tear_check.cpp"/>
+        <source>Threads of %1 do not tear: %2 tears by its tension per width, and some have no width. Type it, or choose force.</source>
+        <translation>Les fils de %1 ne rompent pas : %2 cède par sa tension par largeur, et certains n’ont pas de largeur. Saisissez-la, ou choisissez force.</translation>
+    </message>
+    <message>
+        <location filename="tear_check.cpp"/>
+        <source>Threads of %1 do not tear: %2 tears by strength, and a thread does not say whether it is warp or weft. Have panels carry the pull, or choose tension.</source>
+        <translation>Les fils de %1 ne rompent pas : %2 cède par résistance, et un fil ne dit pas s’il est de chaîne ou de trame. Faites porter la traction par les panneaux, ou choisissez tension.</translation>
     </message>
     <message>
         <location filename="temporary_folder.cpp"/>

@@ -97,7 +97,7 @@ private slots:
         const auto frame = simulation.frame();
         QCOMPARE(frame->torn, (std::vector<std::uint8_t>{0, 0, 1, 0}));
         QCOMPARE(frame->tears.size(), std::size_t(1));
-        QCOMPARE(frame->tears[0].link, system->links[2].key);
+        QCOMPARE(frame->tears[0].element, system->links[2].key);
         QVERIFY(isNear(frame->tears[0].time, 0.1, 1e-9));
         QVERIFY(isNear(frame->tears[0].place, Vec3(0.25, 0.0, 0.0), 1e-9));
         QCOMPARE(piecesOf(simulation.system(), simulation.state()), 2);

@@ -393,7 +393,7 @@ private slots:
         QVERIFY(falls.runUntil(0.1));
 
         Scene brittle = scene;
-        materialOf(brittle).tearRule = TearRule::Strain;
+        materialOf(brittle).tearRule = TearRule::Force;
         QVERIFY(said(brittle).find("do not tear") != std::string::npos);
 
         Scene odd = scene;

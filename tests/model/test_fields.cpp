@@ -202,13 +202,14 @@ private slots:
         }
     }
 
-    // Every field of a state is in a stretch. One of version 4 has no ramps of cloth, one of
-    // version 3 neither what BDF2 looks back to nor any ramps, and one of version 2 has no work
-    // either.
+    // Every field of a state is in a stretch. One of version 4 has neither the panels that wait at a
+    // tear nor ramps of cloth, one of version 3 neither what BDF2 looks back to nor any ramps, and
+    // one of version 2 has no work either.
     void recorded()
     {
         State state;
         alter(state);
+        state.panelHold = {1.5}; // of one panel
         RunChunk chunk;
         chunk.start = std::make_shared<const State>(state);
         const std::string now = bytesOf(chunk);
@@ -218,22 +219,27 @@ private slots:
 
         ByteWriter fifth({}, 5);
         fifth(std::uint64_t(1));
+        fifth(state.panelHold);
         fifth(state.clothRamps);
         fifth(state.panelRamps);
-        const std::string fourth = now.substr(0, now.size() - fifth.take().size());
-        const std::optional<RunChunk> later = chunkOf(fourth);
+        const std::string till4 = now.substr(0, now.size() - fifth.take().size());
+        const std::optional<RunChunk> later = chunkOf(till4);
         QVERIFY(later);
-        QCOMPARE(named(differingField(*later->start, state)), QString("clothRamps"));
+        QCOMPARE(named(differingField(*later->start, state)), QString("panelHold"));
+        QCOMPARE(later->start->panelHold, std::vector<double>(state.panelGone.size(), 0.0));
         QVERIFY(later->start->ramps == state.ramps);
+        QVERIFY(later->start->clothRamps.empty() && later->start->panelRamps.empty());
 
-        ByteWriter sinceFourth({}, 4);
-        sinceFourth(std::uint64_t(1));
-        sinceFourth(state.velocityBefore);
-        sinceFourth(state.ramps);
-        const std::string third = fourth.substr(0, fourth.size() - sinceFourth.take().size());
+        ByteWriter fourth({}, 4);
+        fourth(std::uint64_t(1));
+        fourth(state.velocityBefore);
+        fourth(state.ramps);
+        const std::string third = till4.substr(0, till4.size() - fourth.take().size());
         const std::optional<RunChunk> late = chunkOf(third);
         QVERIFY(late);
-        QCOMPARE(named(differingField(*late->start, state)), QString("ramps"));
+        State early = state;
+        early.panelHold = late->start->panelHold;
+        QCOMPARE(named(differingField(*late->start, early)), QString("ramps"));
         QVERIFY(late->start->velocityBefore == late->start->velocity);
         QVERIFY(late->start->ramps.empty());
 

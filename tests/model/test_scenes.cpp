@@ -155,6 +155,29 @@ private slots:
         QVERIFY(piecesOf(system, state) >= 2);
     }
 
+    // Panels that carry the pull of ripstop tear above its strength of 8 kN/m and nowhere below, first
+    // at the end of the slit, and from there to the upper edge; they are all there afterwards.
+    void ripstopTears()
+    {
+        Simulation simulation = started("tearing_sheet");
+        const std::size_t particles = simulation.system().key.size();
+        const double mass = totalMass(simulation.system());
+        QVERIFY(simulation.runUntil(3.0));
+        const System& system = simulation.system();
+        const State& state = simulation.state();
+        QVERIFY(!state.tears.empty());
+        QCOMPARE(probe(simulation, "torn"), double(state.tears.size()));
+        for (const State::Tear& tear : state.tears)
+            QVERIFY(tear.force > 8000.0);
+        const Parameters made = partOf(sample("tearing_sheet")).parameters;
+        const double slitEnd = made.at("level") - made.at("height") * (1.0 - made.at("slit"));
+        QVERIFY(std::abs(state.tears.front().place.y() - slitEnd) < 0.1 * made.at("height"));
+        QCOMPARE(system.key.size(), particles + state.splits.size());
+        QCOMPARE(std::count(state.panelGone.begin(), state.panelGone.end(), 1), 0);
+        QVERIFY(std::abs(totalMass(system) - mass) < 1e-12);
+        QVERIFY(piecesOf(system, state) >= 2);
+    }
+
     // Threads of 0.5 m, of springs of 0.025 m and 100 N/m, drawn at v = 0.05 m/s to a strain of
     // 0.3: 3 s and 0.75 N. A wave of v / c, c = sqrt(100 N/m / 0.25 kg/m^2) = 20 m/s, runs to and
     // fro and may add its height twice, which is 0.05 s of drawing; on the mean no thread can be

@@ -121,7 +121,7 @@ private slots:
         stepper.step(system, state);
 
         QCOMPARE(state.tears.size(), std::size_t(1));
-        QCOMPARE(state.tears[0].link, system.links[0].key);
+        QCOMPARE(state.tears[0].element, system.links[0].key);
         QCOMPARE(std::count(state.springTorn.begin(), state.springTorn.end(), 1), 1);
         QCOMPARE(std::count(state.panelGone.begin(), state.panelGone.end(), 1), 2);
         for (std::size_t p = 0; p < system.panels.size(); ++p) {
@@ -258,7 +258,7 @@ private slots:
             stepper.step(system, state);
             std::vector<Key> now;
             for (std::size_t i = before; i < state.tears.size(); ++i)
-                now.push_back(state.tears[i].link);
+                now.push_back(state.tears[i].element);
             QVERIFY(now == expected);
         }
     }
@@ -279,7 +279,7 @@ private slots:
         const State state = run(system, 5);
         std::vector<Key> order;
         for (const State::Tear& tear : state.tears)
-            order.push_back(tear.link);
+            order.push_back(tear.element);
         QVERIFY(order == (std::vector<Key>{2, 1, 3, 0}));
     }
 

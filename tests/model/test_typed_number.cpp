@@ -233,6 +233,11 @@ private slots:
             QCOMPARE(unitOf(scene, ofLink, &std::as_const(link)), std::string_view(unit));
             QCOMPARE(unitOf(scene, ofMaterial, &std::as_const(material)), std::string_view(unit));
         }
+        // of fabric, by width; a link's own limit is a force
+        material.tearRule = TearRule::Tension;
+        scene.items = {{Id{1}, material}};
+        QCOMPARE(unitOf(scene, ofMaterial, &std::as_const(material)), std::string_view("N/m"));
+        QCOMPARE(unitOf(scene, ofLink, &std::as_const(link)), std::string_view("N"));
     }
 };
 

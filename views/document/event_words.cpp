@@ -26,8 +26,11 @@ QString what(const RunEvent& event, const Scene& scene)
     const auto name = [&](std::uint32_t id) { return nameOf(scene, Id{id}); };
     switch (event.kind) {
     case RunEvent::Kind::Tear:
-        return lines(event, EventWords::tr("link %1 tore"),
-                     EventWords::tr("%1 links tore, link %2 first"));
+        return isPanel(scene, Id{event.what})
+                   ? lines(event, EventWords::tr("panel %1 tore"),
+                           EventWords::tr("it tore at %1 places, panel %2 first"))
+                   : lines(event, EventWords::tr("link %1 tore"),
+                           EventWords::tr("%1 links tore, link %2 first"));
     case RunEvent::Kind::Control:
         return EventWords::tr("a control was moved");
     case RunEvent::Kind::Hand:

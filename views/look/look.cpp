@@ -9,6 +9,8 @@
 // changesLook() asks the property of each change whether it shows; changes of structure always do.
 #include "look/look.h"
 
+#include "scene/tear_bounds.h"
+
 #include <map>
 
 #include <algorithm>
@@ -67,7 +69,7 @@ struct Paint
 {
     Color color = unknownColor;
     bool shown = true;
-    TearBound tear = {};
+    const Material* tears = nullptr;
 };
 
 std::vector<std::pair<Id, Paint>> paintsOf(const Scene& scene)
@@ -75,10 +77,8 @@ std::vector<std::pair<Id, Paint>> paintsOf(const Scene& scene)
     std::vector<std::pair<Id, Paint>> paints;
     for (const Entry& entry : scene.items)
         if (const Material* material = std::get_if<Material>(&entry.item))
-            paints.push_back({entry.id,
-                              {colorFromText(material->color),
-                               material->shown,
-                               {material->tearRule, material->tearLimit}}});
+            paints.push_back(
+                {entry.id, {colorFromText(material->color), material->shown, material}});
     return paints;
 }
 
@@ -146,12 +146,15 @@ Look lookOf(const Scene& scene, const Layout& layout)
         look.linkShown[i] = row->part->shown && paint.shown;
         look.linkColor[i] = paint.color;
         const Link& link = row->part->links[row->index];
-        look.linkTear[i] = {paint.tear.rule, link.tearLimit.value_or(paint.tear.limit)};
+        look.linkTear[i] = paint.tears
+                               ? linkTearOf(*paint.tears, link.role, link.width, link.tearLimit)
+                               : TearLimit();
         look.linkWidth[i] = link.role == LinkRole::Line ? 0.0 : link.width;
     }
 
     look.panelShown.assign(layout.panelId.size(), 0);
     look.panelColor.assign(layout.panelId.size(), unknownColor);
+    look.panelTear.assign(layout.panelId.size(), {});
     for (std::size_t i = 0; i < layout.panelId.size(); ++i) {
         const Directory::Row* row = directory.find(layout.panelId[i]);
         if (!row || row->index >= row->part->panels.size())
@@ -159,6 +162,8 @@ Look lookOf(const Scene& scene, const Layout& layout)
         const Paint paint = paintOf(paints, row->part->panels[row->index].material);
         look.panelShown[i] = row->part->shown && paint.shown;
         look.panelColor[i] = paint.color;
+        if (paint.tears)
+            look.panelTear[i] = fabricTearOf(*paint.tears);
     }
     return look;
 }

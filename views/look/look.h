@@ -7,6 +7,7 @@
 // in the thread of the window.
 #pragma once
 
+#include "base/tear_limits.h"
 #include "run/frame.h"
 #include "scene/edit.h"
 
@@ -18,23 +19,17 @@ namespace ripstop {
 
 using Color = std::array<std::uint8_t, 3>; // red, green, blue, 0 .. 255
 
-// The rule and the limit at which a link tears.
-struct TearBound
-{
-    TearRule rule = TearRule::Never;
-    double limit = 0.0; // m, 1 or N, as the rule says
-};
-
 struct Look
 {
     std::vector<std::uint8_t> particleShown; // [particles]
     std::vector<std::uint8_t> isWeight;      // [particles] free, and heavy for its part
     std::vector<std::uint8_t> linkShown;     // [links]
     std::vector<Color> linkColor;            // [links]
-    std::vector<TearBound> linkTear;         // [links]
+    std::vector<TearLimit> linkTear;         // [links]
     std::vector<double> linkWidth;           // [links] m, of the strip of fabric; 0 for none
     std::vector<std::uint8_t> panelShown;    // [panels]
     std::vector<Color> panelColor;           // [panels]
+    std::vector<FabricTear> panelTear;       // [panels]
 
     // [particles] places on the cloth, 1; empty when no particle has one.
     std::vector<std::array<float, 2>> texture;

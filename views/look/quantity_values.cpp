@@ -30,7 +30,9 @@ void takeLinks(const Frame& frame, const std::vector<double>& source, QuantityVa
 }
 
 // To what links have brought: the value of each panel that carries the pull of a fabric.
-void takePanels(const Frame& frame, double PanelPull::*value, QuantityValues& values)
+//   valueOf  (place of the panel)
+template <typename ValueOf>
+void takePanels(const Frame& frame, QuantityValues& values, ValueOf valueOf)
 {
     if (frame.panelPull.empty())
         return;
@@ -41,13 +43,18 @@ void takePanels(const Frame& frame, double PanelPull::*value, QuantityValues& va
         for (const int corner : corners[i]) {
             double& there = values.particle[std::size_t(corner)];
             if (pull.carries)
-                there = std::max(there, pull.*value);
+                there = std::max(there, valueOf(i));
             else
                 values.panel[i] = std::max(values.panel[i], there);
         }
         if (pull.carries)
-            values.panel[i] = pull.*value;
+            values.panel[i] = valueOf(i);
     }
+}
+
+void takePanels(const Frame& frame, double PanelPull::*value, QuantityValues& values)
+{
+    takePanels(frame, values, [&](std::size_t i) { return frame.panelPull[i].*value; });
 }
 
 bool carriesAny(const Frame& frame)
@@ -62,7 +69,7 @@ double area(const Frame& frame, const std::array<int, 3>& corners)
     return 0.5 * (x[b] - x[a]).cross(x[c] - x[a]).norm();
 }
 
-double tearLoad(const Frame& frame, std::size_t link, const TearBound& bound)
+double tearLoad(const Frame& frame, std::size_t link, const TearLimit& bound)
 {
     if (!(bound.limit > 0.0))
         return 0.0;
@@ -75,6 +82,9 @@ double tearLoad(const Frame& frame, std::size_t link, const TearBound& bound)
         return std::max(frame.strain[link], 0.0) / bound.limit;
     case TearRule::Force:
         return std::max(frame.tension[link], 0.0) / bound.limit;
+    case TearRule::Tension: // of fabric; links have a force instead
+    case TearRule::Strength:
+        break;
     }
     return 0.0;
 }
@@ -105,8 +115,17 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
         for (std::size_t i = 0; i < count; ++i)
             loads.push_back(tearLoad(frame, i, look.linkTear[i]));
         values.isKnown = std::ranges::any_of(
-            look.linkTear, [](const TearBound& bound) { return bound.rule != TearRule::Never; });
+            look.linkTear, [](const TearLimit& bound) { return bound.rule != TearRule::Never; });
+        values.isKnown |=
+            carriesAny(frame) && std::ranges::any_of(look.panelTear, [](const FabricTear& bound) {
+                return bound.rule != TearRule::Never;
+            });
         takeLinks(frame, loads, values);
+        takePanels(frame, values, [&](std::size_t i) {
+            return i < look.panelTear.size()
+                       ? threadLoad(frame.panelPull[i], look.panelTear[i]).ratio
+                       : 0.0;
+        });
         break;
     }
     case ColorBy::Stress: {

@@ -1,0 +1,51 @@
+#include "scene/tear_bounds.h"
+
+namespace ripstop {
+namespace {
+
+TearLimit never(std::optional<double> own) { return {TearRule::Never, own.value_or(0.0)}; }
+
+} // namespace
+
+TearLimit linkTearOf(const Material& material, LinkRole role, double width,
+                     std::optional<double> own)
+{
+    switch (material.tearRule) {
+    case TearRule::Never:
+    case TearRule::Length:
+    case TearRule::Strain:
+    case TearRule::Force:
+        return {material.tearRule, own.value_or(material.tearLimit)};
+    case TearRule::Tension:
+        if (!own && (role != LinkRole::Thread || !(width > 0.0)))
+            return never(own);
+        return {TearRule::Force, own.value_or(material.tearLimit * width)};
+    case TearRule::Strength:
+        if (!own && (role != LinkRole::Line || !material.lineStrength))
+            return never(own);
+        return {TearRule::Force, own ? *own : *material.lineStrength};
+    }
+    return never(own);
+}
+
+FabricTear fabricTearOf(const Material& material)
+{
+    constexpr double unbreakable = FabricTear::unbreakable;
+    switch (material.tearRule) {
+    case TearRule::Strain:
+    case TearRule::Tension:
+        return {material.tearRule, material.tearLimit, material.tearLimit};
+    case TearRule::Strength:
+        if (!material.warpStrength && !material.weftStrength)
+            return {};
+        return {TearRule::Tension, material.warpStrength.value_or(unbreakable),
+                material.weftStrength.value_or(unbreakable)};
+    case TearRule::Never:
+    case TearRule::Length:
+    case TearRule::Force:
+        break;
+    }
+    return {};
+}
+
+} // namespace ripstop

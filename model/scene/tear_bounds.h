@@ -1,0 +1,29 @@
+// At what links and panels tear, by the rule of their material:
+//
+//     rule        a link                                    a panel that carries the pull
+//     length      above `tearLimit`, m                      never
+//     strain      above `tearLimit`, 1                      the same, of its warp or weft threads
+//     force       above `tearLimit`, N                      never
+//     tension     a thread of a width w above               the pull per flat width of its warp or
+//                 `tearLimit` w, N; others never            weft threads above `tearLimit`, N/m
+//     strength    a line above `lineStrength`, N;           the same, above `warpStrength` or
+//                 others never                              `weftStrength`, N/m
+//
+// What a link has as its own limit is in m, 1 or N; with the last two rules it is a force, N. A
+// strength that is not there never breaks.
+#pragma once
+
+#include "base/tear_limits.h"
+#include "scene/items.h"
+
+#include <optional>
+
+namespace ripstop {
+
+//   width  m, of the strip of fabric that the link stands for; 0 for none
+TearLimit linkTearOf(const Material& material, LinkRole role, double width,
+                     std::optional<double> own);
+
+FabricTear fabricTearOf(const Material& material);
+
+} // namespace ripstop

@@ -1,0 +1,56 @@
+#include "scene/tear_check.h"
+
+#include "scene/tear_bounds.h"
+
+#include <set>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+// Biases hold the threads of a fabric in place; fabric tears by its threads.
+bool cannotTear(const Link& link, const Material& material)
+{
+    return link.role != LinkRole::Bias
+           && linkTearOf(material, link.role, link.width, link.tearLimit).rule == TearRule::Never;
+}
+
+Message unbreakable(const Part& part, const Material& material, bool isLine)
+{
+    if (material.tearRule == TearRule::Strength)
+        return isLine ? Message("Lines of %1 do not tear: %2 tears by strength and has no line "
+                                "strength. Type it, or choose another rule.",
+                                part.name, material.name)
+                      : Message("Threads of %1 do not tear: %2 tears by strength, and a thread "
+                                "does not say whether it is warp or weft. Have panels carry the "
+                                "pull, or choose tension.",
+                                part.name, material.name);
+    return isLine ? Message("Lines of %1 do not tear: %2 tears by its tension per width, and a "
+                            "line has no width. Choose force.",
+                            part.name, material.name)
+                  : Message("Threads of %1 do not tear: %2 tears by its tension per width, and "
+                            "some have no width. Type it, or choose force.",
+                            part.name, material.name);
+}
+
+} // namespace
+
+void checkTearing(const Scene& scene, const AddFinding& add)
+{
+    forEachPart(scene, [&](Id, const Part& part) {
+        std::set<std::pair<Id, bool>> told; // material, whether of lines
+        for (const Link& link : part.links) {
+            const Material* material = findItem<Material>(scene, link.material);
+            if (!material
+                || (material->tearRule != TearRule::Tension
+                    && material->tearRule != TearRule::Strength))
+                continue;
+            const bool isLine = link.role == LinkRole::Line;
+            if (cannotTear(link, *material) && told.emplace(link.material, isLine).second)
+                add("unbreakable", Severity::Warning, unbreakable(part, *material, isLine),
+                    link.material);
+        }
+    });
+}
+
+} // namespace ripstop
