@@ -1,5 +1,5 @@
-// Where a point of the sail is; then the sail, as one lattice or as a half lattice on either side of
-// the keel, row by row from the nose; and the struts above and below that keep a frame stiff.
+// Where a point of the sail is; then the sail, as one lattice or as a half lattice on either side
+// of the keel, row by row from the nose; and the struts above and below that keep a frame stiff.
 #include "builders/delta_wing.h"
 
 #include <cmath>

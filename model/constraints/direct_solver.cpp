@@ -25,10 +25,11 @@ constexpr double greatestSoftness = 1e-4;
 constexpr int halvings = 6;
 
 constexpr int mostIterations = 200;
-constexpr int fewIterations = 6;         // no more are tried of what can be factorised
-constexpr double leftByIterations = 0.1; // of the accuracy: no pull of a sheet at rest is off by more
-constexpr double longSwing = 2.0;        // steps within a radian of it, squared
-constexpr double leastOfPulls = 1e-4;    // of their energy, that iterations look at
+constexpr int fewIterations = 6; // no more are tried of what can be factorised
+constexpr double leftByIterations =
+    0.1;                              // of the accuracy: no pull of a sheet at rest is off by more
+constexpr double longSwing = 2.0;     // steps within a radian of it, squared
+constexpr double leastOfPulls = 1e-4; // of their energy, that iterations look at
 constexpr double leftByNewton = 0.5;
 
 } // namespace

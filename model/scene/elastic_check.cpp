@@ -1,3 +1,5 @@
+// Of each part whose panels carry its pull: panels without area, threads that carry it as well, and
+// materials that carry nothing, are unstable or tear by a rule that no panel has.
 #include "scene/elastic_check.h"
 
 #include "scene/flat_panel.h"

@@ -140,7 +140,7 @@ inline Strip notched(TearMesh tearMesh)
     scene.settings.gravity = Vec3::Zero();
     scene.settings.tearMesh = tearMesh;
     made.cloth().dampingTime = 7.7e-4; // s, of kite cloth
-    Material held = made.cloth(); // what the jaws press on tears nowhere: their corners cut
+    Material held = made.cloth();      // what the jaws press on tears nowhere: their corners cut
     held.name = "in the jaws";
     const Id jaws = takeId(scene);
     scene.items.push_back({jaws, held});

@@ -202,9 +202,9 @@ private slots:
         }
     }
 
-    // Every field of a state is in a stretch. One of version 4 has neither the panels that wait at a
-    // tear nor ramps of cloth, one of version 3 neither what BDF2 looks back to nor any ramps, and
-    // one of version 2 has no work either.
+    // Every field of a state is in a stretch. One of version 4 has neither the panels that wait at
+    // a tear nor ramps of cloth, one of version 3 neither what BDF2 looks back to nor any ramps,
+    // and one of version 2 has no work either.
     void recorded()
     {
         State state;

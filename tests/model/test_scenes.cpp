@@ -155,8 +155,9 @@ private slots:
         QVERIFY(piecesOf(system, state) >= 2);
     }
 
-    // Panels that carry the pull of ripstop tear above its strength of 8 kN/m and nowhere below, first
-    // at the end of the slit, and from there to the upper edge; they are all there afterwards.
+    // Panels that carry the pull of ripstop tear above its strength of 8 kN/m and nowhere below,
+    // first at the end of the slit, and from there to the upper edge; they are all there
+    // afterwards.
     void ripstopTears()
     {
         Simulation simulation = started("tearing_sheet");
