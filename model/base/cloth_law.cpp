@@ -136,6 +136,9 @@ struct PullAlong
 
     double compliance() const { return first + u * u * (both + u * u * second); }
     double along() const { return strain[0] + u * (strain[2] + u * strain[1]); }
+    double size() const { return along() / compliance(); } // N/m, r of the tension r (1, u^2, u)
+    Vec3 tension() const { return inClothFrame(Vec3(size() * direction())); }
+    Vec3 direction() const { return {1.0, u * u, u}; }
 
     Vec3 inClothFrame(const Vec3& value) const
     {
@@ -189,22 +192,21 @@ ClothTension wrinkled(const PullAlong& pull)
 {
     const double u = pull.u;
     const double stiffness = 1.0 / pull.compliance();
-    const double along = pull.along();
-    const double r = along * stiffness;
+    const double r = pull.size();
     const double slope = u * (2.0 * pull.both + 4.0 * u * u * pull.second); // of D
     const double bend = 2.0 * pull.both + 12.0 * u * u * pull.second;
     const double turned = -0.5 * r * slope * stiffness; // r' where the energy is stationary
     const double curvature =
         r * (2.0 * pull.strain[1] - 0.5 * turned * slope - 0.5 * r * bend); // of the energy
-    const Vec3 t(1.0, u * u, u);
+    const Vec3 t = pull.direction();
     const Vec3 t1(0.0, 2.0 * u, 1.0);
     Mat3 change = stiffness * (t * t.transpose());
     if (curvature < 0.0) {
         const Vec3 turn = turned * t + r * t1;
         change -= 1.0 / curvature * (turn * turn.transpose());
     }
-    return {ClothState::Wrinkled, pull.inClothFrame(Vec3(r * t)), pull.inClothFrame(change),
-            0.5 * along * r};
+    return {ClothState::Wrinkled, pull.tension(), pull.inClothFrame(change),
+            0.5 * pull.along() * r};
 }
 
 Vec3 tautTension(const ClothLaw& law, const Vec3& strain)
@@ -255,8 +257,7 @@ Vec3 pullingStrain(const ClothLaw& law, const Vec3& strain)
     const std::optional<PullAlong> pull = findPull(law, strain);
     if (!pull)
         return Vec3::Zero();
-    const double r = pull->along() / pull->compliance();
-    return strainOf(law, pull->inClothFrame(Vec3(r * Vec3(1.0, pull->u * pull->u, pull->u))));
+    return strainOf(law, pull->tension());
 }
 
 double leastEnergyOf(const ClothLaw& law, const Vec3& strain)

@@ -43,20 +43,23 @@ double glideRatio(const Vec3& motion)
 // Links and panels that the mesh has parted at are whole again.
 double tornCount(const ProbeSpec& probe, const System& system, const State& state)
 {
+    const auto count = [](const std::vector<int>& places, auto hasTorn) {
+        return std::count_if(places.begin(), places.end(), hasTorn);
+    };
+    const auto isTornNow = [&](int l) { return isTorn(system.links[std::size_t(l)], state); };
+    if (state.splits.empty() && system.membranes.empty())
+        return double(count(probe.links, isTornNow));
     std::set<Key> torn;
     for (const State::Tear& tear : state.tears)
         torn.insert(tear.element);
-    const auto panels = system.membranes.empty() // or the keys are those of links
-                            ? 0
-                            : std::count_if(probe.panels.begin(), probe.panels.end(), [&](int p) {
-                                  return torn.contains(system.panelKey[std::size_t(p)]);
-                              });
-    if (!state.splits.empty())
-        return double(panels + std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
-                          return torn.contains(system.links[std::size_t(l)].key);
-                      }));
-    return double(panels + std::count_if(probe.links.begin(), probe.links.end(), [&](int l) {
-                      return isTorn(system.links[std::size_t(l)], state);
+    const auto links =
+        state.splits.empty() ? count(probe.links, isTornNow) : count(probe.links, [&](int l) {
+            return torn.contains(system.links[std::size_t(l)].key);
+        });
+    if (system.membranes.empty()) // then only links tear
+        return double(links);
+    return double(links + count(probe.panels, [&](int p) {
+                      return torn.contains(system.panelKey[std::size_t(p)]);
                   }));
 }
 

@@ -12,6 +12,7 @@
 #include "scene/panel_fabric.h"
 
 #include "cli_call.h"
+#include "first_item.h"
 #include "meshes.h"
 #include "systems.h"
 
@@ -52,22 +53,6 @@ std::string refusalOf(const Scene& scene)
     return made ? "" : made.message().english();
 }
 
-Part& partIn(Scene& scene)
-{
-    for (Entry& entry : scene.items)
-        if (Part* part = std::get_if<Part>(&entry.item))
-            return *part;
-    qFatal("no part");
-}
-
-Material& materialIn(Scene& scene)
-{
-    for (Entry& entry : scene.items)
-        if (Material* material = std::get_if<Material>(&entry.item))
-            return *material;
-    qFatal("no material");
-}
-
 // 1 m x 1 m in 4 x 4 squares or their triangles.
 Scene imported(bool quads, FabricKind carrier)
 {
@@ -82,7 +67,7 @@ void hang(Scene& scene, double load)
 {
     scene.settings.airDensity = 0.0;
     scene.settings.viscosity = 10.0;
-    for (Particle& particle : partIn(scene).particles) {
+    for (Particle& particle : firstOf<Part>(scene).particles) {
         const Vec3& place = particle.position;
         particle.pinned = place.y() > 0.999;
         const bool isCorner = place.x() < 1e-6 || place.x() > 0.999;
@@ -127,7 +112,7 @@ private slots:
             panel.id = expected.panels[i].id;
             QVERIFY(panel == expected.panels[i]);
         }
-        QVERIFY(materialIn(made) == materialIn(direct));
+        QVERIFY(firstOf<Material>(made) == firstOf<Material>(direct));
         hang(made, 1.0);
         hang(direct, 1.0);
         Simulation one(*compile(made)), other(*compile(direct));
@@ -140,7 +125,7 @@ private slots:
     void stretchesAsItsNumbersSay()
     {
         Scene scene = converted(imported(true, FabricKind::Threads));
-        for (Particle& particle : partIn(scene).particles)
+        for (Particle& particle : firstOf<Part>(scene).particles)
             particle.mass *= 0.01;
         hang(scene, 0.25);
         Simulation simulation(*compile(scene));
@@ -157,7 +142,7 @@ private slots:
     {
         Scene scene = imported(false, FabricKind::Threads);
         const Scene slack = converted(scene);
-        for (Particle& particle : partIn(scene).particles)
+        for (Particle& particle : firstOf<Part>(scene).particles)
             particle.position *= 1.02;
         const Scene made = converted(scene);
         const Part &part = firstPart(made), expected = firstPart(slack);
@@ -168,7 +153,7 @@ private slots:
         }
         // panels that were cut before keep their own
         Scene cut = imported(false, FabricKind::Threads);
-        Panel& own = partIn(cut).panels[3];
+        Panel& own = firstOf<Part>(cut).panels[3];
         own.restAB = own.restBC = own.restCA = 0.3;
         own.grain = 20.0;
         const Scene kept = converted(cut);
@@ -181,7 +166,7 @@ private slots:
     void keepsWhatIsNoThread()
     {
         Scene scene = imported(true, FabricKind::Threads);
-        Part& part = partIn(scene);
+        Part& part = firstOf<Part>(scene);
         const Id hem = part.links[0].id, narrow = part.links[1].id;
         part.links[0].role = LinkRole::Line;
         part.links[1].width = 0.0;
@@ -213,18 +198,18 @@ private slots:
     void saysWhyNot()
     {
         Scene limp = imported(true, FabricKind::Threads);
-        materialIn(limp).name = "knit";
-        materialIn(limp).membraneStiffness.reset();
+        firstOf<Material>(limp).name = "knit";
+        firstOf<Material>(limp).membraneStiffness.reset();
         const std::string said = refusalOf(limp);
         QVERIFY(said.find("knit") != std::string::npos
                 && said.find("membrane stiffness") != std::string::npos);
 
         Scene bare = imported(true, FabricKind::Threads);
-        partIn(bare).panels.clear();
+        firstOf<Part>(bare).panels.clear();
         QVERIFY(refusalOf(bare).find("no panels") != std::string::npos);
 
         Scene plain = imported(true, FabricKind::Threads);
-        partIn(plain).panels[2].material = noId;
+        firstOf<Part>(plain).panels[2].material = noId;
         QVERIFY(refusalOf(plain).find("has no material") != std::string::npos);
 
         QVERIFY(refusalOf(imported(true, FabricKind::Panels)).find("no fabric of threads")
@@ -258,7 +243,7 @@ private slots:
     {
         Scene scene = imported(true, FabricKind::Threads);
         QVERIFY(!findingOf(stabilityOf(scene), "both"));
-        partIn(scene).carrier = FabricKind::Panels;
+        firstOf<Part>(scene).carrier = FabricKind::Panels;
         const std::vector<Finding> findings = stabilityOf(scene);
         const Finding* finding = findingOf(findings, "both");
         QVERIFY(finding && finding->repair);

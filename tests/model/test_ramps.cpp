@@ -4,12 +4,9 @@
 #include "compile/compile.h"
 #include "compile/live_system.h"
 #include "measure/diagnostics.h"
-#include "run/recorder.h"
-#include "run/replay.h"
-#include "system/fields.h"
-#include "system/moment.h"
 
-#include "flown.h"
+#include "edited_flight.h"
+#include "first_item.h"
 #include "sample_scenes.h"
 
 #include <QtTest>
@@ -43,24 +40,6 @@ Scene hanging(LinkKind kind)
     return scene;
 }
 
-Material& materialOf(Scene& scene)
-{
-    for (Entry& entry : scene.items)
-        if (auto* material = std::get_if<Material>(&entry.item))
-            return *material;
-    qFatal("no material");
-}
-
-void edit(Simulation& simulation, const Scene& scene)
-{
-    simulation.load(*compile(scene, simulation.system().generation + 1, simulation.system().run));
-}
-
-void runFor(Simulation& simulation, double seconds)
-{
-    QVERIFY(simulation.runUntil(simulation.state().time + seconds));
-}
-
 double compliance(const Simulation& simulation) { return simulation.system().rods[0].compliance; }
 
 // Sets a number of all materials.
@@ -86,7 +65,7 @@ private slots:
         Scene scene = hanging(LinkKind::Rod);
         Simulation simulation(*compile(scene));
         runFor(simulation, 0.2);
-        materialOf(scene).compliance = 0.0002;
+        firstOf<Material>(scene).compliance = 0.0002;
         edit(simulation, scene);
         QCOMPARE(compliance(simulation), 0.001);
         runFor(simulation, 0.025);
@@ -113,8 +92,8 @@ private slots:
         scene.settings.rampTime = 1.0;
         Simulation simulation(*compile(scene));
         runFor(simulation, 0.2);
-        materialOf(scene).compliance = 0.0001;
-        materialOf(scene).stiffness = 10000.0;
+        firstOf<Material>(scene).compliance = 0.0001;
+        firstOf<Material>(scene).stiffness = 10000.0;
         edit(simulation, scene);
         double highest = -2.0, fastest = 0.0;
         while (simulation.state().time < 2.0) {
@@ -163,11 +142,11 @@ private slots:
     void limitsGoOverAndRulesCount()
     {
         Scene scene = hanging(LinkKind::Rod);
-        materialOf(scene).tearRule = TearRule::Force;
-        materialOf(scene).tearLimit = 100.0;
+        firstOf<Material>(scene).tearRule = TearRule::Force;
+        firstOf<Material>(scene).tearLimit = 100.0;
         Simulation simulation(*compile(scene));
         runFor(simulation, 0.2);
-        materialOf(scene).tearLimit = 5.0;
+        firstOf<Material>(scene).tearLimit = 5.0;
         edit(simulation, scene);
         runFor(simulation, 0.05);
         QVERIFY(std::abs(simulation.system().rods[0].tear.limit - 52.5) < 1e-6);
@@ -178,8 +157,8 @@ private slots:
         Scene other = hanging(LinkKind::Rod);
         Simulation strained(*compile(other));
         runFor(strained, 0.2);
-        materialOf(other).tearRule = TearRule::Strain;
-        materialOf(other).tearLimit = 0.5;
+        firstOf<Material>(other).tearRule = TearRule::Strain;
+        firstOf<Material>(other).tearLimit = 0.5;
         edit(strained, other);
         QCOMPARE(strained.system().rods[0].tear.limit, 0.5);
         runFor(strained, 0.2);
@@ -193,14 +172,14 @@ private slots:
         Scene scene = hanging(LinkKind::Rod);
         Simulation simulation(*compile(scene));
         runFor(simulation, 0.2);
-        materialOf(scene).compliance = 0.0002;
+        firstOf<Material>(scene).compliance = 0.0002;
         edit(simulation, scene);
         runFor(simulation, 0.05);
         scene.settings.viscosity = 6.0;
         edit(simulation, scene);
         QVERIFY(std::abs(compliance(simulation) - 0.0006) < 1e-9);
         QCOMPARE(simulation.state().ramps.size(), std::size_t(1));
-        materialOf(scene).compliance = 0.0016;
+        firstOf<Material>(scene).compliance = 0.0016;
         edit(simulation, scene);
         QVERIFY(std::abs(compliance(simulation) - 0.0006) < 1e-9);
         runFor(simulation, 0.05);
@@ -213,13 +192,13 @@ private slots:
     {
         Scene scene = hanging(LinkKind::Rod);
         Simulation simulation(*compile(scene));
-        materialOf(scene).compliance = 0.0002;
+        firstOf<Material>(scene).compliance = 0.0002;
         edit(simulation, scene);
         QCOMPARE(compliance(simulation), 0.0002);
         QVERIFY(simulation.state().ramps.empty());
         runFor(simulation, 0.1);
         scene.settings.rampTime = 0.0;
-        materialOf(scene).compliance = 0.0004;
+        firstOf<Material>(scene).compliance = 0.0004;
         edit(simulation, scene);
         QCOMPARE(compliance(simulation), 0.0004);
     }
@@ -260,7 +239,7 @@ private slots:
         addProbe(scene, "left over", Quantity::EnergyResidual, noId);
         Simulation simulation(*compile(scene));
         runFor(simulation, 0.01);
-        materialOf(scene).stiffness = 3000.0;
+        firstOf<Material>(scene).stiffness = 3000.0;
         edit(simulation, scene);
         runFor(simulation, 0.2);
         const double brought = 0.5 * 2000.0 * 0.00980665 * 0.00980665;
@@ -268,35 +247,11 @@ private slots:
         QVERIFY(std::abs(probe(simulation, "left over")) < 1e-9 * brought);
     }
 
-    // A recording that has an edit in it is computed again to the bit, and a run goes on from the
-    // middle of a ramp as it went on then.
     void isRecorded()
     {
         const Scene scene = sample("delta_kite");
-        const Scene soft = withAll(scene, &Material::compliance, 1e-4);
-        const auto recording =
-            flown(scene, 200, [&](Simulation& simulation, Recorder& recorder, int step) {
-                if (step == 100) {
-                    edit(simulation, soft);
-                    recorder.loaded(simulation, designOf(soft));
-                }
-            });
-        const auto outcome = replay(*recording, 2);
-        QVERIFY2(outcome, outcome ? "" : outcome.message().english().c_str());
-        QVERIFY(!outcome->difference);
-
-        auto moment = *recording->moment(112);
-        QVERIFY(!moment->state.ramps.empty());
-        Simulation other(*compile(scene, 5, 9));
-        other.load(Update{*compile(soft, 6, 10), nullptr, {}, moment});
-        while (other.state().step < 200)
-            QVERIFY(other.step());
-        QCOMPARE(stateHash(other.state()), recording->hashOf(200));
-
-        Simulation checkpoint(moment->system, moment->state);
-        while (checkpoint.state().step < 200)
-            QVERIFY(checkpoint.step());
-        QCOMPARE(stateHash(checkpoint.state()), recording->hashOf(200));
+        checkEditIsRecorded(scene, withAll(scene, &Material::compliance, 1e-4),
+                            [](const State& state) { return !state.ramps.empty(); });
     }
 
     // In a torn mesh as well, whose system is derived from the one that is patched.
