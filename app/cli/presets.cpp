@@ -1,8 +1,9 @@
 // ripstop-cli presets: materials that one can buy, and what they make of a scene's.
 //
-// In order: the notes on what a preset leaves for the user to look at; applyPreset(), which changes
-// the materials of a scene; and what is printed of the presets themselves (preset_list.h).
-#include "materials/presets.h"
+// In order: the notes on what a preset leaves for the user to look at; applyPreset(), which gives
+// the materials of a scene a preset or the next one of the library; and what is printed of the
+// presets themselves (preset_list.h).
+#include "materials/neighbours.h"
 
 #include "cli/commands.h"
 #include "cli/own_library.h"
@@ -24,6 +25,7 @@ namespace {
 struct PresetOptions
 {
     std::string preset;
+    std::string step; // "lighter", ... in place of a preset
     std::vector<std::string> materials;
     SceneInput scene;
     std::string output;
@@ -52,33 +54,71 @@ void printNotes(const Scene& scene, const PresetEdit& made)
                   << int(std::ceil(1.2 * settings.timeStep / limit->timeStep)) << '\n';
 }
 
+Result<std::vector<Id>> materialsCalled(const Scene& scene, const std::vector<std::string>& names)
+{
+    std::vector<Id> materials;
+    for (const std::string& name : names) {
+        const Result<Id> id = findNamed(scene, Kind::Material, name);
+        if (!id)
+            return Failure("--material %1: %2.", name, id.message());
+        if (std::find(materials.begin(), materials.end(), *id) == materials.end())
+            materials.push_back(*id);
+    }
+    return materials;
+}
+
+// Says what a step makes of each material.
+void printSteps(const Scene& before, const StepEdit& made)
+{
+    for (const auto& [id, preset] : made.given) {
+        const Material& material = *findItem<Material>(before, id);
+        std::cout << material.name << ": " << preset->label << " (" << preset->name << ")\n";
+        for (const Message& change : changesBy(*preset, material))
+            std::cout << "  " << change.english() << '\n';
+    }
+}
+
+// The edit that --apply or --step asks for.
+Result<PresetEdit> presetEditOf(const PresetOptions& options, const Scene& scene,
+                                const std::vector<Id>& materials)
+{
+    const std::vector<Preset> own = ownMaterials(options.own);
+    if (options.step.empty()) {
+        const Result<const Preset*> preset = findPreset(options.preset, own);
+        return preset ? presetEdit(scene, **preset, materials) : preset.failure();
+    }
+    const auto step = std::ranges::find(allMaterialSteps, options.step, materialStepName);
+    Result<StepEdit> made = stepEdit(scene, materials, *step, own);
+    if (!made)
+        return made.failure();
+    printSteps(scene, *made);
+    return std::move(made->edit);
+}
+
 int applyPreset(const PresetOptions& options)
 {
-    if (options.preset.empty())
-        return fail(WrongUsage, "A scene needs --apply PRESET or --save NAME: without it, presets "
-                                "are listed and nothing is changed.");
-    const std::vector<Preset> own = ownMaterials(options.own);
-    const Result<const Preset*> preset = findPreset(options.preset, own);
-    if (!preset)
-        return fail(WrongUsage, preset.message());
+    if (options.preset.empty() == options.step.empty())
+        return fail(WrongUsage, "A scene needs one of --apply PRESET, --step WAY and --save NAME: "
+                                "without it, presets are listed and nothing is changed.");
+    if (!options.preset.empty()) {
+        const Result<const Preset*> preset = findPreset(options.preset, ownMaterials(options.own));
+        if (!preset)
+            return fail(WrongUsage, preset.message());
+    }
     if (options.scene.file.empty() || options.output.empty() || options.materials.empty())
-        return fail(WrongUsage,
-                    "--apply needs a scene, --material NAME and -o SCENE for the result.");
+        return fail(WrongUsage, Message("%1 needs a scene, --material NAME and -o SCENE for the "
+                                        "result.",
+                                        options.step.empty() ? "--apply" : "--step"));
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
     Scene& scene = *loaded.scene;
     if (const auto problem = firstError(scene, ElementIndex(scene)))
         return fail(BadInput, Message("%1: %2", options.scene.file, problem->message));
-    std::vector<Id> materials;
-    for (const std::string& name : options.materials) {
-        const Result<Id> id = findNamed(scene, Kind::Material, name);
-        if (!id)
-            return fail(WrongUsage, Message("--material %1: %2.", name, id.message()));
-        if (std::find(materials.begin(), materials.end(), *id) == materials.end())
-            materials.push_back(*id);
-    }
-    const Result<PresetEdit> made = presetEdit(scene, **preset, materials);
+    const Result<std::vector<Id>> materials = materialsCalled(scene, options.materials);
+    if (!materials)
+        return fail(WrongUsage, materials.message());
+    const Result<PresetEdit> made = presetEditOf(options, scene, *materials);
     if (!made)
         return fail(BadInput, Message("%1: %2", options.scene.file, made.message()));
     (void)apply(scene, made->edit);
@@ -159,6 +199,11 @@ void addPresets(CLI::App& app, Command& chosen)
     command->add_option("SCENE", options->scene.file, "Scene file that --apply changes");
     command->add_option("--apply", options->preset, "Preset to give to the materials")
         ->type_name("PRESET");
+    command
+        ->add_option("--step", options->step,
+                     "Give the materials the next one of the library: by weight or by stiffness")
+        ->check(CLI::IsMember({"lighter", "heavier", "softer", "stiffer"}))
+        ->type_name("lighter|heavier|softer|stiffer");
     command->add_option("--material", options->materials, "Name of a material; may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
@@ -185,12 +230,13 @@ void addPresets(CLI::App& app, Command& chosen)
         "      -o lines.ripstop.json\n"
         "  ripstop-cli presets cloth.ripstop.json --apply skytex_38 --material cloth \\\n"
         "      --material structural --material shear -o canopy.ripstop.json\n"
-        "  ripstop-cli presets kite.ripstop.json --material sail --save my_sail");
+        "  ripstop-cli presets kite.ripstop.json --material sail --save my_sail\n"
+        "  ripstop-cli presets kite.ripstop.json --step lighter --material sail -o light.json");
     command->callback([options, &chosen] {
         chosen = [options] {
-            const bool lists = options->preset.empty() && options->scene.file.empty()
-                               && options->scene.assignments.empty() && options->materials.empty()
-                               && options->output.empty();
+            const bool lists = options->preset.empty() && options->step.empty()
+                               && options->scene.file.empty() && options->scene.assignments.empty()
+                               && options->materials.empty() && options->output.empty();
             if (!options->saved.empty())
                 return saveMaterial(*options);
             if (!lists)

@@ -108,9 +108,10 @@ private:
     Outcome readHead()
     {
         const auto kind = textAt(m_object, "kind"), label = textAt(m_object, "label"),
-                   note = textAt(m_object, "note"), yarn = textAt(m_object, "yarn");
-        if (!kind || !label || !note || !yarn)
-            return Failure("kind, label, note and yarn must be texts.");
+                   note = textAt(m_object, "note"), yarn = textAt(m_object, "yarn"),
+                   shortLabel = textAt(m_object, "short");
+        if (!kind || !label || !shortLabel || !note || !yarn)
+            return Failure("kind, label, short, note and yarn must be texts.");
         const auto knownKind = enumOf<PresetKind>(*kind, kinds);
         if (!knownKind)
             return Failure("The kind must be one of %1.", listOf(kinds));
@@ -121,6 +122,7 @@ private:
         m_preset.yarn = *knownYarn;
         m_preset.name = *textAt(m_object, "name");
         m_preset.label = label->empty() ? m_preset.name : *label;
+        m_preset.shortLabel = *shortLabel;
         m_preset.note = *note;
         return std::nullopt;
     }
@@ -267,6 +269,8 @@ Json jsonOf(const Preset& preset)
 {
     Json object{
         {"name", preset.name}, {"label", preset.label}, {"kind", presetKindName(preset.kind)}};
+    if (!preset.shortLabel.empty())
+        object["short"] = preset.shortLabel;
     if (preset.yarn != Yarn::Unknown)
         object["yarn"] = yarnNames[std::size_t(preset.yarn)];
     if (!preset.note.empty())

@@ -61,9 +61,10 @@ struct StretchCurve
 struct Preset
 {
     PresetKind kind = PresetKind::Fabric;
-    std::string name;  // "skytex_27", what the command line takes
-    std::string label; // on screen
-    std::string note;  // what one should know of it, in sentences
+    std::string name;       // "skytex_27", what the command line takes
+    std::string label;      // on screen
+    std::string shortLabel; // where there is little room; empty, the label is short enough
+    std::string note;       // what one should know of it, in sentences
     Yarn yarn = Yarn::Unknown;
     std::vector<PresetNumber> values; // of properties of materials
     std::optional<PresetNumber> breakElongation;

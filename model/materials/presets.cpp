@@ -135,33 +135,46 @@ Preset presetFrom(const Material& material, PresetKind kind, std::string name, s
     return preset;
 }
 
-Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
-                              const std::vector<Id>& materials)
+Result<PresetEdit> presetEdit(const Scene& scene, const std::vector<GivenPreset>& given)
 {
     PresetEdit result;
-    std::vector<Change>& changes = result.edit.changes;
-    result.edit.label = Message("Preset %1", Message::word(preset.label));
-    for (const Property* property : settable())
-        changes.push_back({setting(*property, materials, valueOf(preset, *property))});
-
-    const bool ofArea = isSheet(preset.kind);
-    const Property& weight =
-        ofArea ? propertyOf<&Material::arealDensity>() : propertyOf<&Material::linearDensity>();
-    const PresetNumber* density = findNumber(preset, weight);
-    for (const Id id : materials) {
+    if (given.empty())
+        return result;
+    result.edit.label = Message("Preset %1", Message::word(given.front().preset->label));
+    for (const Property* property : settable()) {
+        SetValues values{property, {}, {}};
+        for (const GivenPreset& one : given) {
+            values.targets.push_back(one.material);
+            values.values.push_back(valueOf(*one.preset, *property));
+        }
+        result.edit.changes.push_back({std::move(values)});
+    }
+    for (const auto& [id, preset] : given) {
+        const bool ofArea = isSheet(preset->kind);
+        const Property& weight =
+            ofArea ? propertyOf<&Material::arealDensity>() : propertyOf<&Material::linearDensity>();
+        const PresetNumber* density = findNumber(*preset, weight);
         const Material& material = *findItem<Material>(scene, id);
         const auto old = ofArea ? material.arealDensity : material.linearDensity;
-        if (!density || !old) {
+        if (density && old)
+            result.edit.changes.push_back({setting(weight, {id}, density->value)});
+        else
             result.notWeighed.push_back(id);
-            continue;
-        }
-        changes.push_back({setting(weight, {id}, density->value)});
     }
     Result<Edit> edit = weighed(scene, std::move(result.edit));
     if (!edit)
         return edit.failure();
     result.edit = std::move(*edit);
     return result;
+}
+
+Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
+                              const std::vector<Id>& materials)
+{
+    std::vector<GivenPreset> given;
+    for (const Id id : materials)
+        given.push_back({id, &preset});
+    return presetEdit(scene, given);
 }
 
 } // namespace ripstop

@@ -44,7 +44,17 @@ struct PresetEdit
         notWeighed; // their particles keep their mass, as the old or new density is unknown
 };
 
-// Gives these materials the preset's numbers. The scene has no errors, and `materials` are in it.
+struct GivenPreset
+{
+    Id material;
+    const Preset* preset;
+};
+
+// Gives each of these materials the numbers of its preset. The scene has no errors, and the
+// materials are in it, each once.
+Result<PresetEdit> presetEdit(const Scene& scene, const std::vector<GivenPreset>& given);
+
+// Gives all of these materials the numbers of one preset.
 Result<PresetEdit> presetEdit(const Scene& scene, const Preset& preset,
                               const std::vector<Id>& materials);
 

@@ -1,0 +1,222 @@
+// neighbour() measures the material and each candidate along the step (measure()), keeps those that
+// lie beyond the material on the wanted side, and takes the nearest. changesBy() goes through the
+// same numbers and shows them in units that are read easily (Shown).
+#include "materials/neighbours.h"
+
+#include "materials/marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace ripstop {
+namespace {
+
+bool isOfWeight(MaterialStep step)
+{
+    return step == MaterialStep::Lighter || step == MaterialStep::Heavier;
+}
+
+bool isUpwards(MaterialStep step)
+{
+    return step == MaterialStep::Heavier || step == MaterialStep::Stiffer;
+}
+
+const Property& weightProperty(PresetKind kind)
+{
+    return isSheet(kind) ? propertyOf<&Material::arealDensity>()
+                         : propertyOf<&Material::linearDensity>();
+}
+
+const Property& stiffnessProperty(PresetKind kind)
+{
+    switch (kind) {
+    case PresetKind::Fabric:
+    case PresetKind::Film:
+        return propertyOf<&Material::membraneStiffness>();
+    case PresetKind::Line:
+        return propertyOf<&Material::axialStiffness>();
+    case PresetKind::Spar:
+        return propertyOf<&Material::flexuralRigidity>();
+    }
+    return propertyOf<&Material::axialStiffness>();
+}
+
+const Property& strengthProperty(PresetKind kind)
+{
+    switch (kind) {
+    case PresetKind::Fabric:
+    case PresetKind::Film:
+        return propertyOf<&Material::warpStrength>();
+    case PresetKind::Line:
+        return propertyOf<&Material::lineStrength>();
+    case PresetKind::Spar:
+        return propertyOf<&Material::breakingMoment>();
+    }
+    return propertyOf<&Material::lineStrength>();
+}
+
+// A number that is there and is not 0, which of these numbers would mean that it is not known.
+std::optional<double> positive(const Value& value)
+{
+    const double* number = std::get_if<double>(&value);
+    return number && *number > 0.0 ? std::optional(*number) : std::nullopt;
+}
+
+std::optional<double> numberOf(const Material& material, const Property& property)
+{
+    return positive(property.get(&material));
+}
+
+std::optional<double> numberOf(const Preset& preset, const Property& property)
+{
+    const PresetNumber* number = findNumber(preset, property);
+    return number ? positive(number->value) : std::nullopt;
+}
+
+Failure noneBeyond(MaterialStep step, const std::string& name)
+{
+    switch (step) {
+    case MaterialStep::Lighter:
+        return Failure("The library has nothing lighter than %1 that is known as well.", name);
+    case MaterialStep::Heavier:
+        return Failure("The library has nothing heavier than %1 that is known as well.", name);
+    case MaterialStep::Softer:
+        return Failure("The library has nothing softer than %1 that is known as well.", name);
+    case MaterialStep::Stiffer:
+        break;
+    }
+    return Failure("The library has nothing stiffer than %1 that is known as well.", name);
+}
+
+Failure notMeasured(const Property& measure, const std::string& name)
+{
+    return Failure("%1 has no %2 from which a step could be made: choose a material of the library "
+                   "for it first.",
+                   name, Message::word(measure.label));
+}
+
+// A unit in which numbers of a trade are read easily.
+struct ReadableUnit
+{
+    std::string_view from; // SI
+    std::string_view unit;
+    double factor; // numbers in `unit` per number in `from`
+    double least;  // from which on it is used, in `from`
+};
+constexpr std::array<ReadableUnit, 4> readableUnits{{{"kg/m\u00b2", "g/m\u00b2", 1e3, 0.0},
+                                                     {"kg/m", "g/m", 1e3, 0.0},
+                                                     {"N/m", "kN/m", 1e-3, 1e3},
+                                                     {"N", "kN", 1e-3, 1e4}}};
+
+Message changeOf(const Property& property, double before, double after)
+{
+    const auto readable = std::ranges::find_if(readableUnits, [&](const ReadableUnit& unit) {
+        return unit.from == property.unit && std::max(before, after) >= unit.least;
+    });
+    const bool isFound = readable != readableUnits.end();
+    const double factor = isFound ? readable->factor : 1.0;
+    return Message(
+        "%1 %2 → %3 %4", Message::word(property.label), Message::number("%.4g", before * factor),
+        Message::number("%.4g", after * factor), isFound ? readable->unit : property.unit);
+}
+
+Message labelOf(MaterialStep step, const Preset& preset)
+{
+    const Message name = Message::word(preset.label);
+    switch (step) {
+    case MaterialStep::Lighter:
+        return Message("Lighter: %1", name);
+    case MaterialStep::Heavier:
+        return Message("Heavier: %1", name);
+    case MaterialStep::Softer:
+        return Message("Softer: %1", name);
+    case MaterialStep::Stiffer:
+        break;
+    }
+    return Message("Stiffer: %1", name);
+}
+
+} // namespace
+
+std::string_view materialStepName(MaterialStep step)
+{
+    constexpr std::array<std::string_view, materialStepCount> names{"lighter", "heavier", "softer",
+                                                                    "stiffer"};
+    return names[std::size_t(step)];
+}
+
+Result<const Preset*> neighbour(const Material& material, MaterialStep step,
+                                std::span<const Preset> own)
+{
+    const PresetKind kind = presetKindOf(material, own);
+    const std::array<const Property*, 3> known{&weightProperty(kind), &stiffnessProperty(kind),
+                                               &strengthProperty(kind)};
+    const Property& measure = *known[isOfWeight(step) ? 0 : 1];
+    const Property& other = *known[isOfWeight(step) ? 1 : 0];
+    const auto now = numberOf(material, measure);
+    if (!now)
+        return notMeasured(measure, material.name);
+    const double sign = isUpwards(step) ? 1.0 : -1.0;
+    const auto otherWay = [&](const Preset& preset) { // how far the other number goes
+        const auto before = numberOf(material, other), after = numberOf(preset, other);
+        return before && after ? std::abs(std::log(*after / *before)) : 0.0;
+    };
+    const Preset* nearest = nullptr;
+    std::pair<double, double> best{std::numeric_limits<double>::infinity(), 0.0};
+    for (const std::span<const Preset> presets : {allPresets(), own})
+        for (const Preset& preset : presets) {
+            const auto number = numberOf(preset, measure);
+            const bool knowsLess = std::ranges::any_of(known, [&](const Property* property) {
+                return numberOf(material, *property) && !numberOf(preset, *property);
+            });
+            if (!isOfOneFamily(preset.kind, kind) || knowsLess || !number
+                || sign * (*number - *now) <= 0.0)
+                continue;
+            const std::pair way{sign * (*number - *now), otherWay(preset)};
+            if (way < best) {
+                best = way;
+                nearest = &preset;
+            }
+        }
+    if (!nearest)
+        return noneBeyond(step, material.name);
+    return nearest;
+}
+
+std::vector<Message> changesBy(const Preset& preset, const Material& before)
+{
+    std::vector<Message> changes;
+    for (const Property* property :
+         {&propertyOf<&Material::arealDensity>(), &propertyOf<&Material::linearDensity>(),
+          &propertyOf<&Material::membraneStiffness>(), &propertyOf<&Material::axialStiffness>(),
+          &propertyOf<&Material::flexuralRigidity>(), &propertyOf<&Material::warpStrength>(),
+          &propertyOf<&Material::lineStrength>(), &propertyOf<&Material::breakingMoment>()}) {
+        const auto old = numberOf(before, *property), now = numberOf(preset, *property);
+        if (old && now && *old != *now)
+            changes.push_back(changeOf(*property, *old, *now));
+    }
+    return changes;
+}
+
+Result<StepEdit> stepEdit(const Scene& scene, const std::vector<Id>& materials, MaterialStep step,
+                          std::span<const Preset> own)
+{
+    StepEdit result;
+    for (const Id id : materials) {
+        const Result<const Preset*> next = neighbour(*findItem<Material>(scene, id), step, own);
+        if (!next)
+            return next.failure();
+        result.given.push_back({id, *next});
+    }
+    Result<PresetEdit> edit = presetEdit(scene, result.given);
+    if (!edit)
+        return edit.failure();
+    result.edit = std::move(*edit);
+    if (!result.given.empty())
+        result.edit.edit.label = labelOf(step, *result.given.front().preset);
+    return result;
+}
+
+} // namespace ripstop
