@@ -1,9 +1,10 @@
 // When the value of a property counts: the conditions that rows of the table of properties name
 // (property.cpp, which is all that includes this), each with the half sentence that a form shows
-// where it does not hold: "the particle is pinned".
+// where it does not hold: idle::pinned.
 #pragma once
 
 #include "base/quantity.h"
+#include "scene/idle_reasons.h"
 #include "scene/usage.h"
 #include "shapes/solid.h"
 
@@ -47,9 +48,9 @@ using Around = Circumstances;
 // the solver and what it works on
 inline constexpr Need someRod = need([](const Around& a) { return a.all.rods > 0; }, "no link is a rod");
 inline constexpr Need someLinkOrElasticPanel = need([](const Around& a) { return a.all.links() > 0 || a.all.elasticPanels > 0; }, "there are no links, and no panel is elastic");
-inline constexpr Need aimsAtStrain = need([](const Settings& s, const Around&) { return s.solver == Solver::Auto; }, "only the automatic solver aims at a strain");
+inline constexpr Need aimsAtStrain = need([](const Settings& s, const Around&) { return s.solver == Solver::Auto; }, idle::notAutomatic);
 inline constexpr Need sweeps = need([](const Settings& s, const Around&) { return s.solver != Solver::SmallSteps && s.solver != Solver::Auto; }, "this solver makes one sweep in each substep; give it more substeps");
-inline constexpr Need softRods = need([](const Around& a) { return a.scene.settings.solver != Solver::PaperJacobi; }, "the paper's solver takes every rod as stiff");
+inline constexpr Need softRods = need([](const Around& a) { return a.scene.settings.solver != Solver::PaperJacobi; }, idle::stiffSolver);
 inline constexpr Need someTear = need([](const Around& a) {
     return std::ranges::any_of(a.scene.items, [](const Entry& entry) {
         const Material* material = std::get_if<Material>(&entry.item);
@@ -58,12 +59,12 @@ inline constexpr Need someTear = need([](const Around& a) {
 }, "no material tears");
 
 // particles
-inline constexpr Need isFree = need([](const Particle& p, const Around&) { return !p.pinned; }, "the particle is pinned");
+inline constexpr Need isFree = need([](const Particle& p, const Around&) { return !p.pinned; }, idle::pinned);
 inline constexpr Need isGuided = need([](const Particle& p, const Around&) { return p.guide != Guide::None; }, "it has no guide");
 
 // links
-inline constexpr Need isSpring = need([](const Link& l, const Around&) { return l.kind == LinkKind::Spring; }, "the link is a rod, which has a compliance");
-inline constexpr Need isRod = need([](const Link& l, const Around&) { return l.kind == LinkKind::Rod; }, "the link is a spring, which has a stiffness");
+inline constexpr Need isSpring = need([](const Link& l, const Around&) { return l.kind == LinkKind::Spring; }, idle::linkIsRod);
+inline constexpr Need isRod = need([](const Link& l, const Around&) { return l.kind == LinkKind::Rod; }, idle::linkIsSpring);
 inline constexpr Need isNoLine = need([](const Link& l, const Around&) { return l.role != LinkRole::Line; }, "a line has none");
 inline constexpr Need canTear = need([](const Link& l, const Around& a) {
     const Material* material = findItem<Material>(a.scene, l.material);
@@ -78,12 +79,12 @@ inline constexpr Need holdsAir = need([](const Part& p, const Around&) { return 
 inline constexpr Need ofLinks = need([](const Around& a) { return a.made.links() > 0; }, "no link is made of it");
 inline constexpr Need ofWhatTears = need([](const Around& a) { return a.made.links() > 0 || a.made.elasticPanels > 0; }, "no link is made of it, and no panel of it carries the pull of a fabric");
 inline constexpr Need ofPanels = need([](const Around& a) { return a.made.panels > 0; }, "no panel is made of it");
-inline constexpr Need ofSprings = need([](const Around& a) { return a.made.springs > 0; }, "its links are all rods, which take the compliance");
-inline constexpr Need ofRods = need([](const Around& a) { return a.made.rods > 0; }, "its links are all springs, which take the stiffness");
+inline constexpr Need ofSprings = need([](const Around& a) { return a.made.springs > 0; }, idle::onlyRods);
+inline constexpr Need ofRods = need([](const Around& a) { return a.made.rods > 0; }, idle::onlySprings);
 inline constexpr Need ofLines = need([](const Around& a) { return a.made.lines > 0; }, "no link of it has the role line");
-inline constexpr Need ofFabric = need([](const Around& a) { return a.made.threads > 0 || a.made.elasticPanels > 0; }, "no link of it is a thread with a width, and no panel of it is elastic");
-inline constexpr Need ofShearingFabric = need([](const Around& a) { return a.made.biases > 0 || a.made.elasticPanels > 0; }, "no link of it is a bias with a width, and no panel of it is elastic");
-inline constexpr Need ofElasticPanels = need([](const Around& a) { return a.made.elasticPanels > 0; }, "no panel of it carries the pull of a fabric");
+inline constexpr Need ofFabric = need([](const Around& a) { return a.made.threads > 0 || a.made.elasticPanels > 0; }, idle::noThread);
+inline constexpr Need ofShearingFabric = need([](const Around& a) { return a.made.biases > 0 || a.made.elasticPanels > 0; }, idle::noBias);
+inline constexpr Need ofElasticPanels = need([](const Around& a) { return a.made.elasticPanels > 0; }, idle::noElasticPanel);
 inline constexpr Need ofStretching = need([](const Around& a) { return a.made.rods > 0 || a.made.elasticPanels > 0; }, "its links are all springs, which have a damping of their own");
 inline constexpr Need hasMembrane = need([](const Material& m, const Around&) { return m.membraneStiffness.has_value(); }, "it has no membrane stiffness");
 inline constexpr Need isElasticFabric = need([](const Around& a) { return a.all.elasticPanels > 0; }, "no part has a fabric that panels carry");
@@ -92,21 +93,21 @@ inline constexpr Need notOnlyStiffRods = need([](const Around& a) {
 }, softRods.otherwise);
 
 // materials: who asks them
-inline constexpr Need givesStiffness = need([](const Around& a) { return a.made.ownStiffness < a.made.springs; }, "each of its springs has its own");
-inline constexpr Need givesDamping = need([](const Around& a) { return a.made.ownDamping < a.made.springs; }, "each of its springs has its own");
-inline constexpr Need givesCompliance = need([](const Around& a) { return a.made.ownCompliance < a.made.rods; }, "each of its rods has its own");
+inline constexpr Need givesStiffness = need([](const Around& a) { return a.made.ownStiffness < a.made.springs; }, idle::ownOfSprings);
+inline constexpr Need givesDamping = need([](const Around& a) { return a.made.ownDamping < a.made.springs; }, idle::ownOfSprings);
+inline constexpr Need givesCompliance = need([](const Around& a) { return a.made.ownCompliance < a.made.rods; }, idle::ownOfRods);
 inline constexpr Need isAbstract = need([](const Material& m, const Around& a) {
     const std::size_t physical = (m.axialStiffness ? a.made.lines : 0) + (m.membraneStiffness ? a.made.threads : 0)
                                  + (m.shearStiffness ? a.made.biases : 0);
     return physical < a.made.links();
-}, "its axial, membrane or shear stiffness counts instead");
-inline constexpr Need tears = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Never; }, "the material never tears; choose what it tears by");
+}, idle::physicalCounts);
+inline constexpr Need tears = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Never; }, idle::neverTears);
 inline constexpr Need hasTearLimit = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Strength; }, "its strengths are the limits");
-inline constexpr Need givesTearLimit = need([](const Around& a) { return a.made.ownTearLimit < a.made.links() || a.made.elasticPanels > 0; }, "each of its links has its own");
+inline constexpr Need givesTearLimit = need([](const Around& a) { return a.made.ownTearLimit < a.made.links() || a.made.elasticPanels > 0; }, idle::ownOfLinks);
 inline constexpr Need hasDiameter = need([](const Material& m, const Around&) { return m.diameter != 0.0; }, "the line diameter is 0");
 
 // air and wind
-inline constexpr Need inAir = need([](const Around& a) { return a.scene.settings.airDensity > 0.0; }, "the air density is 0");
+inline constexpr Need inAir = need([](const Around& a) { return a.scene.settings.airDensity > 0.0; }, idle::noAir);
 inline constexpr Need someCloth = need([](const Around& a) { return a.all.panels > 0 || a.all.links() > 0; }, "there is nothing for the air to act on");
 template <AirLaw... laws>
 inline constexpr Need law = need([](const Material& m, const Around&) { return ((m.airLaw == laws) || ...); }, "the air law does not ask for it");
