@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double reach = 5.0; // of a slider, from its value either way
+constexpr double reach = 4.0; // of a slider, from its value either way
 
 // Two digits are what a person would type as the end of a range.
 double roundedEnd(double value)

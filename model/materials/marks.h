@@ -34,8 +34,8 @@ bool isOfOneFamily(PresetKind a, PresetKind b); // fabrics and films are one
 std::vector<LibraryMark> marksOf(const Property& property, const Material& material,
                                  std::span<const Preset> own = {});
 
-// The range of a slider in which the marks around the value can be told apart: a fifth of it to
-// five times it, in decades.
+// The range of a slider in which the marks around the value can be told apart: a quarter of it to
+// four times it, in decades.
 SliderRange rangeAmongMarks(double value);
 
 std::string_view shortLabelOf(const Preset& preset);

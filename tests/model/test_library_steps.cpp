@@ -91,9 +91,9 @@ private slots:
         QVERIFY(marksOf(propertyOf<&Material::dampingTime>(), made("wood_6")).empty());
     }
 
-    void rangesReachAFactorOfFive()
+    void rangesReachAFactorOfFour()
     {
-        QCOMPARE(rangeAmongMarks(40000.0), (SliderRange{8000.0, 200000.0, true}));
+        QCOMPARE(rangeAmongMarks(40000.0), (SliderRange{10000.0, 160000.0, true}));
     }
 
     void namesAreShort()

@@ -144,6 +144,22 @@ private slots:
         QVERIFY(scene == before);
     }
 
+    // With its border and keel of the same cloth it flies.
+    void theSailFlies()
+    {
+        Scene scene = *build(*findBuilder("delta_kite"), {});
+        const std::vector<Id> cloth{materialCalled(scene, "sail"), materialCalled(scene, "border"),
+                                    materialCalled(scene, "keel cloth")};
+        for (const Id id : cloth)
+            giveTo(scene, id, "ripstop_075");
+        (void)apply(scene, *panelsCarry(scene, cloth));
+        Simulation simulation(*compile(scene, 1, 1));
+        QVERIFY(simulation.runUntil(0.5));
+        const State& state = simulation.state();
+        for (const auto& velocity : state.velocity)
+            QVERIFY(velocity.norm() < 30.0); // m/s, of a wind of 6
+    }
+
     void panelsWithoutStiffnessAreRefused()
     {
         const Scene scene = *build(*findBuilder("delta_kite"), {});
