@@ -28,6 +28,7 @@ void addVerify(CLI::App& app, Command& chosen);
 void addPresets(CLI::App& app, Command& chosen);
 void addWeigh(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
+void addMap(CLI::App& app, Command& chosen);
 void addFit(CLI::App& app, Command& chosen);
 
 } // namespace ripstop

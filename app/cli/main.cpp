@@ -60,6 +60,7 @@ int call(int argc, char** argv)
     addPresets(app, chosen);
     addWeigh(app, chosen);
     addConvert(app, chosen);
+    addMap(app, chosen);
     addFit(app, chosen);
     addVerify(app, chosen);
 
