@@ -8,12 +8,14 @@
 #include "actions/workbench.h"
 #include "author/align.h"
 #include "author/pin.h"
+#include "dialogs/map_dialog.h"
 #include "dialogs/operation_dialog.h"
 #include "docks/docks.h"
 #include "document/clipboard.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "inspector/material_step.h"
 #include "outline/outline.h"
 #include "tools/transform_tool.h"
 #include "viewport/viewport.h"
@@ -54,6 +56,12 @@ public:
         OperationDialog(*findOperation(name), m_document, m_selection, &m_window).exec();
     }
 
+    void map() const
+    {
+        m_tool.goToDesign();
+        MapDialog(m_document, m_selection, &m_window).exec();
+    }
+
     void align(int axis, Side side) const
     {
         push(aligned(m_document.scene(), m_selection.ids(), axis, side, m_tool.restLengths()),
@@ -80,6 +88,11 @@ public:
             return say(tr("Select particles to pin."));
         m_document.push(std::move(edit));
         say(all ? tr("Unpinned.") : tr("Pinned."));
+    }
+
+    void stepMaterial(MaterialStep step) const
+    {
+        say(stepSelected(m_document, m_selection.ids(), step));
     }
 
     void duplicate() const
@@ -179,6 +192,7 @@ MenuRows designRows(const Workbench& bench)
     const Shaper shaper(bench);
     const auto shaping = [&](Shaping wanted) { return [=] { shaper.choose(wanted); }; };
     const auto operation = [&](const char* name) { return [=] { shaper.operate(name); }; };
+    const auto step = [&](MaterialStep way) { return [=] { shaper.stepMaterial(way); }; };
     const auto no = Toggle::No;
     const auto some = Needs::Selection;
     const MenuRow line = lineIn("&Design");
@@ -206,6 +220,11 @@ MenuRows designRows(const Workbench& bench)
         line,
         {"&Design", "pin",    tr("Pi&n or unpin"), "pin",    QKeySequence("P"),       tr("Hold the selected particles where they are, or let them go when all are held."), [=] { shaper.pin(); }, no, nullptr, some},
         {"&Design", "guide",  tr("Free along a line or &in a plane…"), nullptr, QKeySequence("Ctrl+Alt+P"), tr("Let the selected particles slide along a line or in a plane only, as rings on a rail: along x, y or z, or as two or three selected particles lie."), operation("guide"), no, nullptr, some},
+        {"&Design", "map",    tr("Map by a form&ula…"), nullptr, {},                  tr("Set a number of what is selected, such as the tear limit, by a formula of where it lies or by a picture: worn places, patches, a grain that fans out."), [=] { shaper.map(); }, no, nullptr, some},
+        {"&Design/Mate&rial", "lighter", tr("&Lighter"), nullptr, {}, tr("The next lighter material of the library for what is selected; masses follow."), step(MaterialStep::Lighter), no, nullptr, some},
+        {"&Design/Mate&rial", "heavier", tr("&Heavier"), nullptr, {}, tr("The next heavier material of the library for what is selected; masses follow."), step(MaterialStep::Heavier), no, nullptr, some},
+        {"&Design/Mate&rial", "softer", tr("&Softer"), nullptr, {}, tr("The next softer material of the library for what is selected, by E t, EA or EI; masses follow."), step(MaterialStep::Softer), no, nullptr, some},
+        {"&Design/Mate&rial", "stiffer", tr("S&tiffer"), nullptr, {}, tr("The next stiffer material of the library for what is selected, by E t, EA or EI; masses follow."), step(MaterialStep::Stiffer), no, nullptr, some},
         {"&Design", "mass",   tr("M&ass…"),        nullptr,  QKeySequence("Ctrl+Shift+M"), tr("Give the selected particles mass: each, by length, by area, or a total to share."), operation("mass"), no, nullptr, some},
     };
     // clang-format on

@@ -204,6 +204,21 @@
         <translation>a une pression de voilure, et le panneau %1 a un coin qui n’est pas une particule de cette pièce : joindre les deux pièces</translation>
     </message>
     <message>
+        <location filename="carry_fabric.cpp"/>
+        <source>%1 has no membrane stiffness that panels could carry: give it one first, in N/m, or the numbers of a fabric of the library.</source>
+        <translation>%1 n’a pas de raideur de membrane que des panneaux pourraient porter : donnez-lui-en d’abord une, en N/m, ou les nombres d’un tissu de la bibliothèque.</translation>
+    </message>
+    <message>
+        <location filename="carry_fabric.cpp"/>
+        <source>Panels carry the fabric</source>
+        <translation>Tissu porté par les panneaux</translation>
+    </message>
+    <message>
+        <location filename="carry_fabric.cpp"/>
+        <source>There is no panel of this material that could carry its pull.</source>
+        <translation>Il n’y a pas de panneau de ce matériau qui pourrait porter sa traction.</translation>
+    </message>
+    <message>
         <location filename="centre_mark.cpp"/>
         <source>%1 kg</source>
         <translation>%1 kg</translation>
@@ -820,6 +835,16 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>&amp;Heavier</source>
+        <translation>Plus l&amp;ourd</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Lighter</source>
+        <translation>Plus &amp;léger</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>&amp;Move</source>
         <translation>Dé&amp;placer</translation>
     </message>
@@ -837,6 +862,11 @@
         <location filename="design_rows.cpp"/>
         <source>&amp;Scale</source>
         <translation>Mettre à l’é&amp;chelle</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>&amp;Softer</source>
+        <translation>Plus &amp;souple</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -980,6 +1010,16 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>Map by a form&amp;ula…</source>
+        <translation>Carte par une form&amp;ule…</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>Mate&amp;rial</source>
+        <translation>Maté&amp;riau</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>Middle %1</source>
         <translation>%1 médian</translation>
     </message>
@@ -1025,6 +1065,11 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>S&amp;tiffer</source>
+        <translation>Plus &amp;raide</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>Select particles to pin.</source>
         <translation>Sélectionner des particules à fixer.</translation>
     </message>
@@ -1050,6 +1095,11 @@
     </message>
     <message>
         <location filename="design_rows.cpp"/>
+        <source>Set a number of what is selected, such as the tear limit, by a formula of where it lies or by a picture: worn places, patches, a grain that fans out.</source>
+        <translation>Fixer un nombre de ce qui est sélectionné, comme la limite de déchirure, par une formule de sa position ou par une image : endroits usés, renforts, droit-fil en éventail.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
         <source>Smoo&amp;th…</source>
         <translation>Li&amp;sser…</translation>
     </message>
@@ -1062,6 +1112,26 @@
         <location filename="design_rows.cpp"/>
         <source>Take bumps and creases out of the selected fabric and lines.</source>
         <translation>Ôter les bosses et les plis du tissu et des lignes sélectionnés.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>The next heavier material of the library for what is selected; masses follow.</source>
+        <translation>Le matériau suivant, plus lourd, de la bibliothèque pour ce qui est sélectionné ; les masses suivent.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>The next lighter material of the library for what is selected; masses follow.</source>
+        <translation>Le matériau suivant, plus léger, de la bibliothèque pour ce qui est sélectionné ; les masses suivent.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>The next softer material of the library for what is selected, by E t, EA or EI; masses follow.</source>
+        <translation>Le matériau suivant, plus souple, de la bibliothèque pour ce qui est sélectionné, selon E t, EA ou EI ; les masses suivent.</translation>
+    </message>
+    <message>
+        <location filename="design_rows.cpp"/>
+        <source>The next stiffer material of the library for what is selected, by E t, EA or EI; masses follow.</source>
+        <translation>Le matériau suivant, plus raide, de la bibliothèque pour ce qui est sélectionné, selon E t, EA ou EI ; les masses suivent.</translation>
     </message>
     <message>
         <location filename="design_rows.cpp"/>
@@ -1629,6 +1699,36 @@
         <location filename="elastic_check.cpp"/>
         <source>no material</source>
         <translation>aucune matière</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>%1 is no number of particles, links or panels.</source>
+        <translation>%1 n’est pas un nombre de particules, de liaisons ou de panneaux.</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>At %1 %2 the formula gives %3, and %4 %5.</source>
+        <translation>À %1 %2 la formule donne %3, et %4 %5.</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>Map of %1</source>
+        <translation>Carte de « %1 »</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>The formula asks for grey, and there is no picture: name one.</source>
+        <translation>La formule demande grey, et il n’y a pas d’image : nommez-en une.</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>The formula asks for the value of link %1, which has none: its material never tears. Choose what it tears by, or leave out value.</source>
+        <translation>La formule demande la valeur (value) de la liaison %1, qui n’en a pas : son matériau ne se déchire jamais. Choisissez selon quoi il se déchire, ou omettez value.</translation>
+    </message>
+    <message>
+        <location filename="element_map.cpp"/>
+        <source>There is no %1 to map.</source>
+        <translation>Il n’y a rien de la sorte « %1 » à fixer.</translation>
     </message>
     <message>
         <location filename="empty_hint.cpp"/>
@@ -2970,11 +3070,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="import_form.cpp"/>
-        <source>%1 (own)</source>
-        <translation>%1 (personnel)</translation>
-    </message>
-    <message>
-        <location filename="import_form.cpp"/>
         <source>A fabric that one can buy, or a material of this scene.</source>
         <translation>Un tissu du commerce, ou un matériau de cette scène.</translation>
     </message>
@@ -3690,6 +3785,56 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>a été écrit par une version plus récente de Ripstop ; l’utiliser</translation>
     </message>
     <message>
+        <location filename="map_dialog.cpp"/>
+        <source>%1: %2 to %3</source>
+        <translation>%1 : %2 à %3</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>&amp;Formula</source>
+        <translation>&amp;Formule</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>&amp;Number</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>&amp;Picture</source>
+        <translation>&amp;Image</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>Choose a picture</source>
+        <translation>Choisir une image</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>Each selected element gets the number that the formula gives where it lies: x, y and z in metres, u and v across and up the picture on the fabric, value what it has now, grey the picture below at u and v, 0 for black and 1 for white.</source>
+        <translation>Chaque élément sélectionné reçoit le nombre que la formule donne là où il se trouve : x, y et z en mètres, u et v à travers et le long de l’image sur le tissu, value ce qu’il a maintenant, grey l’image ci-dessous en u et v, 0 pour le noir et 1 pour le blanc.</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>Map by a formula</source>
+        <translation>Carte par une formule</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>Pictures (*.png *.pgm)</source>
+        <translation>Images (*.png *.pgm)</translation>
+    </message>
+    <message>
+        <location filename="map_dialog.cpp"/>
+        <source>Select particles, links or panels to map.</source>
+        <translation>Sélectionnez des particules, des liaisons ou des panneaux.</translation>
+    </message>
+    <message>
         <location filename="material_file.cpp"/>
         <source>%1 cannot be in %2; it is measured in %3.</source>
         <translation>%1 ne peut pas être en %2 ; l’unité est %3.</translation>
@@ -3816,8 +3961,48 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="material_file.cpp"/>
-        <source>kind, label, note and yarn must be texts.</source>
-        <translation>kind, label, note et yarn doivent être des textes.</translation>
+        <source>kind, label, short, note and yarn must be texts.</source>
+        <translation>kind, label, short, note et yarn doivent être des textes.</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>%1 (own)</source>
+        <translation>%1 (personnel)</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>%1 is of %2 now: %3.</source>
+        <translation>%1 est maintenant en %2 : %3.</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>Heavier</source>
+        <translation>Plus lourd</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>Lighter</source>
+        <translation>Plus léger</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>Particles keep their mass, because the density of before or of the preset is not known.</source>
+        <translation>Les particules gardent leur masse, car la densité d’avant ou celle du préréglage n’est pas connue.</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>Select a material, or cloth, lines or spars that are made of one.</source>
+        <translation>Sélectionnez un matériau, ou du tissu, des lignes ou des longerons qui en sont faits.</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>Softer</source>
+        <translation>Plus souple</translation>
+    </message>
+    <message>
+        <location filename="material_step.cpp"/>
+        <source>Stiffer</source>
+        <translation>Plus raide</translation>
     </message>
     <message>
         <location filename="material_test.cpp"/>
@@ -4383,6 +4568,51 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_report.cpp"/>
         <source>The mesh is one piece.</source>
         <translation>Le maillage est d’un seul tenant.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>%1 has no %2 from which a step could be made: choose a material of the library for it first.</source>
+        <translation>%1 n’a pas de valeur « %2 » d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>Heavier: %1</source>
+        <translation>Plus lourd : %1</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>Lighter: %1</source>
+        <translation>Plus léger : %1</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>Softer: %1</source>
+        <translation>Plus souple : %1</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>Stiffer: %1</source>
+        <translation>Plus raide : %1</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>The library has nothing heavier than %1 that is known as well.</source>
+        <translation>La bibliothèque n’a rien de plus lourd que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>The library has nothing lighter than %1 that is known as well.</source>
+        <translation>La bibliothèque n’a rien de plus léger que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>The library has nothing softer than %1 that is known as well.</source>
+        <translation>La bibliothèque n’a rien de plus souple que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>The library has nothing stiffer than %1 that is known as well.</source>
+        <translation>La bibliothèque n’a rien de plus raide que %1 qui soit aussi bien connu.</translation>
     </message>
     <message>
         <location filename="number_field.cpp"/>
@@ -5039,11 +5269,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <translation>Fixer</translation>
     </message>
     <message>
-        <location filename="pin.cpp"/>
-        <source>Unpin</source>
-        <translation>Libérer</translation>
-    </message>
-    <message>
         <location filename="place_form.cpp"/>
         <source>%1 must be a number of metres, not "%2".</source>
         <translation>%1 doit être un nombre de mètres, et non « %2 ».</translation>
@@ -5520,6 +5745,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="preset_chooser.cpp"/>
+        <source>%1 does nothing now: %2. %3</source>
+        <translation>%1 est sans effet actuellement : %2. %3</translation>
+    </message>
+    <message>
+        <location filename="preset_chooser.cpp"/>
         <source>&amp;Save as own material…</source>
         <translation>&amp;Enregistrer comme matériau personnel…</translation>
     </message>
@@ -5547,11 +5777,6 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="preset_chooser.cpp"/>
         <source>Own materials cannot be read</source>
         <translation>Matériaux personnels illisibles</translation>
-    </message>
-    <message>
-        <location filename="preset_chooser.cpp"/>
-        <source>Particles keep their mass, because the density of before or of the preset is not known.</source>
-        <translation>Les particules gardent leur masse, car la densité d’avant ou celle du préréglage n’est pas connue.</translation>
     </message>
     <message>
         <location filename="preset_chooser.cpp"/>
@@ -5620,6 +5845,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
+        <source>&lt;b&gt;Does nothing now:&lt;/b&gt; %1.&lt;br&gt;Press: %2.</source>
+        <translation>&lt;b&gt;Sans effet actuellement :&lt;/b&gt; %1.&lt;br&gt;Appuyer : %2.</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
         <source>Above %1</source>
         <translation>Au-dessus de %1</translation>
     </message>
@@ -5652,6 +5882,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="property_form.cpp"/>
         <source>Keep a slider for this in the tuning panel (Ctrl+T).</source>
         <translation>Garder un curseur pour ceci dans le panneau de mise au point (Ctrl+T).</translation>
+    </message>
+    <message>
+        <location filename="property_form.cpp"/>
+        <source>Make %1 count</source>
+        <translation>Faire compter : %1</translation>
     </message>
     <message>
         <location filename="property_form.cpp"/>
@@ -5842,6 +6077,111 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="recordings.cpp"/>
         <source>Run %1</source>
         <translation>Simulation %1</translation>
+    </message>
+    <message>
+        <location filename="remedies.cpp"/>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Air as at sea level</source>
+        <translation>Air du niveau de la mer</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Automatic solver</source>
+        <translation>Solveur automatique</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Empty its axial, membrane and shear stiffness</source>
+        <translation>Vider ses raideurs axiale, de membrane et de cisaillement</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Empty the physical stiffness</source>
+        <translation>Vider la raideur physique</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Give its links widths from the mesh</source>
+        <translation>Donner à ses liaisons les largeurs du maillage</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Have its links take the material's</source>
+        <translation>Faire prendre à ses liaisons celle du matériau</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Have its panels carry the pull</source>
+        <translation>Faire porter la traction à ses panneaux</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Have its strengths be the limits</source>
+        <translation>Prendre ses résistances pour limites</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Let in the air of sea level</source>
+        <translation>Laisser entrer l’air du niveau de la mer</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Make it a rod</source>
+        <translation>En faire une tige</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Make it a spring</source>
+        <translation>En faire un ressort</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Make rods</source>
+        <translation>En faire des tiges</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Make rods of its links</source>
+        <translation>Faire de ses liaisons des tiges</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Make springs</source>
+        <translation>En faire des ressorts</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Make springs of its links</source>
+        <translation>Faire de ses liaisons des ressorts</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>No link of this material runs across its panels, so that none resists shear: have its panels carry the pull.</source>
+        <translation>Aucune liaison de ce matériau ne traverse ses panneaux, si bien qu’aucune ne résiste au cisaillement : faites porter la traction à ses panneaux.</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>No link of this material runs along a side of a panel, so that none is a thread: have its panels carry the pull.</source>
+        <translation>Aucune liaison de ce matériau ne longe le côté d’un panneau, si bien qu’aucune n’est un fil : faites porter la traction à ses panneaux.</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Take the material's numbers</source>
+        <translation>Prendre les nombres du matériau</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Tear by strength</source>
+        <translation>Déchirer selon la résistance</translation>
+    </message>
+    <message>
+        <location filename="remedy.cpp"/>
+        <source>Unpin</source>
+        <translation>Libérer</translation>
     </message>
     <message>
         <location filename="replay.cpp"/>
@@ -7560,6 +7900,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="status_line.cpp"/>
         <source>Selected: %1</source>
         <translation>Sélection : %1</translation>
+    </message>
+    <message>
+        <location filename="strip_widths.cpp"/>
+        <source>No link of this material lies along a panel, so that none gets a width: draw panels between its links first.</source>
+        <translation>Aucune liaison de ce matériau ne longe un panneau, si bien qu’aucune ne reçoit de largeur : dessinez d’abord des panneaux entre ses liaisons.</translation>
+    </message>
+    <message>
+        <location filename="strip_widths.cpp"/>
+        <source>Widths from the mesh</source>
+        <translation>Largeurs du maillage</translation>
     </message>
     <message>
         <location filename="subject.cpp"/>
@@ -13987,6 +14337,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tuning_row.cpp"/>
+        <source>E t of the weft</source>
+        <translation>E t de la trame</translation>
+    </message>
+    <message>
+        <location filename="tuning_row.cpp"/>
         <source>Equal ways of the slider are equal factors, not equal differences.</source>
         <translation>Des trajets égaux du curseur sont des facteurs égaux, et non des différences égales.</translation>
     </message>
@@ -14087,8 +14442,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tuning_rows.cpp"/>
-        <source>Wind, stiffness, damping, tear limit and the settings of the solver, as far as they have an effect here.</source>
-        <translation>Vent, raideur, amortissement, limite de déchirure et réglages du solveur, dans la mesure où ils ont un effet ici.</translation>
+        <source>Wind, E t, G t, EA, EI and strength of what materials are, stiffness, damping and tear limit of what they are not, and the settings of the solver, as far as they have an effect here. Of what is selected only, if it is made of something.</source>
+        <translation>Vent, E t, G t, EA, EI et résistance des matériaux réels, raideur, amortissement et limite de déchirure des autres, et réglages du solveur, dans la mesure où ils ont un effet ici. De ce qui est sélectionné seulement, si cela est fait de quelque chose.</translation>
     </message>
     <message>
         <location filename="typed_number.cpp"/>

@@ -11,7 +11,10 @@
 #include "editor/tour.h"
 #include "files/arrivals.h"
 #include "files/kept_work.h"
+#include "inspector/inspector.h"
+#include "inspector/tuning_panel.h"
 #include "io/scene_file.h"
+#include "materials/presets.h"
 #include "scene/property.h"
 #include "views/small_scenes.h"
 
@@ -137,6 +140,44 @@ void tuned(WindowShop& shop, WindowWalk& walk)
     shop.selection.set({part});
     shop.window.docks().show("inspector");
     walk.window("targets");
+}
+
+// A kite of real cloth: sliders with marks of the library, and a step to a lighter cloth. Then the
+// paper's kite, whose sail is given a cloth that does nothing until its panels carry.
+void ofTheTrade(WindowShop& shop, WindowWalk& walk)
+{
+    const auto selectMaterial = [&](std::string_view name) {
+        for (const Entry& entry : shop.document.scene().items)
+            if (const auto* material = std::get_if<Material>(&entry.item);
+                material && material->name == name)
+                shop.selection.set({entry.id});
+    };
+    open(shop, *build(*findBuilder("delta_kite"), {{"cloth", 1}, {"spars", 1}, {"cord", 1}}));
+    shop.window.docks().show("tuning");
+    shop.window.docks().panel<TuningPanel>().addUsual();
+    QTest::qWait(1);
+    walk.window("trade sliders");
+    selectMaterial("sail");
+    shop.window.docks().show("inspector");
+    shop.window.actions()["lighter"]->trigger();
+    QTest::qWait(1);
+    walk.window("trade lighter");
+
+    Scene paper = kite();
+    for (Entry& entry : paper.items)
+        if (auto* material = std::get_if<Material>(&entry.item);
+            material && material->name == "sail")
+            give(*material, **findPreset("ripstop_075"));
+    open(shop, std::move(paper));
+    selectMaterial("sail");
+    QTest::qWait(1);
+    walk.window("trade remedy");
+    shop.window.docks().panel<Inspector>().sliders().toggle(
+        propertyOf<&Material::membraneStiffness>(), shop.selection.ids());
+    shop.window.docks().show("tuning");
+    QTest::qWait(1);
+    walk.window("trade remedy of a slider");
+    shop.window.docks().show("inspector");
 }
 
 void comesByItself(WindowShop& shop, WindowWalk& walk)
@@ -268,6 +309,7 @@ void showEverything(WindowShop& shop, const WindowWalk::Look& look)
     walk.during("adopt pose", [&] { shop.run("adoptPose"); });
     tuned(shop, walk);
     walk.tools("flown");
+    ofTheTrade(shop, walk);
     comesByItself(shop, walk);
 }
 

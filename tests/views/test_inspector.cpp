@@ -138,6 +138,51 @@ private slots:
                  std::string("0: 0 1 0; 2: 3 1 0"));
     }
 
+    // Lighter and stiffer are a press away, and say what they made of it.
+    void stepsThroughTheLibrary()
+    {
+        Form form;
+        Material cloth;
+        cloth.name = "cloth";
+        give(cloth, **findPreset("ripstop_075"));
+        form.document.push({Message("Add"), {AddItem{0, {Id{40}, cloth}}}});
+        form.selection.set({Id{40}});
+        const auto step = [&](const QString& text) {
+            for (QToolButton* button : form.inspector.findChildren<QToolButton*>())
+                if (button->text() == text)
+                    return button;
+            return static_cast<QToolButton*>(nullptr);
+        };
+        QVERIFY(step("Lighter")->toolTip().contains("47 \u2192 42.5 g/m\u00b2"));
+        step("Lighter")->click();
+        QVERIFY(form.says("cloth is of Dominico 30D now: Areal density 47 \u2192 42.5 g/m\u00b2"));
+        QCOMPARE(form.value(Id{40}, "arealDensity"), Value(0.0425));
+        form.document.history().undo();
+        QCOMPARE(form.value(Id{40}, "arealDensity"), Value(0.047));
+        step("Stiffer")->click();
+        QCOMPARE(form.value(Id{40}, "membraneStiffness"), Value(46000.0));
+        form.selection.set({Id{9}}); // made of nothing
+        QVERIFY(!step("Lighter")->isEnabled());
+        QVERIFY(step("Lighter")->toolTip().contains("has no"));
+    }
+
+    // A cloth whose stiffness does nothing says so, and a link gives its links their widths.
+    void whatDoesNothingIsMadeToCount()
+    {
+        Form form;
+        form.document.push(setValue(form.document.scene(), Id{9}, "membraneStiffness", 40000.0));
+        form.selection.set({Id{9}});
+        QVERIFY(form.says("Membrane stiffness does nothing now"));
+        for (QLabel* label : form.inspector.findChildren<QLabel*>())
+            if (label->text().contains("Give its links widths"))
+                emit label->linkActivated("0");
+        QVERIFY(!form.says("does nothing now"));
+        QCOMPARE(form.value(Id{5}, "role"), Value(std::string("thread")));
+        QCOMPARE(form.value(Id{5}, "width"), Value(0.5)); // half a square metre along a metre
+        form.document.history().undo();
+        QCOMPARE(form.value(Id{5}, "width"), Value(0.0));
+    }
+
     // One edit for all numbers, which one undo takes back; the button names what the material has.
     void presetsOfMaterials()
     {

@@ -8,9 +8,11 @@
 #include "document/player.h"
 #include "document/selection.h"
 #include "inspector/inspector.h"
+#include "inspector/mark_strip.h"
 #include "inspector/tuning_panel.h"
 #include "inspector/tuning_row.h"
 #include "inspector/value_edit.h"
+#include "materials/presets.h"
 #include "small_scenes.h"
 #include "thread_time.h"
 
@@ -83,6 +85,22 @@ void type(QLineEdit* edit, const QString& text)
     edit->selectAll();
     QTest::keyClicks(edit, text);
     QTest::keyClick(edit, Qt::Key_Return);
+}
+
+// A woven sheet of kite cloth; answers its threads.
+Id showKiteCloth(Desk& desk)
+{
+    Scene scene = *build(*findBuilder("cloth"),
+                         {{"columns", 4}, {"rows", 4}, {"membrane", 1000}, {"density", 0.2}});
+    Id threads{};
+    for (Entry& entry : scene.items)
+        if (auto* material = std::get_if<Material>(&entry.item)) {
+            give(*material, **findPreset("ripstop_075"));
+            if (material->name == "structural")
+                threads = entry.id;
+        }
+    desk.document.replace(scene);
+    return threads;
 }
 
 ValueEdit* endOf(TuningRow* row, const char* name)
@@ -298,6 +316,89 @@ private slots:
         const std::vector<Slider> sliders = desk.inspector.sliders().sliders();
         QVERIFY(sliders.size() >= 3);
         QVERIFY(!desk.says("Does nothing now"));
+    }
+
+    // Named cloths lie along E t: a drag near one takes its number exactly, a click on its name
+    // too.
+    void slidersHaveMarksOfTheLibrary()
+    {
+        Desk desk;
+        const Property& stretch = *findProperty(Kind::Material, "membraneStiffness");
+        const Id threads = showKiteCloth(desk);
+        TuningRow* row = desk.add(stretch, {threads});
+        QVERIFY(row);
+        auto* strip = row->findChild<MarkStrip*>();
+        QVERIFY(strip && strip->isVisible());
+        QCOMPARE(row->slider().range, (SliderRange{10000.0, 160000.0, true}));
+        const auto markOf = [&](double value) {
+            const auto found = std::ranges::find(strip->marks(), value, &SliderMark::value);
+            return found == strip->marks().end() ? nullptr : &*found;
+        };
+        QVERIFY(markOf(40000.0) && markOf(90000.0) && !markOf(350000.0)); // outside
+        QCOMPARE(markOf(90000.0)->name, QString("Icarex"));
+        QCOMPARE(markOf(40000.0)->name, QString("0.75 oz")); // the present one names a shared mark
+        QVERIFY(markOf(40000.0)->tip.contains("Nylite"));
+
+        auto* bar = row->findChild<QSlider*>();
+        const int icarex = int(std::lround(placeOf(row->slider().range, 90000.0) * bar->maximum()));
+        bar->setSliderDown(true);
+        bar->setSliderPosition(icarex + 3);
+        QCOMPARE(desk.value(threads, stretch), Value(90000.0));
+        bar->setSliderPosition(icarex + 40); // far from any
+        QVERIFY(desk.value(threads, stretch) != Value(90000.0));
+        bar->setSliderDown(false);
+        QCOMPARE(desk.document.history().count(), 1);
+
+        const SliderMark& half = *markOf(26700.0);
+        QTest::mouseClick(strip, Qt::LeftButton, {}, QPoint(strip->xOf(half), 1));
+        QCOMPARE(desk.value(threads, stretch), Value(26700.0));
+        desk.document.history().undo();
+        desk.document.history().undo();
+        QCOMPARE(desk.value(threads, stretch), Value(40000.0));
+    }
+
+    // An arrow key is a small step, also on a mark.
+    void keysGoPastMarks()
+    {
+        Desk desk;
+        const Property& stretch = *findProperty(Kind::Material, "membraneStiffness");
+        const Id threads = showKiteCloth(desk);
+        auto* bar = desk.add(stretch, {threads})->findChild<QSlider*>();
+        QTest::keyClick(bar, Qt::Key_Right);
+        const Value once = desk.value(threads, stretch);
+        QTest::keyClick(bar, Qt::Key_Right);
+        QVERIFY(std::get<double>(once) > 40000.0);
+        QVERIFY(std::get<double>(desk.value(threads, stretch)) > std::get<double>(once));
+    }
+
+    // Of real cloth the usual sliders are those of the trade, of what is selected only these.
+    void theUsualOnesAreOfTheTrade()
+    {
+        Desk desk;
+        const Id threads = showKiteCloth(desk);
+        const auto has = [&](const char* key) {
+            return desk.inspector.sliders().has(*findProperty(Kind::Material, key), {threads});
+        };
+        desk.selection.set({threads});
+        desk.panel.addUsual();
+        QVERIFY(has("membraneStiffness") && has("warpStrength"));
+        QVERIFY(!has("stiffness")); // which does nothing beside E t
+        for (const Slider& slider : desk.inspector.sliders().sliders())
+            QCOMPARE(slider.ids, std::vector<Id>{threads});
+    }
+
+    // A note that something does nothing has a link that changes that.
+    void aRemedyIsALinkAway()
+    {
+        Desk desk;
+        desk.add(stiffness, {threadId}); // its links are rods
+        QVERIFY(desk.says("Does nothing now: its links are all rods"));
+        for (QLabel* label : desk.panel.findChildren<QLabel*>())
+            if (label->text().contains("Make springs"))
+                emit label->linkActivated("0");
+        QVERIFY(!desk.says("Does nothing now"));
+        desk.document.history().undo();
+        QVERIFY(desk.says("Does nothing now"));
     }
 
     void tooManyThingsAreRefused()

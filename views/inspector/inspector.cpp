@@ -207,7 +207,7 @@ QWidget* Inspector::underPresets(PropertyForm* form)
     auto* layout = new QVBoxLayout(both);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    m_presets = new PresetChooser(m_subject);
+    m_presets = new PresetChooser(m_subject, m_usage);
     layout->addWidget(m_presets);
     layout->addWidget(form, 1);
     return both;

@@ -7,8 +7,13 @@
 
 #include "document/document.h"
 #include "document/words.h"
+#include "inspector/material_step.h"
 #include "inspector/material_test_dialog.h"
 #include "inspector/own_material_dialog.h"
+#include "inspector/remedies.h"
+#include "inspector/tuning.h"
+#include "inspector/usage_watch.h"
+#include "materials/marks.h"
 #include "materials/presets.h"
 #include "scene/check.h"
 #include "scene/element_index.h"
@@ -42,13 +47,15 @@ QLabel* smallPrint()
 
 } // namespace
 
-PresetChooser::PresetChooser(Subject& subject, QWidget* parent)
+PresetChooser::PresetChooser(Subject& subject, UsageWatch& usage, QWidget* parent)
     : QWidget(parent)
     , m_subject(subject)
+    , m_usage(usage)
     , m_button(new QToolButton)
     , m_menu(new QMenu(m_button))
     , m_note(smallPrint())
     , m_sources(smallPrint())
+    , m_idle(smallPrint())
     , m_own(readOwnMaterials(ownMaterialsFile()))
 {
     m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
@@ -74,8 +81,74 @@ PresetChooser::PresetChooser(Subject& subject, QWidget* parent)
     layout->setContentsMargins(8, 4, 8, 0);
     layout->setSpacing(3);
     layout->addLayout(row);
+    layout->addWidget(makeSteps());
     layout->addWidget(m_note);
     layout->addWidget(m_sources);
+    layout->addWidget(m_idle);
+    m_idle->setTextFormat(Qt::RichText);
+    connect(m_idle, &QLabel::linkActivated, this, [this](const QString& which) {
+        const Property* property = idleNumber();
+        const Remedies remedies =
+            property ? m_usage.remedies(*property, m_subject.ids()) : Remedies();
+        if (const auto i = which.toUInt(); i < remedies.size())
+            m_warning = performRemedy(*remedies[i], *property, m_subject);
+        refresh();
+    });
+}
+
+QWidget* PresetChooser::makeSteps()
+{
+    auto* steps = new QWidget;
+    auto* layout = new QHBoxLayout(steps);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(3);
+    for (const MaterialStep step : allMaterialSteps) {
+        auto* button = new QToolButton;
+        button->setText(stepLabel(step));
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        connect(button, &QToolButton::clicked, this, [this, step] { this->step(step); });
+        m_steps[std::size_t(step)] = button;
+        layout->addWidget(button);
+    }
+    return steps;
+}
+
+void PresetChooser::step(MaterialStep step)
+{
+    const QString words = stepMaterials(m_subject.document(), m_subject.ids(), step, m_own.presets);
+    m_warning = words;
+    refresh();
+}
+
+void PresetChooser::refreshSteps()
+{
+    for (const MaterialStep step : allMaterialSteps) {
+        QToolButton& button = *m_steps[std::size_t(step)];
+        bool goes = false;
+        button.setToolTip(
+            stepPreview(m_subject.document(), m_subject.ids(), step, m_own.presets, goes));
+        button.setEnabled(goes);
+    }
+}
+
+const Property* PresetChooser::idleNumber()
+{
+    for (const Property* property : tradeNumbers())
+        if (magnitude(Subject::common(*property, m_subject.refs()).value) > 0.0
+            && !m_usage.remedies(*property, m_subject.ids()).empty())
+            return property;
+    return nullptr;
+}
+
+void PresetChooser::refreshIdle()
+{
+    const Property* property = idleNumber();
+    m_idle->setVisible(property);
+    if (property)
+        m_idle->setText(tr("%1 does nothing now: %2. %3")
+                            .arg(labelOf(*property),
+                                 m_usage.whyIdle(*property, m_subject.ids()).toHtmlEscaped(),
+                                 remedyLinks(m_usage.remedies(*property, m_subject.ids()))));
 }
 
 void PresetChooser::makeMenu()
@@ -185,6 +258,8 @@ void PresetChooser::refresh()
                            : translated(preset->label);
     };
     m_button->setText(preset ? label() : tr("Choose\u2026"));
+    refreshSteps();
+    refreshIdle();
     QStringList notes{std::exchange(m_warning, {}).toHtmlEscaped()};
     if (preset) {
         notes << QString::fromStdString(preset->note).toHtmlEscaped();

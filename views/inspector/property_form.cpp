@@ -10,6 +10,7 @@
 #include "document/words.h"
 #include "icons/complaint.h"
 #include "icons/icon.h"
+#include "inspector/remedies.h"
 #include "inspector/slider_shelf.h"
 #include "inspector/usage_watch.h"
 #include "inspector/value_edit.h"
@@ -20,6 +21,7 @@
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QMenu>
 #include <QToolButton>
 
 #include <algorithm>
@@ -136,11 +138,50 @@ void PropertyForm::addRow(QGridLayout& grid, const Property& property)
     grid.addWidget(label, row, 0, isTall ? Qt::AlignTop : Qt::AlignVCenter);
     label->setMinimumHeight(isTall ? reset->sizeHint().height() : 0); // level with the first line
     grid.addWidget(field.widget, row, 1);
+    auto* remedy = remedyButton(property, *complaint);
     grid.addWidget(slider, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
+    grid.addWidget(remedy, row, 2, isTall ? Qt::AlignTop : Qt::AlignVCenter);
     grid.addWidget(reset, row, 3, isTall ? Qt::AlignTop : Qt::AlignVCenter);
     grid.addWidget(complaint, row + 1, 1, 1, 3);
-    m_rows.push_back({&property, label, tip, complaint, slider, reset, std::move(field)});
+    m_rows.push_back({&property, label, tip, complaint, slider, remedy, reset, std::move(field)});
     addMenu(m_rows.back());
+}
+
+// One remedy is made at a press; of several a menu is shown.
+QToolButton* PropertyForm::remedyButton(const Property& property, QLabel& complaint)
+{
+    auto* button = rowButton(QStringLiteral("remedy"), {},
+                             tr("Make %1 count").arg(labelOf(property).toLower()));
+    button->hide();
+    const auto perform = [this, &property, &complaint](const Remedy& remedy) {
+        const QString failure = performRemedy(remedy, property, m_subject);
+        complaint.setText(failure);
+        complaint.setVisible(!failure.isEmpty());
+    };
+    connect(button, &QToolButton::clicked, this, [this, button, perform, &property] {
+        const Remedies remedies = m_usage.remedies(property, m_subject.ids());
+        if (remedies.size() == 1)
+            return perform(*remedies.front());
+        auto* menu = new QMenu(button);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        for (const Remedy* remedy : remedies)
+            menu->addAction(translated(remedy->label), this, [=] { perform(*remedy); });
+        menu->popup(button->mapToGlobal(QPoint(0, button->height())));
+    });
+    return button;
+}
+
+void PropertyForm::refreshRemedy(const Row& row, const QString& idle)
+{
+    const Remedies remedies = idle.isEmpty() || row.label->isHidden()
+                                  ? Remedies()
+                                  : m_usage.remedies(*row.property, m_subject.ids());
+    row.remedy->setVisible(!remedies.empty());
+    row.slider->setVisible(remedies.empty() && isTunable(*row.property) && !row.label->isHidden());
+    row.remedy->setToolTip(
+        QStringLiteral("<qt>%1</qt>")
+            .arg(tr("<b>Does nothing now:</b> %1.<br>Press: %2.")
+                     .arg(idle.toHtmlEscaped(), remedyWords(remedies).toHtmlEscaped())));
 }
 
 // Gives the label a menu with what the buttons do, and the field a key for the slider.
@@ -200,7 +241,7 @@ int PropertyForm::filter(const QString& words)
         row.label->setVisible(fits);
         row.field.widget->setVisible(fits);
         row.complaint->setVisible(fits && !row.complaint->text().isEmpty());
-        row.slider->setVisible(fits && isTunable(property));
+        refreshRemedy(row, m_usage.whyIdle(property, m_subject.ids()));
         row.reset->setVisible(fits && row.isChanged);
         shown += fits;
     }
@@ -225,6 +266,7 @@ void PropertyForm::refresh()
             row.slider->setChecked(m_sliders.has(property, m_subject.ids()));
         const QString idle = m_usage.whyIdle(property, m_subject.ids());
         row.label->setIdle(!idle.isEmpty());
+        refreshRemedy(row, idle);
         QString tip = row.tip;
         if (row.isChanged)
             tip = tr("%1<br>The default is %2.")

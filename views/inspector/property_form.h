@@ -1,5 +1,5 @@
 // The properties of one kind, a row each: label, field, a button that gives it a slider in the
-// tuning panel, and one that restores the default.
+// tuning panel or makes it count where it does nothing, and one that restores the default.
 //
 // The rows are made from the property table when the form is made and never change; refresh() only
 // shows values. What differs from the default has a bold label; what does nothing at the moment has
@@ -41,6 +41,7 @@ private:
         QString tip;
         QLabel* complaint;
         QToolButton* slider;
+        QToolButton* remedy; // in the place of the slider, where one makes the value count
         QToolButton* reset;
         Field field;
         bool isChanged = false; // differs from the default
@@ -50,6 +51,8 @@ private:
     void addRow(QGridLayout& grid, const Property& property);
     void addMenu(const Row& row);
     void toggleSlider(const Property& property);
+    QToolButton* remedyButton(const Property& property, QLabel& complaint);
+    void refreshRemedy(const Row& row, const QString& idle);
 
     Subject& m_subject;
     UsageWatch& m_usage;

@@ -1,21 +1,37 @@
 // load() reads the sliders of the file that is open; take() keeps a new list, writes it and
 // announces it, and every change ends there. toggle(), setRange() and addUsual() make the new list
-// from the sliders whose things still exist. addUsual() adds, up to eight in all, what is mostly
-// tuned and has an effect.
+// from the sliders whose things still exist. addUsual() adds, up to fourteen in all, what is mostly
+// tuned and has an effect, of all materials that are the same one of the library together.
 #include "inspector/slider_shelf.h"
 
+#include "author/made_of.h"
 #include "document/document.h"
 #include "inspector/tuning.h"
+#include "materials/marks.h"
+#include "materials/presets.h"
 #include "scene/usage.h"
 
 #include <QSettings>
 
 #include <algorithm>
+#include <set>
 
 namespace ripstop {
 namespace {
 
-constexpr std::size_t enough = 8; // sliders to begin with
+constexpr std::size_t enough = 14; // sliders to begin with
+
+// A number by which the material is bought, where it has one and that decides something: strengths
+// do for margins, but not beside another limit that tears it.
+bool isUsualOf(const Material& material, const Property& property)
+{
+    const bool isStrength =
+        isOneOf<&Material::warpStrength, &Material::weftStrength, &Material::lineStrength>(
+            property);
+    const bool otherLimit =
+        material.tearRule != TearRule::Never && material.tearRule != TearRule::Strength;
+    return magnitude(property.get(&material)) > 0.0 && !(isStrength && otherLimit);
+}
 
 QString settingOf(const Document& document)
 {
@@ -27,6 +43,8 @@ Slider sliderFor(const Scene& scene, const Property& property, std::vector<Id> i
 {
     const auto ref = find(scene, ids.front());
     const double value = ref ? magnitude(property.get(*ref)) : 0.0;
+    if (isTradeNumber(property) && value > 0.0)
+        return {&property, std::move(ids), rangeAmongMarks(value)};
     return {&property, std::move(ids),
             hasRange(property) ? rangeAround(property, value) : SliderRange()};
 }
@@ -80,29 +98,56 @@ void SliderShelf::setRange(const Property& property, const std::vector<Id>& ids,
     take(std::move(sliders));
 }
 
-// Adds the wind, the settings of the solver and the first materials, in this order.
-void SliderShelf::addUsual()
+// Adds the wind, the numbers by which the materials are bought, the settings of the solver and the
+// numbers of materials that are not made of anything, in this order.
+void SliderShelf::addUsual(const std::vector<Id>& selected)
 {
     const Scene& scene = m_document.scene();
     const Usage usage = usageOf(scene);
     std::vector<Slider> sliders = this->sliders();
-    const auto add = [&](const Property& property, Id id) {
-        if (sliders.size() < enough && !has(property, {id}) && !whyIdle(scene, usage, property, id))
-            sliders.push_back(sliderFor(scene, property, {id}));
+    const auto add = [&](const Property& property, std::vector<Id> ids) {
+        std::erase_if(ids, [&](Id id) { return whyIdle(scene, usage, property, id).has_value(); });
+        std::ranges::sort(ids);
+        if (!ids.empty() && sliders.size() < enough
+            && !std::ranges::any_of(sliders, isAbout(property, ids)))
+            sliders.push_back(sliderFor(scene, property, std::move(ids)));
     };
-    for (const Entry& entry : scene.items)
-        if (std::holds_alternative<Wind>(entry.item))
-            add(propertyOf<&Wind::velocity>(), entry.id);
-    for (const Property* property :
-         {&propertyOf<&Settings::substeps>(), &propertyOf<&Settings::sweeps>(),
-          &propertyOf<&Settings::strainGoal>()})
-        add(*property, settingsId);
-    for (const Entry& entry : scene.items)
-        if (std::holds_alternative<Material>(entry.item))
-            for (const Property* property :
-                 {&propertyOf<&Material::stiffness>(), &propertyOf<&Material::damping>(),
-                  &propertyOf<&Material::compliance>(), &propertyOf<&Material::tearLimit>()})
-                add(*property, entry.id);
+    const std::vector<Id> chosen = materialsOf(scene, selected);
+    const auto forEachMaterial = [&](auto visit) {
+        for (const Entry& entry : scene.items)
+            if (const Material* material = std::get_if<Material>(&entry.item);
+                material && (chosen.empty() || std::ranges::count(chosen, entry.id) > 0))
+                visit(entry.id, *material);
+    };
+    if (chosen.empty())
+        for (const Entry& entry : scene.items)
+            if (std::holds_alternative<Wind>(entry.item))
+                add(propertyOf<&Wind::velocity>(), {entry.id});
+    std::set<Id> joined;
+    forEachMaterial([&](Id id, const Material& material) {
+        if (!joined.insert(id).second)
+            return;
+        std::vector<Id> alike{id}; // of the same material of the library, for one slider together
+        if (const Preset* preset = presetOf(material))
+            forEachMaterial([&](Id other, const Material& candidate) {
+                if (presetOf(candidate) == preset && joined.insert(other).second)
+                    alike.push_back(other);
+            });
+        for (const Property* property : tradeNumbers())
+            if (isUsualOf(material, *property))
+                add(*property, alike);
+    });
+    if (chosen.empty())
+        for (const Property* property :
+             {&propertyOf<&Settings::substeps>(), &propertyOf<&Settings::sweeps>(),
+              &propertyOf<&Settings::strainGoal>()})
+            add(*property, {settingsId});
+    forEachMaterial([&](Id id, const Material&) {
+        for (const Property* property :
+             {&propertyOf<&Material::stiffness>(), &propertyOf<&Material::damping>(),
+              &propertyOf<&Material::compliance>(), &propertyOf<&Material::tearLimit>()})
+            add(*property, {id});
+    });
     take(std::move(sliders));
 }
 

@@ -29,7 +29,10 @@ public:
     // Adds a slider, or takes it away when it is there. Too many things for one slider are refused.
     std::optional<Failure> toggle(const Property& property, const std::vector<Id>& ids);
     void setRange(const Property& property, const std::vector<Id>& ids, const SliderRange& range);
-    void addUsual(); // what is mostly tuned, as far as it has an effect
+
+    // What is mostly tuned, as far as it has an effect: of the materials that the selected things
+    // are of, or of the whole scene where they are of none.
+    void addUsual(const std::vector<Id>& selected = {});
 
     void remember(bool on) { m_remembers = on; } // in the settings; not for pictures and tests
 

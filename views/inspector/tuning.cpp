@@ -113,7 +113,8 @@ double magnitude(const Value& value)
     return real ? *real : 0.0;
 }
 
-QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range)
+QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range,
+                    Snap snap)
 {
     auto* bar = new QSlider(Qt::Horizontal);
     bar->setRange(0, sliderSteps);
@@ -128,7 +129,9 @@ QSlider* makeSlider(Subject& subject, const Property& property, std::function<Sl
     QObject::connect(bar, &QSlider::valueChanged, bar, [=, &property](int position) {
         if (!bar->isSliderDown())
             dragging->begin(); // a key or a click beside the handle
-        dragging->move(toMagnitude(property, valueAt(range(), double(position) / sliderSteps)));
+        const auto snapped = snap && bar->isSliderDown() ? snap(position) : std::nullopt;
+        dragging->move(toMagnitude(
+            property, snapped ? *snapped : valueAt(range(), double(position) / sliderSteps)));
     });
     return bar;
 }

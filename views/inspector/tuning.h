@@ -45,9 +45,15 @@ private:
     int m_gesture = 0;
 };
 
+// The value that a slider takes when its handle is dragged to this position, where that is another
+// one than the range says.
+using Snap = std::function<std::optional<double>(int position)>;
+
 // A slider over the subject's values of the property; `range` is asked at each move, so that it can
-// be edited. One press to release is one step of undo, and so is a key.
-QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range);
+// be edited. One press to release is one step of undo, and so is a key. Keys do not snap, so that
+// they go on past what a drag snaps to.
+QSlider* makeSlider(Subject& subject, const Property& property, std::function<SliderRange()> range,
+                    Snap snap = {});
 void showOn(QSlider& slider, const SliderRange& range, const Common& common);
 
 double magnitude(const Value& value); // of a vector its length; 0 for what is no number

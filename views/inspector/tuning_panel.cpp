@@ -119,15 +119,17 @@ QWidget* TuningPanel::buildEmpty()
     words->setWordWrap(true);
     words->setForegroundRole(QPalette::PlaceholderText);
     auto* usual = new QPushButton(tr("Add the &usual ones"));
-    usual->setToolTip(tr("Wind, stiffness, damping, tear limit and the settings of the solver, as "
-                         "far as they have an effect here."));
-    connect(usual, &QPushButton::clicked, &m_sliders, &SliderShelf::addUsual);
+    usual->setToolTip(tr("Wind, E t, G t, EA, EI and strength of what materials are, stiffness, "
+                         "damping and tear limit of what they are not, and the settings of the "
+                         "solver, as far as they have an effect here. Of what is selected only, if "
+                         "it is made of something."));
+    connect(usual, &QPushButton::clicked, this, &TuningPanel::addUsual);
     layout->addWidget(words);
     layout->addWidget(usual, 0, Qt::AlignLeft);
     return empty;
 }
 
-void TuningPanel::addUsual() { m_sliders.addUsual(); }
+void TuningPanel::addUsual() { m_sliders.addUsual(m_selection.ids()); }
 
 // Makes new rows where sliders came or went, and otherwise only shows their values.
 void TuningPanel::rebuild()

@@ -8,23 +8,44 @@
 #include "document/words.h"
 #include "icons/complaint.h"
 #include "icons/icon.h"
+#include "inspector/remedies.h"
 #include "inspector/scrub_label.h"
 #include "inspector/tuning.h"
 #include "inspector/usage_watch.h"
 #include "inspector/value_edit.h"
+#include "materials/marks.h"
+#include "materials/presets.h"
 
 #include <QAction>
 #include <QGridLayout>
 #include <QSlider>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
-constexpr int endWidth = 46; // px, "1e-08"
+constexpr int endWidth = 52; // px, "130000"
 constexpr int logWidth = 26; // px
 
 QString plural(std::size_t count, Kind kind) { return counted(kind, qsizetype(count)); }
+
+// What the trade calls it, which is shorter beside a number; the help says the rest.
+QString tradeLabel(const Property& property)
+{
+    if (isOneOf<&Material::membraneStiffness>(property))
+        return QStringLiteral("E t");
+    if (isOneOf<&Material::weftStiffness>(property))
+        return TuningRow::tr("E t of the weft");
+    if (isOneOf<&Material::shearStiffness>(property))
+        return QStringLiteral("G t");
+    if (isOneOf<&Material::axialStiffness>(property))
+        return QStringLiteral("EA");
+    if (isOneOf<&Material::flexuralRigidity>(property))
+        return QStringLiteral("EI");
+    return labelOf(property);
+}
 
 } // namespace
 
@@ -42,6 +63,13 @@ TuningRow::TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidg
     m_subject.set(property.kind, m_slider.ids);
     m_label->setTextFormat(Qt::PlainText);
     m_note->setWordWrap(true);
+    m_note->setTextFormat(Qt::RichText);
+    connect(m_note, &QLabel::linkActivated, this, [this](const QString& which) {
+        const Property& tuned = *m_slider.property;
+        const Remedies remedies = m_usage.remedies(tuned, m_slider.ids);
+        if (const auto i = which.toUInt(); i < remedies.size())
+            m_complaint->tell(performRemedy(*remedies[i], tuned, m_subject));
+    });
     m_note->setForegroundRole(QPalette::PlaceholderText);
     const auto complain = [this](const QString& sentence) { m_complaint->tell(sentence); };
     m_field = makeField({m_subject, property, *m_label, complain, false});
@@ -81,10 +109,16 @@ TuningRow::TuningRow(Document& document, UsageWatch& usage, Slider slider, QWidg
 QWidget* TuningRow::rangeLine()
 {
     auto* line = new QWidget;
-    auto* layout = new QHBoxLayout(line);
+    auto* layout = new QGridLayout(line);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    m_bar = makeSlider(m_subject, *m_slider.property, [this] { return m_slider.range; });
+    layout->setHorizontalSpacing(4);
+    layout->setVerticalSpacing(0);
+    layout->setColumnStretch(1, 1);
+    const auto snap = [this](int position) {
+        return m_marks ? m_marks->nearTo(position) : std::nullopt;
+    };
+    m_bar = makeSlider(
+        m_subject, *m_slider.property, [this] { return m_slider.range; }, snap);
     m_low = endEdit(&SliderRange::low, tr("Left end"));
     m_high = endEdit(&SliderRange::high, tr("Right end"));
     m_log = new QToolButton;
@@ -100,10 +134,17 @@ QWidget* TuningRow::rangeLine()
             range.low = range.high / 1000.0;
         editRange(range);
     });
-    layout->addWidget(m_low);
-    layout->addWidget(m_bar, 1);
-    layout->addWidget(m_high);
-    layout->addWidget(m_log);
+    layout->addWidget(m_low, 0, 0);
+    layout->addWidget(m_bar, 0, 1);
+    layout->addWidget(m_high, 0, 2);
+    layout->addWidget(m_log, 0, 3);
+    if (isTradeNumber(*m_slider.property)) {
+        m_own = readOwnMaterials(ownMaterialsFile());
+        m_marks = new MarkStrip(*m_bar);
+        connect(m_marks, &MarkStrip::chosen, this,
+                [this](double value) { m_subject.edit(*m_slider.property, setTo(value)); });
+        layout->addWidget(m_marks, 1, 0, 1, 4);
+    }
     return line;
 }
 
@@ -158,6 +199,34 @@ void TuningRow::editRange(SliderRange range)
 
 void TuningRow::setRange(const SliderRange& range) { m_slider.range = range; }
 
+// The materials of the library that lie within the range, with their names.
+std::vector<SliderMark> TuningRow::marks() const
+{
+    const Property& property = *m_slider.property;
+    const auto refs = m_subject.refs();
+    const Material& material = *std::get<const Material*>(refs.front());
+    const Preset* present = presetOf(material, m_own.presets);
+    std::vector<SliderMark> marks;
+    for (const LibraryMark& mark : marksOf(property, material, m_own.presets)) {
+        if (mark.value < m_slider.range.low || mark.value > m_slider.range.high)
+            continue;
+        QStringList names;
+        for (const Preset* preset : mark.presets)
+            names << (preset->own ? QString::fromStdString(preset->label)
+                                  : translated(preset->label));
+        const bool hasPresent = std::ranges::find(mark.presets, present) != mark.presets.end();
+        const Preset& named = hasPresent ? *present : *mark.presets.front();
+        const std::string_view name = shortLabelOf(named);
+        marks.push_back(
+            {placeOf(m_slider.range, mark.value), mark.value,
+             QString::fromUtf8(name.data(), qsizetype(name.size())),
+             tr("%1 %2: %3")
+                 .arg(compactNumber(mark.value), QString::fromUtf8(property.unit.data()),
+                      names.join(QStringLiteral("; ")))});
+    }
+    return marks;
+}
+
 // What the slider acts on, or why it acts on nothing.
 QString TuningRow::note()
 {
@@ -194,13 +263,18 @@ void TuningRow::refresh()
     const QString what = describe(m_document.scene(), m_slider.ids);
     m_label->setText(property.kind == Kind::Settings
                          ? labelOf(property)
-                         : what + QStringLiteral(" \u00b7 ") + labelOf(property));
-    const QString words = note();
+                         : what + QStringLiteral(" \u00b7 ") + tradeLabel(property));
+    QString words = note().toHtmlEscaped();
+    const QString links = remedyLinks(m_usage.remedies(property, m_slider.ids));
+    if (!links.isEmpty())
+        words += QChar(' ') + links;
     m_note->setText(words);
     m_note->setVisible(!words.isEmpty());
     const bool isIdle = !m_usage.whyIdle(property, m_slider.ids).isEmpty();
     m_label->setIdle(isIdle);
-    m_label->setToolTip(QStringLiteral("<qt>%1</qt>").arg(helpOf(property).toHtmlEscaped()));
+    m_label->setToolTip(
+        QStringLiteral("<qt><b>%1.</b> %2</qt>")
+            .arg(labelOf(property).toHtmlEscaped(), helpOf(property).toHtmlEscaped()));
 
     const Common common = Subject::common(property, refs);
     m_field.refresh(common);
@@ -210,6 +284,8 @@ void TuningRow::refresh()
     m_high->show(compactNumber(m_slider.range.high));
     m_log->setChecked(m_slider.range.logarithmic);
     showOn(*m_bar, m_slider.range, common);
+    if (m_marks)
+        m_marks->show(marks(), magnitude(common.value));
 }
 
 } // namespace ripstop

@@ -6,6 +6,8 @@
 #pragma once
 
 #include "inspector/field.h"
+#include "inspector/mark_strip.h"
+#include "materials/own_materials.h"
 #include "scene/slider.h"
 
 #include <QWidget>
@@ -41,6 +43,7 @@ private:
     ValueEdit* endEdit(double SliderRange::*end, const QString& name);
     void editRange(SliderRange range);
     QString note();
+    std::vector<SliderMark> marks() const; // of materials of the library, on the track
 
     Document& m_document;
     UsageWatch& m_usage;
@@ -50,7 +53,9 @@ private:
     QLabel* m_note;
     Complaint* m_complaint;
     Field m_field;
-    QSlider* m_bar = nullptr; // of what has a range
+    QSlider* m_bar = nullptr;     // of what has a range
+    MarkStrip* m_marks = nullptr; // of a number by which materials are bought
+    OwnMaterials m_own;           // which have marks too
     ValueEdit* m_low = nullptr;
     ValueEdit* m_high = nullptr;
     QToolButton* m_log = nullptr;

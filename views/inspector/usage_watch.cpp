@@ -28,6 +28,14 @@ const Usage& UsageWatch::usage()
     return *m_usage;
 }
 
+std::vector<const Remedy*> UsageWatch::remedies(const Property& property,
+                                                const std::vector<Id>& ids)
+{
+    if (ids.empty() || whyIdle(property, ids).isEmpty())
+        return {};
+    return remediesOf(m_document.scene(), usage(), property, ids.front());
+}
+
 QString UsageWatch::whyIdle(const Property& property, const std::vector<Id>& ids)
 {
     QString first;

@@ -4,7 +4,7 @@
 // after edits that may change it. Forms ask it for each row that they show.
 #pragma once
 
-#include "scene/usage.h"
+#include "author/remedy.h"
 
 #include <QObject>
 #include <QString>
@@ -23,6 +23,9 @@ public:
     // Why the property does nothing for any of these things, as half a sentence; empty where it has
     // an effect. Of more than 100 things only the first 100 are asked.
     QString whyIdle(const Property& property, const std::vector<Id>& ids);
+
+    // What makes it count, of the first of these things; none where it has an effect.
+    std::vector<const Remedy*> remedies(const Property& property, const std::vector<Id>& ids);
 
     const Usage& usage();
 

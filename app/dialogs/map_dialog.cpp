@@ -1,0 +1,149 @@
+// The list of numbers is made of what is selected when the dialog opens. look() tries the formula at
+// each change and says what it gives; accept() makes the map.
+#include "dialogs/map_dialog.h"
+
+#include "author/elements.h"
+#include "document/document.h"
+#include "document/selection.h"
+#include "document/words.h"
+#include "icons/icon.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ripstop {
+
+MapDialog::MapDialog(Document& document, Selection& selection, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_number(new QComboBox)
+    , m_formula(new QLineEdit)
+    , m_picture(new QLineEdit)
+    , m_verdict(new QLabel)
+{
+    setWindowTitle(tr("Map by a formula"));
+    auto* words = new QLabel(
+        tr("Each selected element gets the number that the formula gives where it lies: x, y and z "
+           "in metres, u and v across and up the picture on the fabric, value what it has now, "
+           "grey the picture below at u and v, 0 for black and 1 for white."));
+    words->setWordWrap(true);
+    m_formula->setText(QStringLiteral("value * (1 - 0.5 * exp(-(x^2 + z^2) / 0.04))"));
+    m_formula->setClearButtonEnabled(true);
+    m_picture->setPlaceholderText(tr("none"));
+    m_picture->setClearButtonEnabled(true);
+    m_verdict->setWordWrap(true);
+    m_verdict->setMinimumHeight(2 * fontMetrics().lineSpacing()); // a message may need two lines
+    m_verdict->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* browse = new QToolButton;
+    browse->setIcon(icon(QStringLiteral("open")));
+    browse->setToolTip(tr("Choose a picture"));
+    browse->setAccessibleName(browse->toolTip());
+    connect(browse, &QToolButton::clicked, this, &MapDialog::choosePicture);
+    auto* picture = new QHBoxLayout;
+    picture->addWidget(m_picture, 1);
+    picture->addWidget(browse);
+
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Number"), m_number);
+    form->addRow(tr("&Formula"), m_formula);
+    form->addRow(tr("&Picture"), picture);
+    m_picture->setAccessibleName(tr("Picture"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    m_ok = buttons->button(QDialogButtonBox::Ok);
+    connect(buttons, &QDialogButtonBox::accepted, this, &MapDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(words);
+    layout->addLayout(form);
+    layout->addWidget(m_verdict);
+    layout->addWidget(buttons);
+    resize(560, sizeHint().height());
+
+    fillNumbers();
+    connect(m_number, &QComboBox::currentIndexChanged, this, &MapDialog::look);
+    connect(m_formula, &QLineEdit::textChanged, this, &MapDialog::look);
+    connect(m_picture, &QLineEdit::textChanged, this, &MapDialog::look);
+    look();
+}
+
+// The numbers of the kinds that are selected, tear limits first where there are links.
+void MapDialog::fillNumbers()
+{
+    const Elements elements = sortedElements(m_document.scene(), m_selection.ids());
+    const auto add = [&](Kind kind, bool isThere) {
+        if (!isThere)
+            return;
+        for (const Property* property : mappableNumbers(kind)) {
+            m_number->addItem(kindPluralLabel(kind) + QStringLiteral(": ") + labelOf(*property));
+            m_numbers.push_back(property);
+        }
+    };
+    add(Kind::Link, !elements.links.empty());
+    add(Kind::Panel, !elements.panels.empty());
+    add(Kind::Particle, !elements.particles.empty());
+    if (!elements.links.empty())
+        setNumber(propertyOf<&Link::tearLimit>());
+}
+
+void MapDialog::setFormula(const QString& formula) { m_formula->setText(formula); }
+
+void MapDialog::setNumber(const Property& property)
+{
+    const auto found = std::ranges::find(m_numbers, &property);
+    if (found != m_numbers.end())
+        m_number->setCurrentIndex(int(found - m_numbers.begin()));
+}
+
+QString MapDialog::verdict() const { return m_verdict->text(); }
+
+void MapDialog::choosePicture()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a picture"), {},
+                                                      tr("Pictures (*.png *.pgm)"));
+    if (!file.isEmpty())
+        m_picture->setText(file);
+}
+
+Result<MappedNumbers> MapDialog::map() const
+{
+    if (m_number->currentIndex() < 0)
+        return Failure("Select particles, links or panels to map.");
+    const Property& property = *m_numbers[std::size_t(m_number->currentIndex())];
+    return mappedByPicture(m_document.scene(), property,
+                           elementsOf(m_document.scene(), m_selection.ids()),
+                           m_formula->text().toStdString(), m_picture->text().toStdU16String());
+}
+
+void MapDialog::look()
+{
+    const Result<MappedNumbers> made = map();
+    m_ok->setEnabled(bool(made));
+    if (!made)
+        return m_verdict->setText(translated(made.message()));
+    const Kind kind = std::get<SetValues>(made->edit.changes.front()).property->kind;
+    //: how many elements, and between which numbers
+    m_verdict->setText(tr("%1: %2 to %3")
+                           .arg(counted(kind, qsizetype(made->count)), compactNumber(made->least),
+                                compactNumber(made->most)));
+}
+
+void MapDialog::accept()
+{
+    Result<MappedNumbers> made = map();
+    if (!made)
+        return look();
+    m_document.push(std::move(made->edit));
+    QDialog::accept();
+}
+
+} // namespace ripstop
