@@ -56,7 +56,9 @@ MapDialog::MapDialog(Document& document, Selection& selection, QWidget* parent)
     auto* form = new QFormLayout;
     form->addRow(tr("&Number"), m_number);
     form->addRow(tr("&Formula"), m_formula);
-    form->addRow(tr("&Picture"), picture);
+    auto* ofPicture = new QLabel(tr("&Picture"));
+    ofPicture->setBuddy(m_picture);
+    form->addRow(ofPicture, picture);
     m_picture->setAccessibleName(tr("Picture"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     m_ok = buttons->button(QDialogButtonBox::Ok);
