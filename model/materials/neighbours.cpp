@@ -90,11 +90,16 @@ Failure noneBeyond(MaterialStep step, const std::string& name)
     return Failure("The library has nothing stiffer than %1 that is known as well.", name);
 }
 
-Failure notMeasured(const Property& measure, const std::string& name)
+// A bare material may be of anything, so that the number is not named.
+Failure notMeasured(MaterialStep step, const std::string& name)
 {
-    return Failure("%1 has no %2 from which a step could be made: choose a material of the library "
-                   "for it first.",
-                   name, Message::word(measure.label));
+    return isOfWeight(step)
+               ? Failure("%1 has no density from which a step could be made: choose a material of "
+                         "the library for it first.",
+                         name)
+               : Failure("%1 has no stiffness from which a step could be made: choose a material "
+                         "of the library for it first.",
+                         name);
 }
 
 // A unit in which numbers of a trade are read easily.
@@ -157,7 +162,7 @@ Result<const Preset*> neighbour(const Material& material, MaterialStep step,
     const Property& other = *known[isOfWeight(step) ? 1 : 0];
     const auto now = numberOf(material, measure);
     if (!now)
-        return notMeasured(measure, material.name);
+        return notMeasured(step, material.name);
     const double sign = isUpwards(step) ? 1.0 : -1.0;
     const auto otherWay = [&](const Preset& preset) { // how far the other number goes
         const auto before = numberOf(material, other), after = numberOf(preset, other);

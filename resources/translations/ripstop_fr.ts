@@ -4571,8 +4571,13 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="neighbours.cpp"/>
-        <source>%1 has no %2 from which a step could be made: choose a material of the library for it first.</source>
-        <translation>%1 n’a pas de valeur « %2 » d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
+        <source>%1 has no density from which a step could be made: choose a material of the library for it first.</source>
+        <translation>%1 n’a pas de densité d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
+    </message>
+    <message>
+        <location filename="neighbours.cpp"/>
+        <source>%1 has no stiffness from which a step could be made: choose a material of the library for it first.</source>
+        <translation>%1 n’a pas de raideur d’où partir : choisissez-lui d’abord un matériau de la bibliothèque.</translation>
     </message>
     <message>
         <location filename="neighbours.cpp"/>
