@@ -18,7 +18,7 @@
 #include "scene/check.h"
 #include "scene/element_index.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -60,7 +60,8 @@ PresetChooser::PresetChooser(Subject& subject, UsageWatch& usage, QWidget* paren
 {
     m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     m_button->setPopupMode(QToolButton::InstantPopup);
-    m_button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    // a long name must not make the page wider than a narrow dock
+    m_button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_button->setToolTip(tr("Take the numbers of a fabric, a line or a spar that one can buy."));
     m_menu->setToolTipsVisible(true);
     m_button->setMenu(m_menu);
@@ -99,7 +100,7 @@ PresetChooser::PresetChooser(Subject& subject, UsageWatch& usage, QWidget* paren
 QWidget* PresetChooser::makeSteps()
 {
     auto* steps = new QWidget;
-    auto* layout = new QHBoxLayout(steps);
+    auto* layout = new QGridLayout(steps); // by weight above, by stiffness below
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     for (const MaterialStep step : allMaterialSteps) {
@@ -108,7 +109,7 @@ QWidget* PresetChooser::makeSteps()
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         connect(button, &QToolButton::clicked, this, [this, step] { this->step(step); });
         m_steps[std::size_t(step)] = button;
-        layout->addWidget(button);
+        layout->addWidget(button, int(step) / 2, int(step) % 2);
     }
     return steps;
 }
