@@ -4,6 +4,7 @@
 // medians of strain and time, and the RMS distance of the mass centre from the reference.
 #include "bench/quality.h"
 
+#include "base/new_file.h"
 #include "measure/diagnostics.h"
 #include "step/stepper.h"
 #include "terminal/terminal.h"
@@ -83,7 +84,10 @@ std::string fileOf(const BenchNetwork& network, const std::string& folder)
 
 bool writePath(const Path& path, const std::string& file)
 {
-    std::ofstream out(file);
+    Result<NewFile> made = NewFile::open(file);
+    if (!made)
+        return false;
+    std::ostream& out = made->out();
     out << "time_s,x_m,y_m,z_m\n";
     for (std::size_t i = 0; i < path.size(); ++i) {
         char line[96];
@@ -91,7 +95,7 @@ bool writePath(const Path& path, const std::string& file)
                       path[i].x() + 0.0, path[i].y(), path[i].z());
         out << line;
     }
-    return bool(out.flush());
+    return !made->commit();
 }
 
 double rmsDistance(const Path& a, const Path& b)

@@ -21,7 +21,6 @@ int bench(const BenchOptions& options, const std::string& only)
     Json results{{"machine", machine()}, {"threads", options.threads}};
     if (!options.json)
         std::cout << machineText(results["machine"]) << '\n';
-    catchInterrupt();
     for (const Race& race : races()) {
         if (!only.empty() && only != race.name)
             continue;
@@ -94,7 +93,6 @@ void addBench(CLI::App& app, Command& chosen)
         chosen = [options, only, make]() -> int {
             if (!*make)
                 return bench(*options, *only);
-            catchInterrupt();
             return makeReferences(options->references)
                        ? Done
                        : fail(interrupted() ? Interrupted : BadInput,

@@ -99,6 +99,32 @@ Result<Parameters> parametersFrom(const Builder& builder, const std::vector<std:
     return parameters;
 }
 
+// Parameters that were given and change nothing, because they mean something beside others only:
+// the mouth of a parachute is that of pressure inside.
+std::vector<std::string> idleOnes(const Builder& builder, const Parameters& given,
+                                  const Scene& scene)
+{
+    const auto withoutParameters = [](Scene one) {
+        for (Entry& entry : one.items)
+            if (auto* part = std::get_if<Part>(&entry.item))
+                part->parameters.clear();
+        return one;
+    };
+    const Scene plain = withoutParameters(scene);
+    std::vector<std::string> idle;
+    for (const Parameter& parameter : builder.parameters) {
+        const auto found = given.find(std::string(parameter.key));
+        if (found == given.end() || found->second == parameter.initial)
+            continue;
+        Parameters others = given;
+        others.erase(found->first);
+        const Result<Scene> other = build(builder, others);
+        if (other && withoutParameters(*other) == plain)
+            idle.emplace_back(parameter.key);
+    }
+    return idle;
+}
+
 struct BuildOptions
 {
     std::string builder;
@@ -118,9 +144,14 @@ int buildScene(const BuildOptions& options)
     Result<Scene> scene = build(*builder, *parameters);
     if (!scene)
         return fail(WrongUsage, scene.message());
+    for (const std::string& key : idleOnes(*builder, *parameters, *scene))
+        std::cerr << "ripstop-cli: warning: " << key
+                  << " changes nothing here: it counts beside other parameters only; ripstop-cli "
+                     "builders "
+                  << builder->name << " says which.\n";
     if (const auto failure = assign(*scene, options.assignments))
         return fail(WrongUsage, failure->message);
-    if (const auto failure = saveScene(*scene, options.output))
+    if (const auto failure = saveReadable(*scene, options.output))
         return fail(BadInput, failure->message);
     return Done;
 }

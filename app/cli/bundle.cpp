@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
+#include "cli/targets.h"
 #include "terminal/terminal.h"
 
 #include <iostream>
@@ -49,7 +50,8 @@ int bundle(const Options& options)
 {
     BundleOrder order;
     order.threads = options.threads;
-    catchInterrupt();
+    if (isInput(options.output, {options.scene.file, options.controls}))
+        return WrongUsage;
     ProgressLine line(options.output);
     const Progress progress = [&](double share) {
         line.show(share);
@@ -60,6 +62,8 @@ int bundle(const Options& options)
     const SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
+    if (isInput(options.output, inputsOf(*loaded.scene, options.scene.file)))
+        return WrongUsage;
     order.seconds = options.seconds.value_or(order.seconds);
     if (!options.controls.empty()) {
         Result<ControlTrack> track = readControlTrack(options.controls, *loaded.scene);
@@ -74,7 +78,6 @@ int bundle(const Options& options)
 
 int flyBundle(const std::string& file, int threads, bool json)
 {
-    catchInterrupt();
     ProgressLine line(file);
     const Progress progress = [&](double share) {
         line.show(share);

@@ -3,24 +3,27 @@
 #include "io/csv.h"
 
 #include <cstdio>
+#include <iostream>
 
 namespace ripstop {
 
 void printTable(const Certificate& certificate)
 {
-    std::printf("%-24s %14s %12s %7s %6s  %s\n", "probe", "value", "error", "digits", "order",
-                "judged by");
+    const auto row = [](const std::string& name, const char* pattern, auto... values) {
+        char text[128];
+        std::snprintf(text, sizeof text, pattern, values...);
+        std::cout << name << std::string(name.size() < 24 ? 24 - name.size() : 0, ' ') << text;
+    };
+    row("probe", " %14s %12s %7s %6s  %s\n", "value", "error", "digits", "order", "judged by");
     for (const CertifiedProbe& probe : certificate.probes) {
         const Convergence& result = probe.result;
-        const std::string name = withUnit(probe.name, probe.unit);
         char order[16] = "-";
         if (result.converges())
             std::snprintf(order, sizeof order, "%.1f", result.order);
-        std::printf("%-24s %14.8g %12.2g %7d %6s  %s\n", name.c_str(), result.value[0],
-                    result.error, result.digits, order,
-                    probe.ofMean ? "the mean of the second half" : "the last value");
+        row(withUnit(probe.name, probe.unit), " %14.8g %12.2g %7d %6s  %s\n", result.value[0],
+            result.error, result.digits, order,
+            probe.ofMean ? "the mean of the second half" : "the last value");
     }
-    std::fflush(stdout);
 }
 
 Json jsonOf(const Certificate& certificate)

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
+#include "cli/targets.h"
 #include "io/certificate_table.h"
 #include "io/control_track.h"
 #include "io/whole_file.h"
@@ -35,10 +36,9 @@ int certify(const Options& options)
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
-    for (const std::string& file : {options.csv, options.record})
-        if (!file.empty())
-            if (const auto failure = unwritable(file))
-                return fail(BadInput, failure->message);
+    const FileNames inputs = inputsOf(*loaded.scene, options.scene.file, {options.controls});
+    if (const int code = refuseTargets({options.csv, options.record}, inputs); code != Done)
+        return code;
     std::function<Pilot()> newPilot;
     if (!options.controls.empty()) {
         auto track = readControlTrack(options.controls, *loaded.scene);
@@ -50,7 +50,6 @@ int certify(const Options& options)
             };
         };
     }
-    catchInterrupt();
     const auto made = [&] {
         ProgressLine progress("certifying " + options.scene.file);
         const auto goesOn = [&](double share) {

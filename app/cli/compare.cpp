@@ -49,7 +49,6 @@ int compare(const Options& options)
     const auto b = a ? openOrSay(options.b).recording : nullptr;
     if (!b)
         return BadInput;
-    catchInterrupt();
     ProgressLine progress("comparing");
     const auto list = compareRuns(*a, *b, options.interval, [&](double share) {
         progress.show(share);

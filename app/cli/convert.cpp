@@ -51,7 +51,7 @@ int convert(const ConvertOptions& options)
     for (const Finding& finding : problemsOf(scene))
         if (finding.severity == Severity::Error)
             return fail(BadInput, Message("%1: %2", options.scene.file, finding.message));
-    if (const auto failure = saveScene(scene, options.output))
+    if (const auto failure = saveReadable(scene, options.output))
         return fail(BadInput, failure->message);
     std::string names;
     for (const Id id : made->parts)

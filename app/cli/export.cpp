@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
+#include "cli/targets.h"
 #include "compile/compile.h"
 #include "export/format.h"
 #include "run/simulation.h"
@@ -52,7 +53,6 @@ ExportRange rangeOf(const Options& options, const FrameSource& source)
 
 std::optional<Failure> write(FrameSource& source, const Scene& scene, const Options& options)
 {
-    catchInterrupt();
     ProgressLine progress(options.output);
     return exportRun(source, MeshAppearance(scene), rangeOf(options, source), options.output,
                      [&](double share) {
@@ -90,11 +90,17 @@ int exportScene(const Options& options)
         return fail(BadInput, options.output
                                   + " is a picture or a film: those are drawn by the window "
                                     "(ripstop, File > Export), which needs a display.");
+    const FileNames files{options.scene.file, options.controls};
+    if (const int code = refuseTargets({options.output}, files); code != Done)
+        return code;
     if (options.scene.file.ends_with(recordingExtension))
         return exportRecording(options);
     const SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
+    const FileNames inputs = inputsOf(*loaded.scene, options.scene.file);
+    if (const int code = refuseTargets({options.output}, inputs); code != Done)
+        return code;
     const auto system = compile(*loaded.scene);
     if (!system)
         return fail(BadInput, Message("%1: %2", options.scene.file, system.message()));

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/own_library.h"
 #include "cli/scene_input.h"
+#include "cli/targets.h"
 #include "io/scene_file.h"
 #include "scene/check.h"
 #include "scene/element_index.h"
@@ -204,13 +205,13 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
     };
     const Result<PolygonMesh> read = readPolygonFile(file, stageOf(progress, 0.0, 0.4));
     if (interrupted())
-        return Interrupted;
+        return fail(Interrupted, "Interrupted; nothing was written.");
     if (!read)
         return fail(BadInput, read.message());
     const Result<PreparedMesh> mesh =
         prepared(*read, shapeOf(options), stageOf(progress, 0.4, 0.7));
     if (interrupted())
-        return Interrupted;
+        return fail(Interrupted, "Interrupted; nothing was written.");
     if (!mesh)
         return fail(BadInput, Message("%1: %2", file, mesh.message()));
     const std::string name =
@@ -218,7 +219,7 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
     Result<MeshImport> made =
         fabricOf(*mesh, fabric, name, surroundingsOf(scene), stageOf(progress, 0.7, 1.0));
     if (interrupted())
-        return Interrupted;
+        return fail(Interrupted, "Interrupted; nothing was written.");
     if (!made)
         return fail(BadInput, Message("%1: %2", file, made.message()));
     (void)apply(scene, made->edit);
@@ -236,6 +237,8 @@ std::optional<int> importOne(const ImportOptions& options, const std::string& fi
 
 int importMeshes(const ImportOptions& options)
 {
+    if (const int code = refuseTargets({options.output}, options.files); code != Done)
+        return code; // the scene that they come into may be added to where it is
     Scene scene;
     if (!options.into.file.empty()) {
         SceneOutcome loaded = loadScene({options.into.file, {}});
@@ -251,7 +254,6 @@ int importMeshes(const ImportOptions& options)
     Result<MeshFabric> fabric = fabricFor(options, scene);
     if (!fabric)
         return fail(WrongUsage, fabric.message());
-    catchInterrupt();
     Json list = Json::array();
     for (const std::string& file : options.files)
         if (const std::optional<int> code = importOne(options, file, scene, *fabric, list))
@@ -259,7 +261,7 @@ int importMeshes(const ImportOptions& options)
     fitSubsteps(scene);
     if (const auto failure = assign(scene, options.into.assignments))
         return fail(WrongUsage, failure->message);
-    if (const auto failure = saveScene(scene, options.output))
+    if (const auto failure = saveReadable(scene, options.output))
         return fail(BadInput, failure->message);
     if (options.json)
         print({{"scene", options.output}, {"meshes", std::move(list)}});

@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "scene/property.h"
+#include "terminal/output.h"
 #include "terminal/terminal.h"
 
 #include <exception>
@@ -40,7 +41,8 @@ int call(int argc, char** argv)
                "\n"
                "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 the simulation diverged,\n"
                "4 a replay or a comparison differs, 5 a strict run missed its accuracy or a\n"
-               "certificate its digits.\n"
+               "certificate its digits, 6 standard output is full or closed, 7 a run ended in a\n"
+               "state that no fabric can be in, 128 and its number after a signal.\n"
                "ripstop-cli COMMAND --help explains each command.");
 
     Command chosen;
@@ -81,8 +83,10 @@ int call(int argc, char** argv)
 int main(int argc, char** argv)
 {
     using namespace ripstop;
+    StandardOutput output;
+    catchInterrupt();
     try {
-        return call(argc, argv);
+        return output.finish(call(argc, argv));
     } catch (const std::bad_alloc&) {
         return fail(BadInput, "There is not enough memory for this.");
     } catch (const std::exception& error) {

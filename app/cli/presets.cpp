@@ -122,7 +122,7 @@ int applyPreset(const PresetOptions& options)
     if (!made)
         return fail(BadInput, Message("%1: %2", options.scene.file, made.message()));
     (void)apply(scene, made->edit);
-    if (const auto failure = saveScene(scene, options.output))
+    if (const auto failure = saveReadable(scene, options.output))
         return fail(BadInput, failure->message);
     printNotes(scene, *made);
     return Done;

@@ -78,7 +78,7 @@ OpenedRecording openOrSay(const std::string& file)
     ProgressLine progress("opening " + file);
     auto opened = openRecording(file, [&](double share) {
         progress.show(share);
-        return true;
+        return !interrupted();
     });
     if (!opened) {
         (void)fail(BadInput, opened.message());
@@ -94,7 +94,6 @@ int replayFile(const std::string& file, int threads, bool json)
     const auto recording = openOrSay(file).recording;
     if (!recording)
         return BadInput;
-    catchInterrupt();
     ProgressLine progress(file);
     const auto outcome = replay(*recording, threads, [&](double share) {
         progress.show(share);

@@ -8,8 +8,11 @@
 #include "base/hash_text.h"
 #include "bundle/bundle.h"
 #include "cli/commands.h"
+#include "cli/event_list.h"
+#include "cli/probe_names.h"
 #include "cli/replay.h"
 #include "cli/scene_input.h"
+#include "cli/targets.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
@@ -17,8 +20,8 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"
-#include "io/whole_file.h"
 #include "measure/diagnostics.h"
+#include "run/end_check.h"
 #include "run/pose.h"
 #include "run/recorder.h"
 #include "run/settle.h"
@@ -58,35 +61,11 @@ struct Options
     bool asksMore = false; // than what to fly, on how many threads, and how to print
 };
 
-// The events of a run that is not recorded; a recorder has its own.
-class EventList
-{
-public:
-    explicit EventList(Simulation& simulation)
-    {
-        simulation.keepInputs(&m_inputs);
-        m_watch.begin(simulation);
-    }
-
-    void look(const Simulation& simulation)
-    {
-        const auto events = m_watch.look(simulation, m_inputs);
-        m_events.insert(m_events.end(), events.begin(), events.end());
-        m_inputs.clear();
-    }
-
-    const std::vector<RunEvent>& all() const { return m_events; }
-
-private:
-    EventWatch m_watch;
-    std::vector<RunInput> m_inputs;
-    std::vector<RunEvent> m_events;
-};
-
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
 // s.
 double fly(Simulation& simulation, const Options& options, ControlPlayer& controls,
-           CsvWriter* table, Settler* settler, Recorder& recorder, EventList* events)
+           CsvWriter* table, Settler* settler, Recorder& recorder, GrowingRecording* file,
+           EventList* events)
 {
     const double end = options.seconds.value_or(SettleGoal().within);
     ProgressLine progress(options.scene.file);
@@ -97,7 +76,8 @@ double fly(Simulation& simulation, const Options& options, ControlPlayer& contro
     while (!hasReached(simulation.state().time, end, timeStep) && !interrupted()
            && !(settler && settler->isOver())) {
         controls.giveTo(simulation);
-        recorder.beforeStep(simulation);
+        if (recorder.beforeStep(simulation) && file)
+            file->follow(recorder.recording());
         if (!simulation.step())
             break;
         recorder.afterStep(simulation);
@@ -170,8 +150,9 @@ Json report(const Simulation& simulation, double wallSeconds)
     result["energies"] = {
         {"kinetic", energy.kinetic}, {"potential", energy.potential}, {"elastic", energy.elastic}};
     result["probes"] = Json::object();
-    for (std::size_t i = 0; i < frame->layout->probes.size(); ++i)
-        result["probes"][frame->layout->probes[i].name] = frame->probe[i];
+    const std::vector<std::string> names = distinctNames(frame->layout->probes);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        result["probes"][names[i]] = frame->probe[i];
     result["tears"] = Json::array();
     for (const Tear& tear : frame->tears)
         result["tears"].push_back(
@@ -183,6 +164,9 @@ Json report(const Simulation& simulation, double wallSeconds)
              {"energy", tear.energy},
              {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
     result["tear_report"] = tearSummary(*frame);
+    result["absurd"] = Json::array();
+    for (const Message& one : absurdities(simulation))
+        result["absurd"].push_back(one.english());
     result["stopped"] = simulation.trouble().has_value();
     if (simulation.trouble())
         result["message"] = simulation.trouble()->message.english();
@@ -259,9 +243,11 @@ void printTable(const Json& result, const Layout& layout)
                               + "; missed in " + percent(accuracy["missed"]) + " of the steps");
     row("energy", shortNumber(result["energy"]) + " J");
     row("hash", result["hash"].get<std::string>());
-    for (const Layout::Probe& probe : layout.probes) {
-        const double value = result["probes"][probe.name].get<double>();
-        row(probe.name, (std::isfinite(value) ? shortNumber(value) : "none") + " " + probe.unit);
+    const std::vector<std::string> names = distinctNames(layout.probes);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const double value = result["probes"][names[i]].get<double>();
+        row(names[i],
+            (std::isfinite(value) ? shortNumber(value) : "none") + " " + layout.probes[i].unit);
     }
 }
 
@@ -281,7 +267,13 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
             return fail(BadInput, opened.message());
         table = std::move(*opened);
     }
-    catchInterrupt();
+    std::optional<GrowingRecording> file;
+    if (!options.record.empty()) {
+        Result<GrowingRecording> opened = GrowingRecording::open(options.record);
+        if (!opened)
+            return fail(BadInput, opened.message());
+        file.emplace(std::move(*opened));
+    }
     ControlPlayer controls(std::move(track));
     StepTimes times;
     simulation.keepTimes(options.profile ? &times : nullptr);
@@ -296,7 +288,7 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
         events.emplace(simulation);
     const double wallSeconds =
         fly(simulation, options, controls, table ? &*table : nullptr, settler ? &*settler : nullptr,
-            recorder, events ? &*events : nullptr);
+            recorder, file ? &*file : nullptr, events ? &*events : nullptr);
     simulation.keepTimes(nullptr);
     simulation.keepInputs(nullptr);
 
@@ -312,10 +304,9 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     if (!options.finalScene.empty())
         written.push_back(
             saveScene(posed(std::move(scene), *simulation.frame()).scene, options.finalScene));
-    const std::shared_ptr<Recording> recording = recorder.recording();
     recorder.finish();
-    if (!options.record.empty())
-        written.push_back(saveRun(recording, options.record));
+    if (file)
+        written.push_back(file->finish());
 
     Json result = report(simulation, wallSeconds);
     if (settler)
@@ -333,6 +324,10 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
             return fail(BadInput, failure->message);
     if (simulation.trouble())
         return fail(Diverged, simulation.trouble()->message);
+    for (const Json& one : result["absurd"])
+        fail(Absurd, one.get<std::string>());
+    if (!result["absurd"].empty())
+        return Absurd;
     if (const Message complaint = simulation.frame()->accuracy.complaint(); !complaint.empty()) {
         fail(Inaccurate, complaint);
         if (options.strict)
@@ -381,11 +376,11 @@ int run(const Options& options)
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
-    for (const std::string& file :
-         {options.finalScene, options.tears, options.events, options.record})
-        if (!file.empty())
-            if (const auto failure = unwritable(file)) // better now than after an hour
-                return fail(BadInput, failure->message);
+    const FileNames targets{options.csv, options.finalScene, options.tears, options.events,
+                            options.record};
+    const FileNames inputs = inputsOf(*loaded.scene, options.scene.file, {options.controls});
+    if (const int code = refuseTargets(targets, inputs); code != Done) // better than after an hour
+        return code;
     ControlTrack track;
     if (!options.controls.empty()) {
         Result<ControlTrack> read = readControlTrack(options.controls, *loaded.scene);

@@ -6,6 +6,7 @@
 #include "terminal/terminal.h"
 
 #include <charconv>
+#include <filesystem>
 
 namespace ripstop {
 
@@ -60,6 +61,16 @@ std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assi
         (void)apply(scene, *edit);
     }
     return std::nullopt;
+}
+
+std::optional<Failure> saveReadable(const Scene& scene, const std::string& file)
+{
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (const Result<Scene> again = parseScene(sceneText(scene, folder), file); !again)
+        return Failure("%1 was not saved, because it could not be read again; correct what --set "
+                       "has changed. %2",
+                       file, again.message());
+    return saveScene(scene, file);
 }
 
 SceneOutcome loadScene(const SceneInput& input)

@@ -41,4 +41,8 @@ SceneOutcome loadScene(const SceneInput& input);
 // Applies the assignments in their order; a failure names the first that does not fit.
 std::optional<Failure> assign(Scene& scene, const std::vector<std::string>& assignments);
 
+// Saves what a command has made. What --set has made of it may be something that no file can say,
+// like a group of things that are not there; that is refused, and the file stays as it was.
+std::optional<Failure> saveReadable(const Scene& scene, const std::string& file);
+
 } // namespace ripstop

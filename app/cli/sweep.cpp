@@ -7,14 +7,17 @@
 // first run.
 #include "base/hash_text.h"
 #include "cli/commands.h"
+#include "cli/probe_names.h"
 #include "cli/scene_input.h"
 #include "cli/sweep_axes.h"
+#include "cli/targets.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
 #include "measure/diagnostics.h"
+#include "run/end_check.h"
 #include "run/simulation.h"
 #include "run/tear_report.h"
 #include "scene/path.h"
@@ -82,6 +85,7 @@ struct Row
     std::string hash;
     std::size_t torn = 0;
     std::string stopped;               // why it ended early; empty when it did not
+    std::string absurd;                // what its end cannot be; empty when it can
     std::vector<Layout::Probe> probes; // [probes]
     std::vector<Reading> readings;     // [probes]
 };
@@ -115,6 +119,9 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
     ControlPlayer controls(sweep.controls[order.scene]);
     const double timeStep = (*system)->timeStep;
     row.probes = simulation.sample().layout->probes;
+    const std::vector<std::string> names = distinctNames(row.probes);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        row.probes[i].name = names[i]; // each has columns of its own
     row.readings.resize(row.probes.size());
     const auto read = [&] {
         if (row.probes.empty())
@@ -139,6 +146,9 @@ std::optional<Row> fly(const Sweep& sweep, const Order& order)
     row.steps = simulation.state().step;
     row.hash = hashText(stateHash(simulation.state()));
     row.torn = tornElements(*simulation.frame());
+    if (row.stopped.empty())
+        for (const Message& one : absurdities(simulation))
+            row.absurd += (row.absurd.empty() ? "" : " ") + one.english();
     return row;
 }
 
@@ -199,7 +209,7 @@ std::string line(const Sweep& sweep, const Order& order, const Row& row,
         text += ',' + csvCell(value);
     appendCell(text, row.time);
     text += ',' + std::to_string(row.steps) + ',' + row.hash + ',' + std::to_string(row.torn) + ','
-            + csvCell(row.stopped);
+            + csvCell(row.stopped.empty() ? row.absurd : row.stopped);
     for (const Layout::Probe& probe : probes) {
         const auto found =
             std::ranges::find_if(row.probes, [&](const auto& p) { return isSame(p, probe); });
@@ -265,7 +275,8 @@ private:
                 return;
             m_rows[i] = std::move(row);
             m_progress.show(double(++m_done) / double(m_rows.size()));
-            if (Clock::now() - m_saved > std::chrono::seconds(1))
+            const bool isOld = Clock::now() - m_saved > std::chrono::seconds(1);
+            if (isOld && !isDevice(m_sweep.options.output)) // a pipe takes it once
                 save();
             m_ends = m_ends || m_failure;
         }
@@ -301,9 +312,6 @@ int prepare(const Options& options, Sweep& sweep)
             return fail(WrongUsage, axis.message());
         sweep.axes.push_back(std::move(*axis));
     }
-    if (!options.output.empty())
-        if (const auto failure = unwritable(options.output))
-            return fail(BadInput, failure->message);
     double runs = double(options.scenes.size());
     for (const SweepAxis& axis : sweep.axes)
         runs *= double(axis.values.size());
@@ -319,6 +327,9 @@ int prepare(const Options& options, Sweep& sweep)
                 if (auto edit = assignment(*loaded.scene, axis.path + "=" + value); !edit)
                     return fail(WrongUsage, Message("%1: --sweep %2=%3: %4", options.scenes[i],
                                                     axis.path, value, edit.message()));
+        const FileNames inputs = inputsOf(*loaded.scene, options.scenes[i], {options.controls});
+        if (const int code = refuseTargets({options.output}, inputs); code != Done)
+            return code;
         sweep.controls.emplace_back();
         if (!options.controls.empty()) {
             auto track = readControlTrack(options.controls, *loaded.scene);
@@ -343,8 +354,7 @@ int sweep(const Options& options)
     Sweep sweep{options, {}, {}, {}, {}};
     if (const int code = prepare(options, sweep); code != Done)
         return code;
-    catchInterrupt();
-    std::size_t done = 0, stopped = 0;
+    std::size_t done = 0, stopped = 0, absurd = 0;
     {
         Works works(sweep);
         const auto failure = works.run();
@@ -353,18 +363,21 @@ int sweep(const Options& options)
         for (const auto& row : works.rows()) {
             done += row.has_value();
             stopped += row && !row->stopped.empty();
+            absurd += row && !row->absurd.empty();
         }
         if (options.output.empty())
-            std::cout << table(sweep, works.rows()) << std::flush;
+            std::cout << table(sweep, works.rows());
     }
-    if (!std::cout)
-        return fail(BadInput, "The table could not be written to standard output.");
     if (done < sweep.orders.size())
         return fail(Interrupted,
                     "Interrupted; the table has " + countOf(done, sweep.orders.size()) + ".");
     if (stopped > 0)
         return fail(Diverged,
                     countOf(stopped, done) + " ended early: the column \"stopped\" says why.");
+    if (absurd > 0)
+        return fail(Absurd, countOf(absurd, done)
+                                + " ended in a state that no fabric can be in: the column "
+                                  "\"stopped\" says what.");
     return Done;
 }
 

@@ -103,7 +103,6 @@ void listCases(const std::vector<Case>& cases)
 template <typename Result, typename One>
 std::vector<Result> runAll(const std::vector<One>& all)
 {
-    catchInterrupt();
     std::vector<Result> results;
     ProgressLine progress("verifying");
     for (const One& one : all) {

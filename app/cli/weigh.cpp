@@ -42,7 +42,7 @@ int weigh(const WeighOptions& options)
                                     "set arealDensity or linearDensity of a material with --set.");
     const std::size_t count = std::get<SetValues>(edit.changes.front()).targets.size();
     (void)apply(scene, edit);
-    if (const auto failure = saveScene(scene, options.output))
+    if (const auto failure = saveReadable(scene, options.output))
         return fail(BadInput, failure->message);
     std::cout << count << " particles weighed: " << shortNumber(before) << " kg became "
               << shortNumber(massOf(scene)) << " kg\n";

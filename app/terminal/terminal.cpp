@@ -1,8 +1,10 @@
+// In order: signals, of which the handler notes the first; what is printed; and the line of progress.
 #include "terminal/terminal.h"
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <iostream>
 
 #include <unistd.h>
@@ -10,12 +12,35 @@
 namespace ripstop {
 namespace {
 
-volatile std::sig_atomic_t interruptions = 0;
+volatile std::sig_atomic_t signalSeen = 0; // its number
+timespec seenAt{};
 
-void onInterrupt(int)
+double since(const timespec& then)
 {
-    interruptions = 1;
-    std::signal(SIGINT, SIG_DFL);
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return double(now.tv_sec - then.tv_sec) + 1e-9 * double(now.tv_nsec - then.tv_nsec);
+}
+
+// Programs like timeout send a signal to the process and to its group, so that it comes twice at
+// once: only a person presses Ctrl-C again.
+void onSignal(int signal)
+{
+    constexpr double atOnce = 0.3; // s
+    if (signalSeen == 0) {
+        ::clock_gettime(CLOCK_MONOTONIC, &seenAt);
+        signalSeen = signal;
+    } else if (signal == SIGINT && since(seenAt) > atOnce) {
+        std::signal(SIGINT, SIG_DFL);
+        std::raise(SIGINT);
+    }
+}
+
+int withSignal(ExitCode code)
+{
+    if (code != Interrupted)
+        return code;
+    return Interrupted + (signalSeen != 0 ? int(signalSeen) : SIGINT);
 }
 
 } // namespace
@@ -23,14 +48,25 @@ void onInterrupt(int)
 int fail(ExitCode code, std::string_view message)
 {
     std::cerr << "ripstop-cli: " << message << '\n';
-    return code;
+    return withSignal(code);
 }
 
 int fail(ExitCode code, const Message& message) { return fail(code, message.english()); }
 
+// dump() writes control characters below a blank as \u001b; those that terminals know beyond it,
+// too, are two bytes.
 void print(const Json& object)
 {
-    std::cout << object.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::string text = object.dump(2, ' ', false, Json::error_handler_t::replace);
+    for (std::size_t i = text.find('\xc2'); i != std::string::npos; i = text.find('\xc2', i + 1)) {
+        const auto second = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0u;
+        if (second < 0x80 || second > 0x9f)
+            continue;
+        char escaped[8];
+        std::snprintf(escaped, sizeof escaped, "\\u%04x", second);
+        text.replace(i, 2, escaped);
+    }
+    std::cout << text << '\n';
 }
 
 std::string shortNumber(double number)
@@ -40,9 +76,22 @@ std::string shortNumber(double number)
     return text;
 }
 
-void catchInterrupt() { std::signal(SIGINT, onInterrupt); }
+void catchInterrupt()
+{
+    struct sigaction action
+    {};
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART; // files are written to their end
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before
+        {};
+        ::sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) // as nohup and shells ask for
+            ::sigaction(signal, &action, nullptr);
+    }
+}
 
-bool interrupted() { return interruptions != 0; }
+bool interrupted() { return signalSeen != 0; }
 
 ProgressLine::ProgressLine(std::string label)
     : m_label(std::move(label))

@@ -1,6 +1,7 @@
 // What every command of ripstop-cli shares: how it ends, what it prints, and how it is interrupted.
 // Results go to standard output; messages and progress go to standard error, so that results can be
-// piped. Long work calls catchInterrupt() first and asks interrupted() between its steps.
+// piped. main() calls catchInterrupt(), and long work asks interrupted() between its
+// steps.
 #pragma once
 
 #include "base/message.h"
@@ -20,14 +21,16 @@ enum ExitCode {
     WrongUsage = 2,
     Diverged = 3,
     Differs = 4,
-    Inaccurate = 5, // with --strict
-    Interrupted = 130
+    Inaccurate = 5,   // with --strict
+    OutputLost = 6,   // standard output is full or closed
+    Absurd = 7,       // the run ended in a state that no fabric can be in
+    Interrupted = 128 // and the number of the signal: 130 for Ctrl-C, 143 for SIGTERM
 };
 
 // Keys in the order in which they were added.
 using Json = nlohmann::ordered_json;
 
-// Prints the message on standard error and returns the code.
+// Prints the message on standard error and returns the code; Interrupted with its signal.
 int fail(ExitCode code, std::string_view message);
 int fail(ExitCode code, const Message& message);
 
@@ -37,7 +40,8 @@ void print(const Json& object);
 // "0.0123", "4.2e-05": six significant digits.
 std::string shortNumber(double number);
 
-// After this, Ctrl-C asks to finish early; a second one ends the program.
+// After this, Ctrl-C, SIGTERM and the end of the terminal ask to finish early. A second Ctrl-C, a
+// moment later, ends the program.
 void catchInterrupt();
 bool interrupted();
 

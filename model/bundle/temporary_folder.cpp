@@ -1,7 +1,7 @@
 #include "bundle/temporary_folder.h"
 
-#include <cerrno>
-#include <cstdlib>
+#include "base/new_file.h"
+
 #include <system_error>
 #include <utility>
 
@@ -11,15 +11,12 @@ namespace fs = std::filesystem;
 
 Result<TemporaryFolder> TemporaryFolder::make(const fs::path& begin)
 {
-    std::string name = begin.string() + ".XXXXXX";
-    if (!::mkdtemp(name.data()))
+    std::error_code error;
+    removeLeftovers(begin.has_parent_path() ? begin.parent_path() : fs::path("."));
+    const fs::path name = partBeside(begin);
+    if (!fs::create_directory(name, error))
         return Failure("No folder can be made beside %1: %2; make room or choose another folder.",
-                       begin.string(), std::generic_category().message(errno));
-    std::error_code ignored; // mkdtemp() makes it for its owner alone
-    fs::permissions(name,
-                    fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read
-                        | fs::perms::others_exec,
-                    fs::perm_options::add, ignored);
+                       begin.string(), error.message());
     TemporaryFolder folder;
     folder.m_path = name;
     return folder;

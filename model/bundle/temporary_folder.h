@@ -12,7 +12,7 @@ namespace ripstop {
 class TemporaryFolder
 {
 public:
-    // A new one whose path begins with `begin`.
+    // A new one beside `begin`, named as other things under way are (base/new_file.h).
     static Result<TemporaryFolder> make(const std::filesystem::path& begin);
 
     TemporaryFolder(TemporaryFolder&& other) noexcept;

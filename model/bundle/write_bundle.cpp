@@ -1,9 +1,11 @@
 // A bundle is flown or replayed into a folder beside the target: files of colliders are copied,
 // probes are written on the way, then scene, controls, recording, readme and last the manifest.
-// Only then is it zipped or renamed into its place.
+// Only then is it zipped and renamed into its place. What a killed process leaves is one folder
+// beside the target, which the next one removes.
 #include "bundle/bundle.h"
 
 #include "base/hash_text.h"
+#include "base/new_file.h"
 #include "bundle/manifest.h"
 #include "bundle/readme.h"
 #include "bundle/zip_file.h"
@@ -60,26 +62,25 @@ std::optional<Failure> whyNotThere(const fs::path& target)
     return Failure("%1 is a folder with other things in it; name a new one.", target.string());
 }
 
-// Puts the folder into its place. An older bundle goes when the new one is there.
-std::optional<Failure> place(const fs::path& folder, const fs::path& target)
+// Puts the folder into its place. An older bundle changes places with it in one go, so that there
+// is one of the two at any time, and goes with `away`.
+std::optional<Failure> place(const fs::path& folder, const fs::path& target, const fs::path& away)
 {
     std::error_code error;
-    std::optional<TemporaryFolder> old;
-    if (fs::exists(target, error)) {
-        auto made = TemporaryFolder::make(target);
-        if (!made)
-            return made.failure();
-        old = std::move(*made);
-        fs::rename(target, old->path(), error); // over an empty folder
+    if (!fs::exists(target, error))
+        fs::rename(folder, target, error);
+    else if (!swapped(folder, target)) { // not every file system can
+        fs::rename(target, away / "old", error);
+        if (!error)
+            fs::rename(folder, target, error);
+        std::error_code ignored;
+        if (error && !fs::exists(target, ignored))
+            fs::rename(away / "old", target, ignored);
     }
     if (!error)
-        fs::rename(folder, target, error);
-    if (!error)
         return std::nullopt;
-    const std::string why = error.message();
-    if (old && !fs::exists(target, error))
-        fs::rename(old->path(), target, error);
-    return Failure("%1 was not written: %2; choose another folder.", target.string(), why);
+    return Failure("%1 was not written: %2; choose another folder.", target.string(),
+                   error.message());
 }
 
 // Copies of the files that colliders name, so that the bundle needs nothing else.
@@ -281,7 +282,7 @@ public:
     }
 
 private:
-    const fs::path& folder() const { return m_folder->path(); }
+    fs::path folder() const { return m_folder->path() / "bundle"; }
 
     std::optional<Failure> open()
     {
@@ -291,6 +292,8 @@ private:
         if (!made)
             return made.failure();
         m_folder.emplace(std::move(*made));
+        std::error_code ignored; // writing into it says it
+        fs::create_directory(folder(), ignored);
         m_findings.emplace(folder());
         m_copies.emplace(folder());
         return std::nullopt;
@@ -310,13 +313,23 @@ private:
         if (auto failure = writeFiles(scene, recording, from))
             return {failure};
         const Progress packing = stageOf(m_progress, 0.9, 1.0);
-        if (auto failure = isZipName(m_target)
-                               ? zipFolder(folder(), m_target.stem().string(), m_target, packing)
-                               : place(folder(), m_target))
+        if (auto failure =
+                isZipName(m_target) ? zip(packing) : place(folder(), m_target, m_folder->path()))
             return {failure};
         if (m_progress)
             m_progress(1.0);
         return {m_stopped, m_stopped.has_value()};
+    }
+
+    std::optional<Failure> zip(const Progress& progress)
+    {
+        const fs::path packed = m_folder->path() / "bundle.zip"; // libzip writes a file beside it
+        if (auto failure = zipFolder(folder(), m_target.stem().string(), packed, progress))
+            return failure;
+        if (const auto why = takePlace(packed, m_target, Flush::ToDisk))
+            return Failure("%1 was not written: %2; choose another folder.", m_target.string(),
+                           *why);
+        return std::nullopt;
     }
 
     std::optional<Failure> writeFiles(const Scene& scene, const Recording& recording,

@@ -1,13 +1,14 @@
 // open(), write(), reserve() and scratch() note each file with a name of its own beside its target
-// (TARGET.N.part), so that the rename stays in one folder. makeFolder() notes new folders.
+// (base/new_file.h), so that the rename stays in one folder. makeFolder() notes new folders.
 //
 // commit() renames the files in the order in which they were opened and then forgets them and the
 // new folders; if a rename fails, those before it stay renamed. The destructor removes what is
 // still noted: scratch files, files that were not committed, and new folders if they are empty.
 #include "export/output_files.h"
 
-#include "io/whole_file.h"
+#include "base/new_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <ranges>
 #include <system_error>
@@ -21,8 +22,7 @@ namespace fs = std::filesystem;
 bool isTaken(const fs::path& target)
 {
     std::error_code error;
-    const fs::file_status status = fs::status(target, error);
-    return fs::exists(status) && !fs::is_regular_file(status);
+    return fs::is_directory(target, error) || isDevice(target);
 }
 
 Message reason()
@@ -58,10 +58,13 @@ OutputFiles::~OutputFiles()
         fs::remove(folder, ignored); // only when it is empty
 }
 
-fs::path OutputFiles::nameFor(const fs::path& target) const
+// Reading a folder takes time; once for a series is enough.
+void OutputFiles::tidy(const fs::path& folder)
 {
-    fs::path written = target;
-    return written.concat(".").concat(std::to_string(m_files.size())).concat(".part");
+    if (std::ranges::find(m_tidied, folder) != m_tidied.end())
+        return;
+    m_tidied.push_back(folder);
+    removeLeftovers(folder.empty() ? fs::path(".") : folder);
 }
 
 std::optional<Failure> OutputFiles::makeFolder(const fs::path& folder)
@@ -81,12 +84,15 @@ Result<std::ofstream> OutputFiles::open(const fs::path& target)
         return Failure("%1 is a folder or a device; name a file.", target.string());
     if (auto failure = unwritable(target))
         return *failure;
-    const fs::path written = nameFor(target);
+    tidy(target.parent_path());
+    const fs::path written = partBeside(target);
     errno = 0;
-    std::ofstream out(written, std::ios::binary | std::ios::trunc);
-    if (!out)
+    if (!makeEmpty(written))
         return notWritten(target, reason());
     m_files.push_back({written, target});
+    std::ofstream out(written, std::ios::binary);
+    if (!out)
+        return notWritten(target, reason());
     return out;
 }
 
@@ -101,32 +107,34 @@ std::optional<Failure> OutputFiles::write(const fs::path& target, std::string_vi
 
 fs::path OutputFiles::reserve(const fs::path& target)
 {
-    m_files.push_back({nameFor(target), target});
+    tidy(target.parent_path());
+    m_files.push_back({partBeside(target), target});
     return m_files.back().written;
 }
 
 Result<std::fstream> OutputFiles::scratch(const fs::path& besides)
 {
-    const fs::path written = nameFor(besides);
+    tidy(besides.parent_path());
+    const fs::path written = partBeside(besides);
     errno = 0;
-    std::fstream file(written, std::ios::binary | std::ios::in | std::ios::out | std::ios::trunc);
-    if (!file)
+    if (!makeEmpty(written))
         return notWritten(besides, reason());
     m_files.push_back({written, {}});
+    std::fstream file(written, std::ios::binary | std::ios::in | std::ios::out);
+    if (!file)
+        return notWritten(besides, reason());
     return file;
 }
 
 std::optional<Failure> OutputFiles::commit()
 {
-    std::error_code error;
     for (const File& file : m_files) {
         if (file.target.empty())
             continue;
         if (isTaken(file.target))
             return notWritten(file.target, Message("it is a folder or a device"));
-        fs::rename(file.written, file.target, error);
-        if (error)
-            return notWritten(file.target, Message::verbatim(error.message()));
+        if (const auto why = takePlace(file.written, file.target, Flush::Later))
+            return notWritten(file.target, *why);
     }
     std::erase_if(m_files, [](const File& file) { return !file.target.empty(); });
     m_newFolders.clear();

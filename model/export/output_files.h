@@ -14,7 +14,7 @@ namespace ripstop {
 
 // Files that come into their places together or not at all: they are written under other names
 // beside their targets, and renamed when all are whole. What was not committed is removed, with
-// the folders that were made for it.
+// the folders that were made for it; what a killed process left is removed (base/new_file.h).
 class OutputFiles
 {
 public:
@@ -45,9 +45,10 @@ private:
         std::filesystem::path target; // empty for scratch
     };
 
-    std::filesystem::path nameFor(const std::filesystem::path& target) const;
+    void tidy(const std::filesystem::path& folder);
 
     std::vector<File> m_files;
+    std::vector<std::filesystem::path> m_tidied; // folders that leftovers were removed from
     std::vector<std::filesystem::path> m_newFolders;
 };
 

@@ -8,15 +8,11 @@
 #include "base/hash_text.h"
 #include "io/json_text.h"
 
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 namespace ripstop {
 namespace {
-
-std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown error"; }
 
 std::string stateOf(const Frame& frame)
 {
@@ -98,27 +94,28 @@ std::string csvEnd(const Frame& last) { return "# end" + stateOf(last); }
 
 Result<CsvWriter> CsvWriter::open(const std::filesystem::path& file, const Frame& first)
 {
-    CsvWriter writer;
-    writer.m_file = file;
-    errno = 0;
-    writer.m_out.open(file, std::ios::binary | std::ios::trunc);
-    if (!writer.m_out)
-        return Failure("%1 cannot be written: %2; choose another folder.", file.string(), reason());
-    writer.m_out << csvHeader(first);
+    Result<NewFile> made = NewFile::open(file);
+    if (!made)
+        return made.failure();
+    CsvWriter writer(std::move(*made));
+    writer.m_file.out() << csvHeader(first) << std::flush;
     return writer;
 }
 
-void CsvWriter::add(const Frame& frame) { m_out << csvRow(frame); }
+void CsvWriter::add(const Frame& frame)
+{
+    constexpr std::chrono::milliseconds patience(250); // of who follows it
+    m_file.out() << csvRow(frame);
+    if (const auto now = Clock::now(); now - m_flushed > patience) {
+        m_flushed = now;
+        m_file.out().flush();
+    }
+}
 
 std::optional<Failure> CsvWriter::close(const Frame& last)
 {
-    errno = 0;
-    m_out << csvEnd(last);
-    m_out.close();
-    if (!m_out)
-        return Failure("%1 is not complete: %2; make room or choose another folder.",
-                       m_file.string(), reason());
-    return std::nullopt;
+    m_file.out() << csvEnd(last);
+    return m_file.commit();
 }
 
 } // namespace ripstop

@@ -2,15 +2,17 @@
 // thread; its failures say why the file could not be written.
 #pragma once
 
+#include "base/new_file.h"
 #include "base/result.h"
 #include "run/certificate.h"
 #include "run/frame.h"
 
+#include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace ripstop {
 
@@ -34,7 +36,8 @@ std::string csvHeader(const Frame& first, const Certificate* certificate = nullp
 std::string csvRow(const Frame& frame, const Certificate* certificate = nullptr);
 std::string csvEnd(const Frame& last); // a comment with the state it ended with
 
-// The same as a file that grows, so that a run that is broken off leaves what it has.
+// The same as a file. It grows under the name that files under way have (base/new_file.h), where it
+// can be followed, and comes into its place with its last row.
 class CsvWriter
 {
 public:
@@ -46,8 +49,14 @@ public:
     std::optional<Failure> close(const Frame& last);
 
 private:
-    std::filesystem::path m_file;
-    std::ofstream m_out;
+    using Clock = std::chrono::steady_clock;
+
+    explicit CsvWriter(NewFile file)
+        : m_file(std::move(file))
+    {}
+
+    NewFile m_file;
+    Clock::time_point m_flushed = Clock::now();
 };
 
 } // namespace ripstop

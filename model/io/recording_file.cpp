@@ -97,7 +97,7 @@ public:
         , m_out(out)
     {}
 
-    std::optional<Failure> write(const Progress& progress)
+    void writeStart()
     {
         m_out.write(firstLine.data(), std::streamsize(firstLine.size()));
         ripstop::write(m_out, BlockKind::About,
@@ -106,22 +106,36 @@ public:
         if (const auto certificate = m_recording.certificate())
             ripstop::write(m_out, BlockKind::Certificate,
                            packed(written(*certificate), Packing::Small));
+    }
+
+    std::optional<Failure> writeStretch(std::size_t number)
+    {
+        const StoredChunk chunk = m_recording.chunk(number);
+        writeDesigns(chunk);
+        const Result<std::string> bytes = m_recording.chunkBytes(number);
+        if (!bytes)
+            return bytes.failure();
+        const std::string head = packed(written(chunk), Packing::Small);
+        std::string content = written(std::uint64_t(head.size()));
+        content += head;
+        content += *bytes;
+        ripstop::write(m_out, BlockKind::Stretch, content);
+        return std::nullopt;
+    }
+
+    void writeEnd() { ripstop::write(m_out, BlockKind::End, {}); }
+
+    std::optional<Failure> write(const Progress& progress)
+    {
+        writeStart();
         const std::size_t count = m_recording.chunkCount();
         for (std::size_t i = 0; i < count && m_out; ++i) {
-            const StoredChunk chunk = m_recording.chunk(i);
-            writeDesigns(chunk);
-            const Result<std::string> bytes = m_recording.chunkBytes(i);
-            if (!bytes)
-                return bytes.failure();
-            const std::string head = packed(written(chunk), Packing::Small);
-            std::string content = written(std::uint64_t(head.size()));
-            content += head;
-            content += *bytes;
-            ripstop::write(m_out, BlockKind::Stretch, content);
+            if (auto failure = writeStretch(i))
+                return failure;
             if (!goesOn(progress, double(i + 1) / double(count)))
                 return Failure{"Cancelled."};
         }
-        ripstop::write(m_out, BlockKind::End, {});
+        writeEnd();
         return std::nullopt;
     }
 
@@ -321,6 +335,79 @@ std::optional<Failure> saveRecording(const Recording& recording, const fs::path&
     return replaceFile(file, WriteInto([&](std::ostream& out) {
                            return Writer(recording, file.parent_path(), out).write(progress);
                        }));
+}
+
+// --- growing -------------------------------------------------------------------------------------
+
+class GrowingRecording::Private
+{
+public:
+    Private(fs::path asked, NewFile made)
+        : target(std::move(asked))
+        , file(std::move(made))
+    {}
+    ~Private() { stop(); }
+
+    void stop()
+    {
+        if (recording)
+            recording->tellOfStretches({});
+    }
+
+    void add(std::size_t number)
+    {
+        if (!failure)
+            failure = writer->writeStretch(number);
+        file.out().flush(); // what is killed keeps what it has given to the system
+        next = number + 1;
+    }
+
+    fs::path target;
+    NewFile file;
+    std::shared_ptr<Recording> recording;
+    std::optional<Writer> writer;
+    std::size_t next = 0; // stretch
+    std::optional<Failure> failure;
+};
+
+GrowingRecording::GrowingRecording(std::unique_ptr<Private> made)
+    : d(std::move(made))
+{}
+GrowingRecording::GrowingRecording(GrowingRecording&&) noexcept = default;
+GrowingRecording::~GrowingRecording() = default;
+
+Result<GrowingRecording> GrowingRecording::open(const fs::path& file)
+{
+    Result<NewFile> made = NewFile::openToKeep(file);
+    if (!made)
+        return made.failure();
+    return GrowingRecording(std::make_unique<Private>(file, std::move(*made)));
+}
+
+void GrowingRecording::follow(std::shared_ptr<Recording> recording)
+{
+    d->recording = std::move(recording);
+    d->recording->setName(d->target.stem().string());
+    d->writer.emplace(*d->recording, d->target.parent_path(), d->file.out());
+    d->writer->writeStart();
+    d->recording->tellOfStretches([inside = d.get()](std::size_t number) { inside->add(number); });
+}
+
+std::optional<Failure> GrowingRecording::finish()
+{
+    if (!d->recording)
+        return Failure("%1 was not written: no step was made.", d->target.string());
+    d->stop();
+    for (std::size_t count = d->recording->chunkCount(); d->next < count && !d->failure;)
+        d->add(d->next);
+    if (d->failure)
+        return d->failure;
+    d->writer->writeEnd();
+    if (auto failure = d->file.commit())
+        return failure;
+    if (!d->recording->trouble().empty())
+        return Failure("%1: %2", d->target.string(), d->recording->trouble());
+    return std::nullopt;
 }
 
 Result<OpenedRecording> openRecording(const fs::path& file, const Progress& progress)

@@ -29,6 +29,30 @@ inline constexpr std::string_view recordingExtension = ".ripstop-run";
 std::optional<Failure> saveRecording(const Recording& recording, const std::filesystem::path& file,
                                      const Progress& progress = {});
 
+// A recording that is written while its run goes on, stretch by stretch, under the name of files
+// under way (base/new_file.h) that ends with .ripstop-run: a run that is killed leaves that, and it
+// opens up to its last whole stretch.
+class GrowingRecording
+{
+public:
+    static Result<GrowingRecording> open(const std::filesystem::path& file);
+
+    GrowingRecording(GrowingRecording&&) noexcept;
+    ~GrowingRecording();
+
+    // From its first step on, once.
+    void follow(std::shared_ptr<Recording> recording);
+
+    // When the run is over: writes the rest, and the file comes into its place.
+    std::optional<Failure> finish();
+
+private:
+    class Private;
+    explicit GrowingRecording(std::unique_ptr<Private> made);
+
+    std::unique_ptr<Private> d;
+};
+
 struct OpenedRecording
 {
     std::shared_ptr<Recording> recording;

@@ -1,12 +1,10 @@
 // A missing file is an empty one. Whatever is written is read before by the reader of the format,
-// so that no file is made that could not be read again; it is written beside its place and renamed,
-// so that a full disk or a crash leaves the old one.
+// so that no file is made that could not be read again.
 #include "materials/own_materials.h"
 
+#include "base/new_file.h"
 #include "materials/material_file.h"
 #include "materials/presets.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -46,25 +44,13 @@ bool isBuiltIn(const std::string& name)
 
 std::optional<Failure> write(const fs::path& file, const std::string& text)
 {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    const fs::path target = fs::is_symlink(file) ? fs::canonical(file, error) : file;
-    const fs::path beside = target.string() + "." + std::to_string(::getpid()) + ".part";
-    errno = 0;
-    std::ofstream out(beside, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) {
-        Failure failure("%1 cannot be written: %2.", file.string(), reason());
-        fs::remove(beside, error);
-        return failure;
-    }
-    fs::rename(beside, target, error);
-    if (!error)
-        return std::nullopt;
-    Failure failure("%1 cannot be written: %2.", file.string(), error.message());
-    fs::remove(beside, error);
-    return failure;
+    std::error_code ignored; // opening says it
+    fs::create_directories(file.parent_path(), ignored);
+    Result<NewFile> made = NewFile::open(file);
+    if (!made)
+        return made.failure();
+    made->out() << text;
+    return made->commit();
 }
 
 } // namespace

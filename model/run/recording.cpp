@@ -287,6 +287,7 @@ void Recording::startChunk(State start, int design)
     d->entries.push_back(
         {.firstStep = start.step, .design = design, .firstFrame = d->marks.size()});
     d->open = {std::make_shared<const State>(std::move(start)), {}, {}, {}};
+    d->wake.notify_all(); // the one before is complete
 }
 
 void Recording::addStep(std::int64_t step, std::uint64_t hash)
@@ -328,6 +329,7 @@ void Recording::finish()
         return;
     d->seal();
     d->open = {};
+    d->wake.notify_all();
 }
 
 // --- for files ----------------------------------------------------------------------------------
@@ -347,6 +349,14 @@ StoredChunk Recording::chunk(std::size_t number) const
 Result<std::string> Recording::chunkBytes(std::size_t number) const
 {
     return d->packedBytes(number);
+}
+
+void Recording::tellOfStretches(std::function<void(std::size_t)> told)
+{
+    std::unique_lock lock(d->mutex);
+    d->follower = std::move(told);
+    d->wake.notify_all();
+    d->wake.wait(lock, [this] { return d->follower || !d->isTelling; });
 }
 
 void Recording::addChunk(StoredChunk chunk, Fetch fetch, std::size_t bytes)

@@ -123,6 +123,9 @@ public:
     std::size_t chunkCount() const;
     StoredChunk chunk(std::size_t number) const;              // what is known without unpacking
     Result<std::string> chunkBytes(std::size_t number) const; // packed
+    // Calls `told` with the number of each stretch as soon as no more comes to it, in their order,
+    // on the recording's own thread. Nothing in its place ends that, when the last call is over.
+    void tellOfStretches(std::function<void(std::size_t)> told);
     // A stretch whose packed bytes can be read at any time.
     using Fetch = std::function<Result<std::string>()>;
     void addChunk(StoredChunk chunk, Fetch fetch, std::size_t bytes);

@@ -1,6 +1,6 @@
 // The life of a stretch, in order: it is sealed when the next begins, packed by the recording's own
-// thread, and moved to a temporary file when memory is over its bound. Packing and writing are done
-// without the lock, so that a step does not wait for them.
+// thread, told to who follows, and moved to a temporary file when memory is over its bound. Packing
+// and writing are done without the lock, so that a step does not wait for them.
 //
 // Then reading: the stretch of a frame or a step is found, unpacked and shown by a simulation.
 #include "run/recording_data.h"
@@ -72,6 +72,8 @@ void Recording::Private::tidy(const std::stop_token& stop)
     while (wake.wait(lock, stop, [this] { return hasWork(); })) {
         if (waiting > 0)
             packOne(lock);
+        else if (hasNews())
+            tellOne(lock);
         else
             spillOne(lock);
         wake.notify_all();
@@ -97,6 +99,24 @@ void Recording::Private::packOne(Lock& lock)
     size.memory += entry.bytes;
     if (--waiting == 0 && over)
         m_desk.reset();
+}
+
+// The last stretch may still get hashes and inputs.
+bool Recording::Private::hasNews() const
+{
+    return follower && told < entries.size() && entries[told].sealed
+           && (told + 1 < entries.size() || over);
+}
+
+void Recording::Private::tellOne(Lock& lock)
+{
+    const auto tell = follower;
+    const std::size_t number = told++;
+    isTelling = true;
+    lock.unlock();
+    tell(number);
+    lock.lock();
+    isTelling = false;
 }
 
 void Recording::Private::spillOne(Lock& lock)

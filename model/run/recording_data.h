@@ -50,7 +50,8 @@ public:
 
     // Under `mutex`:
     void seal();
-    bool hasWork() const { return waiting > 0 || (isOverBound() && oldestInMemory()); }
+    bool hasWork() const { return waiting > 0 || hasNews() || (isOverBound() && oldestInMemory()); }
+    bool hasNews() const; // for who follows the stretches
     bool isOverBound() const { return trouble.empty() && size.memory > memory; }
     std::optional<std::size_t> oldestInMemory() const;
     StoredChunk stored(std::size_t entry) const;
@@ -86,6 +87,9 @@ public:
     Message trouble;
     bool over = false;
     Size size;
+    std::function<void(std::size_t)> follower;
+    std::size_t told = 0; // entries that the follower knows
+    bool isTelling = false;
 
     std::mutex readMutex; // guards what reading keeps; taken before `mutex`
     struct Unpacked
@@ -103,6 +107,7 @@ private:
     void tidy(const std::stop_token& stop);
     void packOne(std::unique_lock<std::mutex>& lock);
     void spillOne(std::unique_lock<std::mutex>& lock);
+    void tellOne(std::unique_lock<std::mutex>& lock);
 
     std::shared_ptr<SpillFile> m_spill = std::make_shared<SpillFile>();
     struct Desk

@@ -1,0 +1,496 @@
+// Files that appear whole or not at all (base/new_file.h), and standard output as a file that can
+// fail.
+//
+// In order: names of files under way and what becomes of those that dead processes left; targets
+// that a command reads; standard output that is full or closed; signals; recordings of killed runs;
+// ends that no fabric can be in.
+#include "base/new_file.h"
+#include "io/recording_file.h"
+#include "model/cli_call.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+
+#include <csignal>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace ripstop;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+QStringList namesIn(const QString& folder)
+{
+    return QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+// The number of a process that has ended.
+pid_t deadProcess()
+{
+    const pid_t child = ::fork();
+    if (child == 0)
+        ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    return child;
+}
+
+// A name that a process would have given to a file under way.
+QString partOf(const QString& target, pid_t process)
+{
+    const std::string own = std::to_string(::getpid());
+    std::string name = partBeside(target.toStdString()).string();
+    return QString::fromStdString(
+        name.replace(name.rfind("." + own + "-") + 1, own.size(), std::to_string(process)));
+}
+
+// Runs a command of the shell in which $CLI is the program.
+Outcome shell(const QString& command)
+{
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("CLI", CLI_PROGRAM);
+    process.setProcessEnvironment(environment);
+    process.start("bash", {"-c", command});
+    if (!process.waitForFinished(120000))
+        return {-1, {}, process.errorString()};
+    return {process.exitCode(), process.readAllStandardOutput(),
+            QString(process.readAllStandardError())};
+}
+
+// A rope that flies for longer than anyone waits.
+struct EndlessRun
+{
+    QTemporaryDir folder;
+    QProcess process;
+
+    QString path(const char* name) const { return folder.filePath(name); }
+
+    // Whether there is a file under way that has grown beyond `size`, after a while.
+    bool start(const QStringList& more, qint64 size)
+    {
+        process.setWorkingDirectory(folder.path());
+        process.start(CLI_PROGRAM,
+                      QStringList{"run", scene("rope"), "--seconds", "1e8", "--threads", "1"}
+                          + more);
+        return QTest::qWaitFor(
+            [&] {
+                for (const QFileInfo& file : QDir(folder.path()).entryInfoList(QDir::Files))
+                    if (file.size() > size)
+                        return true;
+                return false;
+            },
+            60000);
+    }
+
+    int end(int signal)
+    {
+        ::kill(pid_t(process.processId()), signal);
+        return process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit
+                   ? process.exitCode()
+                   : -signal;
+    }
+};
+
+} // namespace
+
+class TestWholeFiles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void comesIntoItsPlaceWhole()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("table.csv");
+        write(path, "old");
+        {
+            Result<NewFile> file = NewFile::open(path.toStdString());
+            QVERIFY(bool(file));
+            file->out() << "new" << std::flush;
+            QCOMPARE(contentOf(path), QByteArray("old"));
+            QCOMPARE(contentOf(QString::fromStdString(file->written().string())),
+                     QByteArray("new"));
+        }
+        QCOMPARE(contentOf(path), QByteArray("old")); // it was not committed
+        QCOMPARE(namesIn(folder.path()), QStringList{"table.csv"});
+        Result<NewFile> file = NewFile::open(path.toStdString());
+        file->out() << "new";
+        QVERIFY(!file->commit());
+        QCOMPARE(contentOf(path), QByteArray("new"));
+        QCOMPARE(namesIn(folder.path()), QStringList{"table.csv"});
+    }
+
+    void writersOfOneTargetDoNotMeet()
+    {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("table.csv").toStdString();
+        Result<NewFile> a = NewFile::open(path), b = NewFile::open(path);
+        QVERIFY(a->written() != b->written());
+        a->out() << "a";
+        b->out() << "b";
+        QVERIFY(!a->commit());
+        QCOMPARE(contentOf(QString::fromStdString(path)), QByteArray("a"));
+        QVERIFY(!b->commit());
+        QCOMPARE(contentOf(QString::fromStdString(path)), QByteArray("b"));
+    }
+
+    void takesAwayWhatDeadProcessesLeft()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("table.csv");
+        const QString ofDead = partOf(path, deadProcess());
+        const QString folderOfDead = partOf(folder.filePath("bundle"), deadProcess());
+        const QString ofLiving = partOf(path, ::getppid());
+        QString ofAnotherMachine = ofDead;
+        ofAnotherMachine.replace(ofDead.size() - QString(".part").size() - 8, 8, "00000000");
+        const QString like = folder.filePath("my.1-2.part");
+        for (const QString& file : {ofDead, ofLiving, ofAnotherMachine, like})
+            write(file, "half");
+        QVERIFY(QDir().mkpath(folderOfDead + "/inside"));
+        QVERIFY(!NewFile::open(path.toStdString())->commit());
+        for (const QString& file : {path, ofLiving, ofAnotherMachine, like})
+            QVERIFY2(QFile::exists(file), qPrintable(file));
+        QVERIFY(!QFile::exists(ofDead));
+        QVERIFY(!QFile::exists(folderOfDead));
+    }
+
+    void longNamesFit()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QString(250, 'k') + ".csv");
+        Result<NewFile> file = NewFile::open(path.toStdString());
+        QVERIFY(bool(file));
+        QVERIFY(!file->commit());
+        QVERIFY(QFile::exists(path));
+    }
+
+    // --- targets that are read -----------------------------------------------------------------
+
+    void refusesToDestroyWhatItReads_data()
+    {
+        QTest::addColumn<QStringList>("arguments"); // S is the scene, C its controls, M a mesh
+        const QStringList run{"run", "S", "--seconds", "0.1"};
+        for (const char* option : {"--csv", "--tears", "--events", "--record", "--final"})
+            QTest::newRow(option) << run + QStringList{option, "S"};
+        QTest::newRow("by a link") << run + QStringList{"--csv", "L"};
+        QTest::newRow("controls") << run + QStringList{"--controls", "C", "--events", "C"};
+        QTest::newRow("file of a collider") << run + QStringList{"--csv", "M"};
+        QTest::newRow("sweep") << QStringList{"sweep", "S", "--seconds", "0.1", "-o", "S"};
+        QTest::newRow("certify") << QStringList{"certify", "S", "--seconds", "0.1", "--csv", "S"};
+        QTest::newRow("import") << QStringList{"import", "M", "-o", "M"};
+        QTest::newRow("export") << QStringList{"export", "M.obj", "-o", "M.obj"};
+        QTest::newRow("bundle") << QStringList{"bundle", "S.zip", "-o", "S.zip"};
+    }
+
+    void refusesToDestroyWhatItReads()
+    {
+        QFETCH(QStringList, arguments);
+        const QTemporaryDir folder;
+        const QString design = folder.filePath("S"), mesh = folder.filePath("M");
+        QByteArray text = contentOf(scene("sheet_on_boxes"));
+        text.replace("\"shape\": \"box\"", "\"shape\": \"mesh\",\n   \"file\": \"M\"");
+        write(design, text);
+        write(folder.filePath("C"), "time (s),control,value (m)\n");
+        for (const char* name : {"M", "M.obj", "S.zip"})
+            write(folder.filePath(name), "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+        QVERIFY(QFile::link(design, folder.filePath("L")));
+        QMap<QString, QByteArray> before;
+        for (const QString& name : namesIn(folder.path()))
+            before[name] = contentOf(folder.filePath(name));
+        for (QString& argument : arguments)
+            if (before.contains(argument))
+                argument = folder.filePath(argument);
+
+        const Outcome outcome = call(arguments);
+        QVERIFY2(outcome.error.contains("is read by this command"), qPrintable(outcome.error));
+        QCOMPARE(outcome.exitCode, 2);
+        for (const QString& name : namesIn(folder.path()))
+            QCOMPARE(contentOf(folder.filePath(name)), before[name]);
+    }
+
+    void refusesOneFileForTwo()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.csv");
+        const Outcome outcome =
+            call({"run", scene("rope"), "--seconds", "0.1", "--csv", path, "--events", path});
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.error.contains("written twice"), qPrintable(outcome.error));
+        QCOMPARE(namesIn(folder.path()), QStringList());
+    }
+
+    // --- standard output -----------------------------------------------------------------------
+
+    void saysThatOutputIsLost_data()
+    {
+        QTest::addColumn<QString>("command");
+        const QString rope = scene("rope");
+        for (const QString& command :
+             {QString("run %1 --seconds 0.1 --json"), QString("run %1 --seconds 0.1"),
+              QString("info %1"), QString("info %1 --json"), QString("properties"),
+              QString("properties --json"), QString("builders"), QString("builders rope"),
+              QString("presets"), QString("presets --manual"), QString("builders --json"),
+              QString("verify --list"), QString("sweep %1 --seconds 0.1"),
+              QString("certify %1 --seconds 0.1"), QString("--help"), QString("run --help")})
+            QTest::newRow(qPrintable(command)) << QString(command).replace("%1", rope);
+    }
+
+    void saysThatOutputIsLost()
+    {
+        QFETCH(QString, command);
+        const Outcome full = shell("$CLI " + command + " > /dev/full");
+        QVERIFY2(full.error.contains("No space left"), qPrintable(full.error));
+        QCOMPARE(full.exitCode, 6);
+        const Outcome closed = shell("$CLI " + command + " >&-");
+        QVERIFY2(closed.error.contains("Standard output"), qPrintable(closed.error));
+        QCOMPARE(closed.exitCode, 6);
+        // the reader is gone before anything is written
+        const Outcome gone =
+            shell("{ sleep 0.2; $CLI " + command + "; } | true; exit ${PIPESTATUS[0]}");
+        QCOMPARE(gone.exitCode, 6);
+    }
+
+    void aTableGoesThroughAPipe()
+    {
+        const Outcome outcome =
+            shell("$CLI run " + scene("rope") + " --seconds 0.1 --csv /dev/stdout --json | cat");
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY(outcome.out.startsWith("# Ripstop"));
+        const qsizetype end = outcome.out.indexOf("\n# end;"), json = outcome.out.indexOf("\n{");
+        QVERIFY(end > 0 && json > end);
+    }
+
+    // The shell has opened the file already, and goes on with it.
+    void aTableGoesWhereStandardOutputGoes()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("all.txt");
+        const Outcome outcome =
+            shell("$CLI run " + scene("rope") + " --seconds 0.1 --csv /dev/stdout > " + path);
+        QCOMPARE(outcome.exitCode, 0);
+        const QByteArray text = contentOf(path);
+        QVERIFY(text.startsWith("# Ripstop"));
+        QVERIFY(text.indexOf("hash ") > text.indexOf("\n# end;"));
+        QCOMPARE(namesIn(folder.path()), QStringList{"all.txt"});
+    }
+
+    void probesOfOneNameAreTwo()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.ripstop.json");
+        QByteArray text = contentOf(scene("delta_kite"));
+        const QRegularExpression name("(\"type\": \"probe\",[^{}]*?\"name\": )\"[^\"]*\"");
+        write(path, QString(text).replace(name, "\\1\"height\"").toUtf8());
+        const qsizetype count = QString(text).count(name);
+        QVERIFY(count >= 2);
+        const Outcome outcome = call({"run", path, "--seconds", "0.1", "--json"});
+        const QJsonObject probes = outcome.json()["probes"].toObject();
+        QCOMPARE(probes.size(), count);
+        QVERIFY(probes.contains("height") && probes.contains("height (2)"));
+    }
+
+    // What a title does to a terminal is shown, not done.
+    void escapesAreShown()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.ripstop.json");
+        const Outcome built =
+            call({"build", "rope", "--set", "settings.title=\x1b]0;mine\x07 r\u00e9seau \u009b2J",
+                  "-o", path});
+        QVERIFY2(built.exitCode == 0, qPrintable(built.error));
+        const Outcome told = call({"info", path});
+        QVERIFY2(told.out.contains("\\x1b]0;mine\\x07 r\u00e9seau \\x9b2J"), told.out);
+        QVERIFY(!told.out.contains('\x1b'));
+        QCOMPARE(call({"info", path, "--json"}).json()["title"].toString(),
+                 QString("\x1b]0;mine\x07 r\u00e9seau \u009b2J"));
+    }
+
+    // --- signals -------------------------------------------------------------------------------
+
+    void endsInOrder_data()
+    {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("SIGTERM") << SIGTERM;
+        QTest::newRow("SIGINT") << SIGINT;
+        QTest::newRow("SIGHUP") << SIGHUP;
+    }
+
+    void endsInOrder()
+    {
+        QFETCH(int, signal);
+        EndlessRun run;
+        QVERIFY(run.start({"--csv", "a.csv", "--record", "a.ripstop-run", "--json"}, 100000));
+        QVERIFY(!QFile::exists(run.path("a.csv")));
+        QCOMPARE(run.end(signal), 128 + signal);
+        QCOMPARE(namesIn(run.folder.path()), QStringList({"a.csv", "a.ripstop-run"}));
+        const QByteArray table = contentOf(run.path("a.csv"));
+        QVERIFY(table.contains("\n# end; state at ") && table.endsWith('\n'));
+        const auto recording = openRecording(run.path("a.ripstop-run").toStdString());
+        QVERIFY(bool(recording));
+        QVERIFY(recording->damage.empty());
+        const QJsonObject said =
+            QJsonDocument::fromJson(run.process.readAllStandardOutput()).object();
+        QVERIFY(said["interrupted"].toBool());
+        const std::int64_t steps = recording->recording->lastStep();
+        QCOMPARE(double(steps), said["steps"].toDouble());
+    }
+
+    // timeout sends its signal twice at once; only a person presses Ctrl-C again.
+    void aSignalThatComesTwiceIsOne()
+    {
+        EndlessRun run;
+        QVERIFY(run.start({"--csv", "a.csv"}, 5000));
+        ::kill(pid_t(run.process.processId()), SIGINT);
+        QCOMPARE(run.end(SIGINT), 130);
+        QCOMPARE(namesIn(run.folder.path()), QStringList{"a.csv"});
+    }
+
+    void anExportThatIsEndedLeavesNothing()
+    {
+        const QTemporaryDir folder;
+        QProcess process;
+        process.setWorkingDirectory(folder.path());
+        process.start(CLI_PROGRAM, {"export", scene("rope"), "-o", "a.pvd", "--to", "100000"});
+        QVERIFY(QTest::qWaitFor([&] { return !namesIn(folder.filePath("a")).isEmpty(); }, 60000));
+        ::kill(pid_t(process.processId()), SIGTERM);
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitCode(), 143);
+        QCOMPARE(namesIn(folder.path()), QStringList());
+    }
+
+    // --- recordings that grow --------------------------------------------------------------------
+
+    void aKilledRunLeavesItsRecording()
+    {
+        EndlessRun run;
+        QVERIFY(run.start({"--record", "a.ripstop-run"}, 300000));
+        QCOMPARE(run.end(SIGKILL), -SIGKILL);
+        const QStringList left = namesIn(run.folder.path());
+        QCOMPARE(left.size(), 1);
+        QVERIFY2(left.first().startsWith("a.ripstop-run.")
+                     && left.first().endsWith(".part.ripstop-run"),
+                 qPrintable(left.first()));
+        const Outcome replayed = call({"run", "--replay", run.path(qPrintable(left.first()))});
+        QVERIFY2(replayed.error.contains("is cut off after")
+                     && replayed.out.contains("the same bits in every step"),
+                 qPrintable(replayed.error));
+
+        // it stays until a whole one has come
+        const QStringList again{"run", scene("rope"), "--seconds",
+                                "0.1", "--record",    run.path("a.ripstop-run")};
+        QCOMPARE(call(again + QStringList{"--csv", "/nowhere/a.csv"}).exitCode, 1);
+        QCOMPARE(namesIn(run.folder.path()), left);
+        QCOMPARE(call(again).exitCode, 0);
+        QCOMPARE(namesIn(run.folder.path()), QStringList{"a.ripstop-run"});
+    }
+
+    // The same bytes as when all is saved at the end, but for what is said about it.
+    void whatGrowsIsWhatIsSaved()
+    {
+        const QTemporaryDir folder;
+        const std::string grown = folder.filePath("a.ripstop-run").toStdString();
+        QCOMPARE(call({"run", scene("split_sheet"), "--seconds", "2", "--record",
+                       folder.filePath("a.ripstop-run")})
+                     .exitCode,
+                 0);
+        const auto opened = openRecording(grown);
+        QVERIFY(bool(opened));
+        QVERIFY(opened->recording->chunkCount() > 2);
+        const std::string saved = folder.filePath("b.ripstop-run").toStdString();
+        QVERIFY(!saveRecording(*opened->recording, saved));
+        QCOMPARE(contentOf(QString::fromStdString(grown)),
+                 contentOf(QString::fromStdString(saved)));
+    }
+
+    // --- ends that cannot be ---------------------------------------------------------------------
+
+    void absurdEndsAreNamed_data()
+    {
+        QTest::addColumn<QByteArray>("item"); // to be added to a pendulum of 1 m
+        QTest::addColumn<QStringList>("settings");
+        QTest::addColumn<QString>("fragment");
+        // 100 m from its pin, to which a rod of 1 m ties it: a strain of 99, where rubber breaks at
+        // 10
+        QTest::newRow("inside of a sphere")
+            << QByteArray("{\"type\": \"collider\", \"id\": 40, \"name\": \"ball\", \"shape\": "
+                          "\"sphere\", \"position\": [0, 1, 0], \"radius\": 100},")
+            << QStringList() << "The strain of link 5";
+        // farther than the earth is thick
+        QTest::newRow("in space") << QByteArray()
+                                  << QStringList{"--set", "#3.position=2e7, 1, 0", "--set",
+                                                 "#4.position=2e7, 0, 0"}
+                                  << "away from the origin";
+        // the height of 1e305 kg has an energy of 1e306 J a metre, and doubles end at 1.8e308
+        QTest::newRow("energies") << QByteArray() << QStringList{"--set", "#4.mass=1e308"}
+                                  << "energies are not finite";
+    }
+
+    void absurdEndsAreNamed()
+    {
+        QFETCH(QByteArray, item);
+        QFETCH(QStringList, settings);
+        QFETCH(QString, fragment);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.ripstop.json");
+        QByteArray text = contentOf(scene("pendulum"));
+        text.replace("\"nextId\": 14", "\"nextId\": 50")
+            .replace("\"items\": [", "\"items\": [" + item);
+        write(path, text);
+        const Outcome run = call(QStringList{"run", path, "--seconds", "0.1", "--json"} + settings);
+        QVERIFY2(run.error.contains(fragment), qPrintable(run.error));
+        QCOMPARE(run.exitCode, 7);
+        QVERIFY(run.json()["absurd"].toArray().at(0).toString().contains(fragment));
+        const Outcome sweep = call(QStringList{"sweep", path, "--seconds", "0.1"} + settings);
+        QCOMPARE(sweep.exitCode, 7);
+        QVERIFY2(sweep.out.contains(fragment.toUtf8()), sweep.out);
+    }
+
+    void usualEndsAreNot()
+    {
+        const Outcome run = call({"run", scene("pendulum"), "--seconds", "0.1", "--json"});
+        QCOMPARE(run.exitCode, 0);
+        QCOMPARE(run.json()["absurd"].toArray().size(), 0);
+    }
+
+    // --- what is built -------------------------------------------------------------------------
+
+    void refusesToBuildWhatItCannotRead_data()
+    {
+        QTest::addColumn<QString>("builder");
+        QTest::addColumn<QString>("setting");
+        QTest::newRow("a rod from a collider") << "rope"
+                                               << "rope.links.from=1";
+        QTest::newRow("a hand on the wind") << "delta_kite"
+                                            << "hand.targets=1,2,3";
+    }
+
+    void refusesToBuildWhatItCannotRead()
+    {
+        QFETCH(QString, builder);
+        QFETCH(QString, setting);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.ripstop.json");
+        const Outcome built = call({"build", builder, "--set", setting, "-o", path});
+        QCOMPARE(built.exitCode, 1);
+        QVERIFY2(built.error.contains("could not be read again"), qPrintable(built.error));
+        QCOMPARE(namesIn(folder.path()), QStringList());
+    }
+
+    void warnsOfWhatChangesNothing()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.ripstop.json");
+        const Outcome idle = call({"build", "parachute", "mouth=0.1", "-o", path});
+        QCOMPARE(idle.exitCode, 0);
+        QVERIFY2(idle.error.contains("warning: mouth changes nothing"), qPrintable(idle.error));
+        const Outcome busy = call({"build", "parachute", "mouth=0.1", "pressure=1.68", "-o", path});
+        QCOMPARE(busy.exitCode, 0);
+        QCOMPARE(busy.error, QString());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWholeFiles)
+#include "test_whole_files.moc"
