@@ -13,6 +13,7 @@
 #include "document/rescue.h"
 #include "document/selection.h"
 #include "document/words.h"
+#include "editor/end_signals.h"
 #include "editor/main_window.h"
 #include "editor/options.h"
 #include "editor/screenshot.h"
@@ -137,6 +138,10 @@ int main(int argc, char** argv)
     selection.set(*selected);
     window.show();
 
+    const EndSignals ends([&](int signal) {
+        window.keptWork().leave();
+        QApplication::exit(128 + signal);
+    });
     std::optional<Screenshot> screenshot;
     if (!stays)
         screenshot.emplace(*options, itemCalled(options->fit, document.scene()), window, player);

@@ -20,20 +20,25 @@ KeptWork::KeptWork(Document& document, Player& player, Files& files, QWidget& wi
 
 void KeptWork::keepIn(const QString& folder)
 {
-    auto* autosave =
-        new Autosave(m_document, m_player.follower(), folder, Autosave::usualDelay, this);
-    connect(autosave, &Autosave::failed, this, &KeptWork::failed);
+    m_autosave = new Autosave(m_document, m_player.follower(), folder, Autosave::usualDelay, this);
+    connect(m_autosave, &Autosave::failed, this, &KeptWork::failed);
     const QList<Rescue> found = leftBehind(folder);
     if (found.isEmpty())
         return;
     RescueDialog dialog(found, &m_window);
     if (dialog.exec() != QDialog::Accepted || !m_files.mayDiscard())
         return;
-    if (const auto failure = autosave->recover(*dialog.chosen()))
+    if (const auto failure = m_autosave->recover(*dialog.chosen()))
         QMessageBox::warning(&m_window, tr("Cannot open what was left behind"),
                              translated(failure->message));
     else
         emit opened();
+}
+
+void KeptWork::leave()
+{
+    if (m_autosave)
+        m_autosave->leave();
 }
 
 } // namespace ripstop

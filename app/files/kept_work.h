@@ -11,6 +11,7 @@ class QWidget;
 
 namespace ripstop {
 
+class Autosave;
 class Document;
 class Files;
 class Player;
@@ -25,11 +26,15 @@ public:
     // Keeps copies in that folder, and asks about those that were left behind there.
     void keepIn(const QString& folder);
 
+    // Keeps it at once for the next program, because this one was told to end.
+    void leave();
+
 signals:
     void opened();                   // what was left behind is there to be looked at
     void failed(const QString& why); // a copy could not be written
 
 private:
+    Autosave* m_autosave = nullptr; // of ours, once work is kept
     Document& m_document;
     Player& m_player;
     Files& m_files;

@@ -809,11 +809,6 @@
         <translation>Coller</translation>
     </message>
     <message>
-        <location filename="csv.cpp"/>
-        <source>%1 is not complete: %2; make room or choose another folder.</source>
-        <translation>%1 n’est pas complet : %2 ; faire de la place ou choisir un autre dossier.</translation>
-    </message>
-    <message>
         <location filename="curve_figure.cpp"/>
         <source>The scene has no probes, so there is nothing to draw in %1; add a probe first.</source>
         <translation>La scène n’a pas de sondes, il n’y a donc rien à tracer dans %1 ; ajouter d’abord une sonde.</translation>
@@ -1742,6 +1737,26 @@ Draw, Links draws one particle after the other (D).</source>
 Insertion amène un cerf-volant, un deltaplane, un parachute ou une toile.
 Fichier, Importer fait du tissu d’un maillage (Ctrl+Maj+I).
 Dessin, Liaisons dessine une particule après l’autre (D).</translation>
+    </message>
+    <message>
+        <location filename="end_check.cpp"/>
+        <source>Particle %1 is %2 m away from the origin at the end, farther than %3 m, where weight would be another one: look for what drives it away.</source>
+        <translation>La particule %1 est à %2 m de l’origine à la fin, plus loin que %3 m, où la pesanteur serait une autre : chercher ce qui l’éloigne.</translation>
+    </message>
+    <message>
+        <location filename="end_check.cpp"/>
+        <source>The energies are not finite at the end: look for stiffnesses and masses that are far too large.</source>
+        <translation>Les énergies ne sont pas finies à la fin : chercher des raideurs et des masses bien trop grandes.</translation>
+    </message>
+    <message>
+        <location filename="end_check.cpp"/>
+        <source>The largest strain of a panel is %1 at the end, and no material bears %2: look for what pulls it out of its place.</source>
+        <translation>La plus grande déformation d’un panneau est de %1 à la fin, et aucun matériau ne supporte %2 : chercher ce qui l’arrache de sa place.</translation>
+    </message>
+    <message>
+        <location filename="end_check.cpp"/>
+        <source>The strain of link %1 is %2 at the end, and no material bears %3: look for what pulls it out of its place, like a collider that it is in.</source>
+        <translation>La déformation de la liaison %1 est de %2 à la fin, et aucun matériau ne supporte %3 : chercher ce qui l’arrache de sa place, comme un obstacle dans lequel il se trouve.</translation>
     </message>
     <message>
         <location filename="event_words.cpp"/>
@@ -4618,6 +4633,24 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="neighbours.cpp"/>
         <source>The library has nothing stiffer than %1 that is known as well.</source>
         <translation>La bibliothèque n’a rien de plus raide que %1 qui soit aussi bien connu.</translation>
+        <location filename="new_file.cpp"/>
+        <source>%1 cannot be written: %2; choose another folder.</source>
+        <translation>%1 ne peut pas être écrit : %2 ; choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <location filename="new_file.cpp"/>
+        <source>%1 cannot be written: there is no folder %2; make it or choose another.</source>
+        <translation>%1 ne peut pas être écrit : le dossier %2 n’existe pas ; le créer ou en choisir un autre.</translation>
+    </message>
+    <message>
+        <location filename="new_file.cpp"/>
+        <source>%1 was not saved: %2; make room or choose another folder.</source>
+        <translation>%1 n’a pas été enregistré : %2 ; faire de la place ou choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <location filename="new_file.cpp"/>
+        <source>it is a folder</source>
+        <translation>c’est un dossier</translation>
     </message>
     <message>
         <location filename="number_field.cpp"/>
@@ -6047,6 +6080,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
         <location filename="recording_file.cpp"/>
         <source>%1 is not a recording of Ripstop (*.ripstop-run).</source>
         <translation>%1 n’est pas un enregistrement de Ripstop (*.ripstop-run).</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
+        <source>%1 was not written: no step was made.</source>
+        <translation>%1 n’a pas été écrit : aucun pas n’a été fait.</translation>
     </message>
     <message>
         <location filename="recording_file.cpp"/>
@@ -15077,16 +15115,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="whole_file.cpp"/>
-        <source>%1 cannot be written: %2; choose another folder.</source>
-        <translation>%1 ne peut pas être écrit : %2 ; choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>%1 cannot be written: there is no folder %2; make it or choose another.</source>
-        <translation>%1 ne peut pas être écrit : le dossier %2 n’existe pas ; le créer ou en choisir un autre.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
         <source>%1 does not exist; check the path.</source>
         <translation>%1 n’existe pas ; vérifier le chemin.</translation>
     </message>
@@ -15102,18 +15130,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="whole_file.cpp"/>
-        <source>%1 was not saved: %2; make room or choose another folder.</source>
-        <translation>%1 n’a pas été enregistré : %2 ; faire de la place ou choisir un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
         <source>%1, line 1: the file %2.</source>
         <translation>%1, ligne 1 : le fichier %2.</translation>
-    </message>
-    <message>
-        <location filename="whole_file.cpp"/>
-        <source>it is a folder</source>
-        <translation>c’est un dossier</translation>
     </message>
     <message>
         <location filename="whole_file.cpp"/>

@@ -103,6 +103,29 @@ private slots:
         QCOMPARE(filesIn(folder.path()), QStringList());
     }
 
+    // Told to end, a program neither asks nor waits for the next copy.
+    void leavesWhatIsNotSavedWhenToldToEnd()
+    {
+        const QTemporaryDir folder;
+        Scene changed;
+        {
+            Document document;
+            Follower follower{document};
+            constexpr int never = 1000000; // ms
+            Autosave autosave(document, follower, folder.path(), never);
+            document.replace(fallingPair(), "sketch");
+            document.push(setValue(document.scene(), Id{3}, "mass", 0.3));
+            changed = document.scene();
+            autosave.leave();
+        }
+        const QList<Rescue> found = leftBehind(folder.path());
+        QCOMPARE(found.size(), 1);
+        QCOMPARE(found.first().title, QString("sketch"));
+        Document next;
+        QVERIFY(!next.open(found.first().place.scene()));
+        QVERIFY(next.scene() == changed);
+    }
+
     void recoversWhatAKilledProgramLeft()
     {
         const QTemporaryDir folder;

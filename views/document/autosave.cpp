@@ -52,7 +52,22 @@ Autosave::Autosave(Document& document, Follower& follower, const QString& folder
 Autosave::~Autosave()
 {
     m_writer.reset(); // waits for what it writes
-    forget();
+    if (!m_isLeft)
+        forget();
+}
+
+void Autosave::leave()
+{
+    m_soon.stop();
+    m_writer.reset(); // waits for what it writes, which is older
+    m_isLeft = m_document.isModified() && hold();
+    if (!m_isLeft)
+        return;
+    const auto scene = std::make_shared<const Scene>(m_document.scene());
+    const Outcome outcome =
+        write({m_state, scene, m_place, m_document.file(), m_document.displayName()});
+    if (outcome.failure)
+        emit failed(tr("Unsaved work is not kept: %1").arg(translated(outcome.failure->message)));
 }
 
 std::optional<Failure> Autosave::recover(const Rescue& rescue)
@@ -103,9 +118,9 @@ void Autosave::post(std::uint64_t state, const std::shared_ptr<const Scene>& sce
 {
     if (state != m_state)
         return; // the work has been saved or given up meanwhile
-    if (hold())
+    if (m_writer && hold())
         return m_writer->post({state, scene, m_place, m_document.file(), m_document.displayName()});
-    if (!std::exchange(m_hasFailed, true))
+    if (m_writer && !std::exchange(m_hasFailed, true))
         emit failed(tr("Unsaved work cannot be kept in %1: make the folder one that you may write "
                        "to, or save often.")
                         .arg(QDir::toNativeSeparators(m_place.folder)));
@@ -124,7 +139,7 @@ Autosave::Outcome Autosave::write(const Job& job)
 
 void Autosave::collect()
 {
-    const auto outcome = m_writer->take();
+    const auto outcome = m_writer ? m_writer->take() : nullptr;
     if (!outcome)
         return;
     if (outcome->state != m_state)

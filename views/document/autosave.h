@@ -35,6 +35,10 @@ public:
     // Opens what was left behind and goes on keeping it where it lies.
     [[nodiscard]] std::optional<Failure> recover(const Rescue& rescue);
 
+    // Keeps what is not saved at once and lets go of it, so that the next program finds it: this
+    // one was told to end.
+    void leave();
+
 signals:
     void kept(const QString& file);
     void failed(const QString& why); // once, until a copy succeeds
@@ -68,6 +72,7 @@ private:
     std::unique_ptr<QLockFile> m_lock; // while there is something to keep
     std::uint64_t m_state = 0;         // grows when what is being kept is no longer wanted
     bool m_hasFailed = false;
+    bool m_isLeft = false; // to the next program
     QTimer m_soon;
     std::unique_ptr<Worker<Job, Outcome>> m_writer;
 };
