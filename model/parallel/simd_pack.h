@@ -9,6 +9,8 @@
 
 #include "base/vec3.h"
 
+#include <cstdlib>
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define RIPSTOP_HAS_WIDE 1
 #else
@@ -41,10 +43,13 @@ RIPSTOP_INLINE const Pack& pack(const double* p) { return *reinterpret_cast<cons
 RIPSTOP_INLINE Pack& pack(PaddedVec3& v) { return pack(v.data()); }
 RIPSTOP_INLINE const Pack& pack(const PaddedVec3& v) { return pack(v.data()); }
 
+// RIPSTOP_PLAIN=1 takes the kernels for any machine, so that both can be compared on one.
 #if RIPSTOP_HAS_WIDE
 inline const bool wideMachine = [] {
+    const char* const plain = std::getenv("RIPSTOP_PLAIN");
     __builtin_cpu_init();
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    return !(plain && *plain == '1') && __builtin_cpu_supports("avx2")
+           && __builtin_cpu_supports("fma");
 }();
 #else
 inline constexpr bool wideMachine = false;
