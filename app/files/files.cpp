@@ -10,6 +10,7 @@
 #include "document/player.h"
 #include "document/recordings.h"
 #include "document/words.h"
+#include "document/write_beside.h"
 #include "files/export_dialog.h"
 #include "files/templates.h"
 #include "io/scene_file.h"
@@ -209,7 +210,10 @@ void Files::savePicture()
                                         suggestedFile(".png"), tr("Pictures (*.png *.jpg)"), "png");
     if (file.isEmpty())
         return;
-    if (picture.save(file))
+    const QByteArray format = QFileInfo(file).suffix().toLatin1();
+    if (writeBeside(file, [&](const QString& written) {
+            return picture.save(written, format.constData());
+        }))
         emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     else
         QMessageBox::warning(

@@ -8,9 +8,10 @@
 #include "io/recording_file.h"
 #include "model/cli_call.h"
 
-#include <QElapsedTimer>
+#include <QDirIterator>
 #include <QTemporaryDir>
 
+#include <array>
 #include <csignal>
 
 #include <sys/wait.h>
@@ -135,6 +136,53 @@ private slots:
         QCOMPARE(contentOf(QString::fromStdString(path)), QByteArray("a"));
         QVERIFY(!b->commit());
         QCOMPARE(contentOf(QString::fromStdString(path)), QByteArray("b"));
+    }
+
+    // Each writes its own files, and the last to end has the target.
+    void exportsOfOneNameDoNotMix_data()
+    {
+        QTest::addColumn<QString>("target");
+        for (const char* target : {"a.glb", "a.pvd", "a.csv", "a_{frame}.obj", "a.zip"})
+            QTest::newRow(target) << target;
+    }
+
+    void exportsOfOneNameDoNotMix()
+    {
+        QFETCH(QString, target);
+        const QTemporaryDir folder;
+        const QStringList end = target.endsWith("zip") ? QStringList{"bundle", "--seconds"}
+                                                       : QStringList{"export", "--to"};
+        std::array<QProcess, 2> writers;
+        const std::array scenes{scene("rope"), scene("pendulum")};
+        std::array<QMap<QString, QByteArray>, 2> alone;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const QTemporaryDir own;
+            QProcess one;
+            one.setWorkingDirectory(own.path());
+            one.start(CLI_PROGRAM, {end[0], scenes[i], "-o", target, end[1], "1"});
+            QVERIFY(one.waitForFinished(60000));
+            QDirIterator files(own.path(), QDir::Files, QDirIterator::Subdirectories);
+            while (files.hasNext())
+                alone[i][QDir(own.path()).relativeFilePath(files.next())] =
+                    contentOf(files.filePath());
+            QVERIFY(!alone[i].isEmpty());
+        }
+        for (std::size_t i = 0; i < 2; ++i) {
+            writers[i].setWorkingDirectory(folder.path());
+            writers[i].start(CLI_PROGRAM, {end[0], scenes[i], "-o", target, end[1], "1"});
+        }
+        for (QProcess& writer : writers) {
+            QVERIFY(writer.waitForFinished(60000));
+            QCOMPARE(writer.exitCode(), 0);
+        }
+        int count = 0;
+        QDirIterator files(folder.path(), QDir::Files, QDirIterator::Subdirectories);
+        for (; files.hasNext(); ++count) {
+            const QString name = QDir(folder.path()).relativeFilePath(files.next());
+            const QByteArray content = contentOf(files.filePath());
+            QVERIFY2(content == alone[0][name] || content == alone[1][name], qPrintable(name));
+        }
+        QCOMPARE(count, int(alone[0].size()));
     }
 
     void takesAwayWhatDeadProcessesLeft()

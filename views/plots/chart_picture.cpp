@@ -1,5 +1,7 @@
 #include "plots/chart_picture.h"
 
+#include "document/write_beside.h"
+
 #include <QFileInfo>
 #include <QSvgGenerator>
 #include <qcustomplot.h>
@@ -31,11 +33,13 @@ QPixmap pictureOf(QCustomPlot& plot) { return plot.toPixmap(0, 0, density); }
 bool savePicture(QCustomPlot& plot, const QString& file)
 {
     const QString suffix = QFileInfo(file).suffix().toLower();
-    if (suffix == QLatin1String("svg"))
-        return saveSvg(plot, file);
-    if (suffix == QLatin1String("pdf"))
-        return plot.savePdf(file);
-    return plot.savePng(file, 0, 0, density);
+    return writeBeside(file, [&](const QString& written) {
+        if (suffix == QLatin1String("svg"))
+            return saveSvg(plot, written);
+        if (suffix == QLatin1String("pdf"))
+            return plot.savePdf(written);
+        return plot.savePng(written, 0, 0, density);
+    });
 }
 
 } // namespace ripstop
