@@ -1,9 +1,7 @@
-// Files that appear whole or not at all (base/new_file.h), and standard output as a file that can
-// fail.
+// Files that appear whole or not at all (base/new_file.h).
 //
 // In order: names of files under way and what becomes of those that dead processes left; targets
-// that a command reads; standard output that is full or closed; signals; recordings of killed runs;
-// ends that no fabric can be in.
+// that a command reads; signals; recordings of killed runs.
 #include "base/new_file.h"
 #include "io/recording_file.h"
 #include "model/cli_call.h"
@@ -45,20 +43,6 @@ QString partOf(const QString& target, pid_t process)
     std::string name = partBeside(target.toStdString()).string();
     return QString::fromStdString(
         name.replace(name.rfind("." + own + "-") + 1, own.size(), std::to_string(process)));
-}
-
-// Runs a command of the shell in which $CLI is the program.
-Outcome shell(const QString& command)
-{
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("CLI", CLI_PROGRAM);
-    process.setProcessEnvironment(environment);
-    process.start("bash", {"-c", command});
-    if (!process.waitForFinished(120000))
-        return {-1, {}, process.errorString()};
-    return {process.exitCode(), process.readAllStandardOutput(),
-            QString(process.readAllStandardError())};
 }
 
 // A rope that flies for longer than anyone waits.
@@ -162,9 +146,10 @@ private slots:
             one.start(CLI_PROGRAM, {end[0], scenes[i], "-o", target, end[1], "1"});
             QVERIFY(one.waitForFinished(60000));
             QDirIterator files(own.path(), QDir::Files, QDirIterator::Subdirectories);
-            while (files.hasNext())
-                alone[i][QDir(own.path()).relativeFilePath(files.next())] =
-                    contentOf(files.filePath());
+            while (files.hasNext()) {
+                const QString path = files.next();
+                alone[i][QDir(own.path()).relativeFilePath(path)] = contentOf(path);
+            }
             QVERIFY(!alone[i].isEmpty());
         }
         for (std::size_t i = 0; i < 2; ++i) {
@@ -178,8 +163,9 @@ private slots:
         int count = 0;
         QDirIterator files(folder.path(), QDir::Files, QDirIterator::Subdirectories);
         for (; files.hasNext(); ++count) {
-            const QString name = QDir(folder.path()).relativeFilePath(files.next());
-            const QByteArray content = contentOf(files.filePath());
+            const QString path = files.next();
+            const QString name = QDir(folder.path()).relativeFilePath(path);
+            const QByteArray content = contentOf(path);
             QVERIFY2(content == alone[0][name] || content == alone[1][name], qPrintable(name));
         }
         QCOMPARE(count, int(alone[0].size()));
@@ -268,92 +254,6 @@ private slots:
         QCOMPARE(outcome.exitCode, 2);
         QVERIFY2(outcome.error.contains("written twice"), qPrintable(outcome.error));
         QCOMPARE(namesIn(folder.path()), QStringList());
-    }
-
-    // --- standard output -----------------------------------------------------------------------
-
-    void saysThatOutputIsLost_data()
-    {
-        QTest::addColumn<QString>("command");
-        const QString rope = scene("rope");
-        for (const QString& command :
-             {QString("run %1 --seconds 0.1 --json"), QString("run %1 --seconds 0.1"),
-              QString("info %1"), QString("info %1 --json"), QString("properties"),
-              QString("properties --json"), QString("builders"), QString("builders rope"),
-              QString("presets"), QString("presets --manual"), QString("builders --json"),
-              QString("verify --list"), QString("sweep %1 --seconds 0.1"),
-              QString("certify %1 --seconds 0.1"), QString("--help"), QString("run --help")})
-            QTest::newRow(qPrintable(command)) << QString(command).replace("%1", rope);
-    }
-
-    void saysThatOutputIsLost()
-    {
-        QFETCH(QString, command);
-        const Outcome full = shell("$CLI " + command + " > /dev/full");
-        QVERIFY2(full.error.contains("No space left"), qPrintable(full.error));
-        QCOMPARE(full.exitCode, 6);
-        const Outcome closed = shell("$CLI " + command + " >&-");
-        QVERIFY2(closed.error.contains("Standard output"), qPrintable(closed.error));
-        QCOMPARE(closed.exitCode, 6);
-        // the reader is gone before anything is written
-        const Outcome gone =
-            shell("{ sleep 0.2; $CLI " + command + "; } | true; exit ${PIPESTATUS[0]}");
-        QCOMPARE(gone.exitCode, 6);
-    }
-
-    void aTableGoesThroughAPipe()
-    {
-        const Outcome outcome =
-            shell("$CLI run " + scene("rope") + " --seconds 0.1 --csv /dev/stdout --json | cat");
-        QCOMPARE(outcome.exitCode, 0);
-        QVERIFY(outcome.out.startsWith("# Ripstop"));
-        const qsizetype end = outcome.out.indexOf("\n# end;"), json = outcome.out.indexOf("\n{");
-        QVERIFY(end > 0 && json > end);
-    }
-
-    // The shell has opened the file already, and goes on with it.
-    void aTableGoesWhereStandardOutputGoes()
-    {
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("all.txt");
-        const Outcome outcome =
-            shell("$CLI run " + scene("rope") + " --seconds 0.1 --csv /dev/stdout > " + path);
-        QCOMPARE(outcome.exitCode, 0);
-        const QByteArray text = contentOf(path);
-        QVERIFY(text.startsWith("# Ripstop"));
-        QVERIFY(text.indexOf("hash ") > text.indexOf("\n# end;"));
-        QCOMPARE(namesIn(folder.path()), QStringList{"all.txt"});
-    }
-
-    void probesOfOneNameAreTwo()
-    {
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("a.ripstop.json");
-        QByteArray text = contentOf(scene("delta_kite"));
-        const QRegularExpression name("(\"type\": \"probe\",[^{}]*?\"name\": )\"[^\"]*\"");
-        write(path, QString(text).replace(name, "\\1\"height\"").toUtf8());
-        const qsizetype count = QString(text).count(name);
-        QVERIFY(count >= 2);
-        const Outcome outcome = call({"run", path, "--seconds", "0.1", "--json"});
-        const QJsonObject probes = outcome.json()["probes"].toObject();
-        QCOMPARE(probes.size(), count);
-        QVERIFY(probes.contains("height") && probes.contains("height (2)"));
-    }
-
-    // What a title does to a terminal is shown, not done.
-    void escapesAreShown()
-    {
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("a.ripstop.json");
-        const Outcome built =
-            call({"build", "rope", "--set", "settings.title=\x1b]0;mine\x07 r\u00e9seau \u009b2J",
-                  "-o", path});
-        QVERIFY2(built.exitCode == 0, qPrintable(built.error));
-        const Outcome told = call({"info", path});
-        QVERIFY2(told.out.contains("\\x1b]0;mine\\x07 r\u00e9seau \\x9b2J"), told.out);
-        QVERIFY(!told.out.contains('\x1b'));
-        QCOMPARE(call({"info", path, "--json"}).json()["title"].toString(),
-                 QString("\x1b]0;mine\x07 r\u00e9seau \u009b2J"));
     }
 
     // --- signals -------------------------------------------------------------------------------
@@ -451,92 +351,6 @@ private slots:
         QVERIFY(!saveRecording(*opened->recording, saved));
         QCOMPARE(contentOf(QString::fromStdString(grown)),
                  contentOf(QString::fromStdString(saved)));
-    }
-
-    // --- ends that cannot be ---------------------------------------------------------------------
-
-    void absurdEndsAreNamed_data()
-    {
-        QTest::addColumn<QByteArray>("item"); // to be added to a pendulum of 1 m
-        QTest::addColumn<QStringList>("settings");
-        QTest::addColumn<QString>("fragment");
-        // 100 m from its pin, to which a rod of 1 m ties it: a strain of 99, where rubber breaks at
-        // 10
-        QTest::newRow("inside of a sphere")
-            << QByteArray("{\"type\": \"collider\", \"id\": 40, \"name\": \"ball\", \"shape\": "
-                          "\"sphere\", \"position\": [0, 1, 0], \"radius\": 100},")
-            << QStringList() << "The strain of link 5";
-        // farther than the earth is thick
-        QTest::newRow("in space") << QByteArray()
-                                  << QStringList{"--set", "#3.position=2e7, 1, 0", "--set",
-                                                 "#4.position=2e7, 0, 0"}
-                                  << "away from the origin";
-        // the height of 1e305 kg has an energy of 1e306 J a metre, and doubles end at 1.8e308
-        QTest::newRow("energies") << QByteArray() << QStringList{"--set", "#4.mass=1e308"}
-                                  << "energies are not finite";
-    }
-
-    void absurdEndsAreNamed()
-    {
-        QFETCH(QByteArray, item);
-        QFETCH(QStringList, settings);
-        QFETCH(QString, fragment);
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("a.ripstop.json");
-        QByteArray text = contentOf(scene("pendulum"));
-        text.replace("\"nextId\": 14", "\"nextId\": 50")
-            .replace("\"items\": [", "\"items\": [" + item);
-        write(path, text);
-        const Outcome run = call(QStringList{"run", path, "--seconds", "0.1", "--json"} + settings);
-        QVERIFY2(run.error.contains(fragment), qPrintable(run.error));
-        QCOMPARE(run.exitCode, 7);
-        QVERIFY(run.json()["absurd"].toArray().at(0).toString().contains(fragment));
-        const Outcome sweep = call(QStringList{"sweep", path, "--seconds", "0.1"} + settings);
-        QCOMPARE(sweep.exitCode, 7);
-        QVERIFY2(sweep.out.contains(fragment.toUtf8()), sweep.out);
-    }
-
-    void usualEndsAreNot()
-    {
-        const Outcome run = call({"run", scene("pendulum"), "--seconds", "0.1", "--json"});
-        QCOMPARE(run.exitCode, 0);
-        QCOMPARE(run.json()["absurd"].toArray().size(), 0);
-    }
-
-    // --- what is built -------------------------------------------------------------------------
-
-    void refusesToBuildWhatItCannotRead_data()
-    {
-        QTest::addColumn<QString>("builder");
-        QTest::addColumn<QString>("setting");
-        QTest::newRow("a rod from a collider") << "rope"
-                                               << "rope.links.from=1";
-        QTest::newRow("a hand on the wind") << "delta_kite"
-                                            << "hand.targets=1,2,3";
-    }
-
-    void refusesToBuildWhatItCannotRead()
-    {
-        QFETCH(QString, builder);
-        QFETCH(QString, setting);
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("a.ripstop.json");
-        const Outcome built = call({"build", builder, "--set", setting, "-o", path});
-        QCOMPARE(built.exitCode, 1);
-        QVERIFY2(built.error.contains("could not be read again"), qPrintable(built.error));
-        QCOMPARE(namesIn(folder.path()), QStringList());
-    }
-
-    void warnsOfWhatChangesNothing()
-    {
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("a.ripstop.json");
-        const Outcome idle = call({"build", "parachute", "mouth=0.1", "-o", path});
-        QCOMPARE(idle.exitCode, 0);
-        QVERIFY2(idle.error.contains("warning: mouth changes nothing"), qPrintable(idle.error));
-        const Outcome busy = call({"build", "parachute", "mouth=0.1", "pressure=1.68", "-o", path});
-        QCOMPARE(busy.exitCode, 0);
-        QCOMPARE(busy.error, QString());
     }
 };
 
