@@ -368,13 +368,6 @@ std::ostream& NewFile::out() { return d->out; }
 
 const fs::path& NewFile::written() const { return d->written; }
 
-std::optional<Failure> NewFile::failure() const
-{
-    if (d->buffer.error() == 0 && d->out)
-        return std::nullopt;
-    return notSaved(d->asked, reason(d->buffer.error()));
-}
-
 std::optional<Failure> NewFile::commit(Flush flush)
 {
     d->out.flush();

@@ -45,7 +45,6 @@ public:
     ~NewFile();
 
     std::ostream& out();
-    std::optional<Failure> failure() const;       // of what was written so far
     const std::filesystem::path& written() const; // where it is until then
 
     // Takes the place of the target, with the permissions of the file that was there.

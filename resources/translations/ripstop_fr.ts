@@ -4633,6 +4633,8 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="neighbours.cpp"/>
         <source>The library has nothing stiffer than %1 that is known as well.</source>
         <translation>La bibliothèque n’a rien de plus raide que %1 qui soit aussi bien connu.</translation>
+    </message>
+    <message>
         <location filename="new_file.cpp"/>
         <source>%1 cannot be written: %2; choose another folder.</source>
         <translation>%1 ne peut pas être écrit : %2 ; choisir un autre dossier.</translation>
