@@ -23,9 +23,22 @@ const Preset* chosen(const Parameters& p, std::string_view parameter,
     return *findPreset(choices[std::size_t(choice->second)]);
 }
 
-const Preset* clothOf(const Parameters& p) { return chosen(p, "cloth", clothChoices); }
-const Preset* sparsOf(const Parameters& p) { return chosen(p, "spars", sparChoices); }
-const Preset* cordOf(const Parameters& p) { return chosen(p, "cord", cordChoices); }
+const Preset* clothOf(const Parameters& p, const CraftChoices& from)
+{
+    return chosen(p, "cloth", from.cloth);
+}
+const Preset* sparsOf(const Parameters& p, const CraftChoices& from)
+{
+    return chosen(p, "spars", from.spars);
+}
+const Preset* cordOf(const Parameters& p, const CraftChoices& from)
+{
+    return chosen(p, "cord", from.cord);
+}
+const Preset* tapeOf(const Parameters& p, const CraftChoices& from)
+{
+    return chosen(p, "tape", from.tapes);
+}
 
 Material numbersOf(const Preset& preset)
 {
@@ -41,16 +54,21 @@ void forEachMaterial(Scene& scene, const std::vector<Id>& materials, Change chan
         change(std::get<Material>(*findItem(scene, id)));
 }
 
-void makeCloth(const Preset& cloth, const CraftMaterials& materials, Scene& scene, Network& network)
+void makeCloth(const Preset& cloth, const Preset* tape, const CraftMaterials& materials,
+               Scene& scene, Network& network)
 {
     const Material numbers = numbersOf(cloth);
     forEachMaterial(scene, materials.cloth, [&](Material& m) { give(m, cloth); });
     forEachMaterial(scene, materials.hems, [&](Material& m) {
-        m.axialStiffness = hemWidth * *numbers.membraneStiffness;
+        if (tape)
+            give(m, *tape);
+        else
+            m.axialStiffness = hemWidth * *numbers.membraneStiffness;
         m.dampingTime = numbers.dampingTime;
     });
     network.dropLinks(materials.seams);
-    network.carryByPanels();
+    if (network.part().carrier != FabricKind::Panels)
+        network.carryByPanels();
 }
 
 void makeSpars(const Preset& spar, const CraftMaterials& materials, Scene& scene)
@@ -68,7 +86,12 @@ void makeSpars(const Preset& spar, const CraftMaterials& materials, Scene& scene
 
 void makeLine(const Preset& cord, const CraftMaterials& materials, Scene& scene, Network& network)
 {
-    forEachMaterial(scene, materials.lines, [&](Material& m) { give(m, cord); });
+    forEachMaterial(scene, materials.lines, [&](Material& m) {
+        const double typed = m.diameter;
+        give(m, cord);
+        if (!(numbersOf(cord).diameter > 0.0))
+            m.diameter = typed; // the library does not know it of all cords
+    });
     network.dropLinks(materials.doubled);
 }
 
@@ -79,23 +102,30 @@ bool isIdeal(const Parameters& p, std::string_view parameter)
     return p.at(std::string(parameter)) == 0.0;
 }
 
-double clothDensity(const Parameters& p)
+double clothDensity(const Parameters& p, const CraftChoices& choices)
 {
-    const Preset* cloth = clothOf(p);
+    const Preset* cloth = clothOf(p, choices);
     return cloth ? *numbersOf(*cloth).arealDensity : p.at("fabric");
 }
 
-double cordDensity(const Parameters& p)
+double cordDensity(const Parameters& p, const CraftChoices& choices)
 {
-    const Preset* cord = cordOf(p);
+    const Preset* cord = cordOf(p, choices);
     return cord ? *numbersOf(*cord).linearDensity : p.at("line_density");
 }
 
-double frameMass(const Parameters& p, const std::vector<Id>& spars, const Network& network)
+double hemDensity(const Parameters& p, const CraftChoices& choices)
 {
-    const Preset* spar = sparsOf(p);
+    const Preset* tape = tapeOf(p, choices);
+    return tape ? *numbersOf(*tape).linearDensity : hemWidth * clothDensity(p, choices);
+}
+
+double frameMass(const Parameters& p, const std::vector<Id>& spars, const Network& network,
+                 double ideal, const CraftChoices& choices)
+{
+    const Preset* spar = sparsOf(p, choices);
     if (!spar)
-        return p.at("frame_mass");
+        return ideal;
     double length = 0.0;
     for (const Link& link : network.part().links)
         if (std::ranges::find(spars, link.material) != spars.end())
@@ -103,13 +133,14 @@ double frameMass(const Parameters& p, const std::vector<Id>& spars, const Networ
     return *numbersOf(*spar).linearDensity * length;
 }
 
-void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, Network& network)
+void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, Network& network,
+            const CraftChoices& choices)
 {
-    if (const Preset* cloth = clothOf(p))
-        makeCloth(*cloth, materials, scene, network);
-    if (const Preset* spar = sparsOf(p))
+    if (const Preset* cloth = clothOf(p, choices))
+        makeCloth(*cloth, tapeOf(p, choices), materials, scene, network);
+    if (const Preset* spar = sparsOf(p, choices))
         makeSpars(*spar, materials, scene);
-    if (const Preset* cord = cordOf(p))
+    if (const Preset* cord = cordOf(p, choices))
         makeLine(*cord, materials, scene, network);
 }
 

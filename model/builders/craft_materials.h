@@ -9,6 +9,7 @@
 // (kite_flight.h), which make up for sweeps that have not converged, go. What is chosen says what
 // the craft weighs.
 //
+// What a craft may be made of is its own: a kite of spinnaker cloth, a canopy of parachute nylon.
 // The choices stand in files by their number: new ones go to the end of a list.
 #pragma once
 
@@ -36,12 +37,22 @@ inline constexpr auto materialParameters = std::to_array<Parameter>({
 });
 // clang-format on
 
+// Lists of names of the library, of which the first is not in it; a craft without spars has none.
+struct CraftChoices
+{
+    std::span<const std::string_view> cloth;
+    std::span<const std::string_view> spars;
+    std::span<const std::string_view> cord;
+    std::span<const std::string_view> tapes = {}; // the first is the cloth itself, turned in
+};
+inline constexpr CraftChoices kiteChoices{clothChoices, sparChoices, cordChoices};
+
 // Ids of materials of the scene; what a craft does not have stays empty.
 struct CraftMaterials
 {
     std::vector<Id> cloth;   // of panels
     std::vector<Id> seams;   // of rods that stand for the cloth
-    std::vector<Id> hems;    // of rods along its free edges, and of ribbons
+    std::vector<Id> hems;    // of rods along its free edges, of sewn seams, and of ribbons
     std::vector<Id> spars;   // of rods that are spars
     std::vector<Id> frame;   // of rods that stand for the rest of the frame
     std::vector<Id> lines;   // of the line, and of the legs of a bridle
@@ -51,15 +62,20 @@ struct CraftMaterials
 bool isIdeal(const Parameters& p, std::string_view parameter);
 
 // kg/m^2, of the cloth that is chosen, or what the parameter "fabric" says of an ideal one.
-double clothDensity(const Parameters& p);
+double clothDensity(const Parameters& p, const CraftChoices& choices = kiteChoices);
 
 // kg/m, of the line that is chosen, or what the parameter "line_density" says.
-double cordDensity(const Parameters& p);
+double cordDensity(const Parameters& p, const CraftChoices& choices = kiteChoices);
 
-// kg, of the rods so far that are spars, or what the parameter "frame_mass" says of ideal ones.
-double frameMass(const Parameters& p, const std::vector<Id>& spars, const Network& network);
+// kg/m, of the tape that hems and seams are made with, or of the cloth that is turned in.
+double hemDensity(const Parameters& p, const CraftChoices& choices);
 
-// Makes the craft of what is chosen, once it is laid.
-void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, Network& network);
+// kg, of the rods so far that are spars; `ideal` where they are that.
+double frameMass(const Parameters& p, const std::vector<Id>& spars, const Network& network,
+                 double ideal, const CraftChoices& choices = kiteChoices);
+
+// Makes the craft of what is chosen, once it is laid. Panels that carry already keep their cut.
+void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, Network& network,
+            const CraftChoices& choices = kiteChoices);
 
 } // namespace ripstop

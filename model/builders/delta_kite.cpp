@@ -176,7 +176,7 @@ Kite addKite(Network& network, const Parameters& p, const Materials& materials)
     spars.push_back(tow);
     spars.insert(spars.end(), frame.axis.begin() + 1, frame.axis.end());
     spars.insert(spars.end(), kite.stiffeners.begin(), kite.stiffeners.end());
-    const double mass = frameMass(p, {materials.spar}, network);
+    const double mass = frameMass(p, {materials.spar}, network, p.at("frame_mass"));
     for (const Id node : spars)
         network.row(node).mass += mass / double(spars.size());
     if (p.at("equal_masses") > 0.0)

@@ -111,7 +111,7 @@ Scene flownFlatKite(const Parameters& p, const FlatKite& kite)
     std::vector<Id> carrying = sail.frame; // the mass of spars and ring
     carrying.insert(carrying.end(), hubs.begin(), hubs.end());
     carrying.push_back(tow);
-    const double mass = frameMass(p, {materials.spar}, network);
+    const double mass = frameMass(p, {materials.spar}, network, p.at("frame_mass"));
     for (const Id node : carrying)
         network.row(node).mass += mass / double(carrying.size());
 

@@ -8,6 +8,11 @@
 // raised rear keel turn the nose up at zero lift; the weight ahead of the centroid of the sail
 // balances that at one angle of attack only, which is what makes the flight steady. The pilot is
 // hung where the wing trims at the wanted speed, and the run starts in that trim.
+//
+// Of a cloth that one can buy (builders/craft_materials.h) the sail is two halves that are sewn
+// along the keel, carried by panels, with tubes in the leading edges and the keel. Pilot and
+// control frame are tied to these only: the trailing edge is free between keel and tips.
+#include "builders/craft_materials.h"
 #include "builders/delta_wing.h"
 #include "builders/designs.h"
 #include "builders/network.h"
@@ -15,20 +20,34 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace ripstop {
 namespace {
+
+constexpr auto sailCloths = std::to_array<std::string_view>(
+    {"ideal", "dacron_sail", "laminate_scrim", "surf_dacron", "ripstop_150"});
+constexpr auto tubes =
+    std::to_array<std::string_view>({"ideal", "aluminium_42", "aluminium_50", "aluminium_52",
+                                     "aluminium_62", "aluminium_6061_38", "aluminium_6061_41"});
+constexpr CraftChoices choices{sailCloths, tubes, {}};
 
 // clang-format off
 constexpr Parameter parameters[]{
     {"segments",    "",      8,     2, 40,    true,  "Lattice segments per side; the sail has their square of panels.", "Mesh"},
     {"span",        "m",     9.6,   2, 20,    false, "From tip to tip.", "Size and mass"},
     {"chord",       "m",     4.0,   1, 10,    false, "Length of the keel from the nose to the trailing edge."},
-    {"wing_mass",   "kg",    25,    1, 100,   false, "Sail and frame together, shared equally by all particles but the pilot."},
+    {"wing_mass",   "kg",    25,    1, 100,   false, "Sail and frame together, shared equally by all particles but the pilot; where the cloth is ideal."},
+    {"fittings",    "kg",    12,    0.1, 60,  false, "Cross tube, control frame, wires and fittings, shared by the nodes of the frame; where the cloth is real, whose weight and that of the tubes come to it."},
     {"pilot_mass",  "kg",    65,    1, 200,   false, "Pilot and harness."},
     {"pilot_depth", "m",     1.3,   0.3, 4,     false, "How far the pilot hangs below the keel."},
     {"speed",       "m/s",   11,    5, 30,    false, "Airspeed in trim; it says where along the keel the pilot hangs."},
+    {"cloth",       "",      0,     0, sailCloths.size() - 1, true, "Cloth of the sail; ideal cloth never stretches and weighs what is said above, a real one is carried by panels and wrinkles.", "Materials", sailCloths},
+    {"spars",       "",      0,     0, tubes.size() - 1, true, "Tubes in the leading edges and, below real cloth, in the keel; ideal ones never stretch, real ones bend.", {}, tubes},
+    {"grain",       "deg",   0,     0, 90,    false, "Angle between the warp of real cloth and the trailing edge, mirrored at the keel; at 90 it runs along the keel."},
     {"dihedral",    "deg",   3,     -10, 20,    false, "Rise of the leading edges to the tips; rolls the wing level when it slips.", "Shape"},
     {"billow",      "",      0.02,  0, 0.3,   false, "Arch of the sail between keel and leading edge, over its local half width."},
     {"washout",     "deg",   7,     -10, 40,    false, "How much less the tips meet the wind than the root; gives pitch stability to a swept wing."},
@@ -69,19 +88,91 @@ Materials addMaterials(Scene& scene, const Parameters& p)
     materials.sail.border = add("sail edge", "#264653", true);
     materials.sail.seams = add("seams", "#c8583c", true);
     materials.sail.edges = add("tube", "#20262e", true);
-    materials.sail.hem = materials.sail.seams;
+    materials.sail.hem = isIdeal(p, "cloth") ? materials.sail.seams : add("hem", "#c8583c", true);
     materials.wires = add("wire", "#8d99ae", true);
     materials.frame = add("frame", "#8d99ae", false);
     return materials;
 }
 
+CraftMaterials craftMaterials(const Materials& materials)
+{
+    const SailMaterials& sail = materials.sail;
+    CraftMaterials craft;
+    craft.cloth = {sail.sail, sail.border};
+    craft.seams = {sail.seams};
+    if (sail.hem != sail.seams)
+        craft.hems = {sail.hem};
+    craft.spars = {sail.edges};
+    craft.frame = {materials.wires, materials.frame};
+    return craft;
+}
+
 struct Wing
 {
-    Lattice lattice;
+    SailFrame frame;
+    std::vector<Id> rim;     // what pilot and control frame are tied to
+    std::array<Id, 4> wired; // of these: nose, tips and tail
     std::vector<Id> stiffeners;
     Id pilot;
     Id foot; // of the control frame
 };
+
+Wing addIdealSail(Network& network, const DeltaShape& shape, int segments,
+                  const Materials& materials)
+{
+    const Lattice lattice = addSail(network, shape, segments, materials.sail);
+    const int n = lattice.segments();
+    Wing wing{};
+    wing.frame = SailFrame::of(lattice);
+    wing.rim = lattice.perimeter();
+    wing.wired = {lattice.at(0, 0), lattice.at(n, 0), lattice.at(n, n), lattice.at(n, n / 2)};
+    return wing;
+}
+
+// As many panels as the ideal sail has, of rows that all reach the keel instead of every second
+// one. The cloth is cut as the wing is shaped.
+Wing addRealSail(Network& network, const DeltaShape& shape, const Parameters& p,
+                 const Materials& materials)
+{
+    const int rows = int(std::round(p.at("segments") / std::numbers::sqrt2));
+    Wing wing{};
+    wing.frame = addHalves(network, shape, rows, materials.sail);
+    const std::vector<Id>& axis = wing.frame.axis;
+    for (std::size_t row = 1; row < axis.size(); ++row)
+        network.rod(axis[row - 1], axis[row], materials.sail.edges);
+    const double grain = p.at("grain") * degrees;
+    network.carryByPanels([&](const Vec3& middle) -> Vec3 {
+        const double side = middle.z() < 0.0 ? -1.0 : 1.0;
+        return {-std::sin(grain), 0.0, side * std::cos(grain)};
+    });
+    network.addFabricMass(clothDensity(p, choices));
+    wing.rim = wing.frame.leadingEdges;
+    wing.rim.insert(wing.rim.end(), axis.begin() + 1, axis.end());
+    const std::size_t tip = std::size_t(rows); // nose and left side come first
+    wing.wired = {axis.front(), wing.frame.leadingEdges[tip], wing.frame.leadingEdges.back(),
+                  axis.back()};
+    return wing;
+}
+
+// Shared equally for an ideal wing; else tubes and fittings hang on the frame, and the cloth has
+// its mass already.
+void addWingMass(Network& network, const Parameters& p, const Wing& wing,
+                 const Materials& materials)
+{
+    std::vector<Id> carrying;
+    double mass = p.at("wing_mass");
+    if (isIdeal(p, "cloth")) {
+        for (const Particle& particle : network.part().particles)
+            carrying.push_back(particle.id);
+    } else {
+        carrying = wing.rim;
+        carrying.insert(carrying.end(), wing.stiffeners.begin(), wing.stiffeners.end());
+        carrying.push_back(wing.foot);
+        mass = p.at("fittings") + frameMass(p, {materials.sail.edges}, network, 0.0, choices);
+    }
+    for (const Id node : carrying)
+        network.row(node).mass += mass / double(carrying.size());
+}
 
 Wing addWing(Network& network, const Parameters& p, const Materials& materials)
 {
@@ -91,14 +182,12 @@ Wing addWing(Network& network, const Parameters& p, const Materials& materials)
                            p.at("billow"),
                            p.at("washout") * degrees,
                            p.at("reflex")};
-    const Lattice lattice = addSail(network, shape, int(p.at("segments")), materials.sail);
-    Wing wing{lattice, addStiffeners(network, shape, SailFrame::of(lattice), materials.frame), Id{},
-              Id{}};
+    Wing wing = isIdeal(p, "cloth") ? addIdealSail(network, shape, int(p.at("segments")), materials)
+                                    : addRealSail(network, shape, p, materials);
+    wing.stiffeners = addStiffeners(network, shape, wing.frame, materials.frame);
     const double depth = p.at("pilot_depth");
     wing.foot = network.particle({-0.6 * shape.chord, -1.25 * depth, 0.0});
-    const double each = p.at("wing_mass") / double(network.part().particles.size());
-    for (const Particle& particle : network.part().particles)
-        network.row(particle.id).mass = each;
+    addWingMass(network, p, wing, materials);
     wing.pilot = network.particle({-0.6 * shape.chord, -depth, 0.0}, p.at("pilot_mass"));
     return wing;
 }
@@ -132,14 +221,9 @@ void hangPilot(Network& network, const Wing& wing, const Load& air)
 
 void addControlRods(Network& network, const Materials& materials, const Wing& wing)
 {
-    const std::vector<Id> rim = wing.lattice.perimeter();
-    network.spokes(wing.pilot, rim, materials.frame);
-
-    // the few that a real glider has are drawn: to the nose, the tips and the tail
-    const int n = wing.lattice.segments();
-    for (const Id node : rim) {
-        const bool drawn = node == wing.lattice.at(0, 0) || node == wing.lattice.at(n, 0)
-                           || node == wing.lattice.at(n, n) || node == wing.lattice.at(n, n / 2);
+    network.spokes(wing.pilot, wing.rim, materials.frame);
+    for (const Id node : wing.rim) { // the few that a real glider has are drawn
+        const bool drawn = std::ranges::find(wing.wired, node) != wing.wired.end();
         network.rod(wing.foot, node, drawn ? materials.wires : materials.frame);
     }
 }
@@ -200,9 +284,10 @@ Result<Scene> buildHangGlider(const Parameters& p)
     const double tilt = 0.5 * pi - std::atan2(air.force.y(), air.force.x());
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(tilt, Vec3::UnitZ()).toRotationMatrix();
     network.place(turn, {0.0, p.at("altitude"), 0.0}, turn * -headwind(speed, angle));
+    makeOf(p, craftMaterials(materials), scene, network, choices);
 
-    addGroup(scene, "leading edge", wing.lattice.sides());
-    addGroup(scene, "keel", SailFrame::of(wing.lattice).axis);
+    addGroup(scene, "leading edge", wing.frame.leadingEdges);
+    addGroup(scene, "keel", wing.frame.axis);
     addGroup(scene, "rigidity", wing.stiffeners);
     addGroup(scene, "pilot", {wing.pilot});
     addControls(scene, p, wing.pilot, turn.col(0));

@@ -110,11 +110,28 @@ void Network::addFabricMass(double density)
     }
 }
 
+void Network::addLinkMass(Id material, double density)
+{
+    for (const Link& link : m_part.links)
+        if (link.material == material)
+            for (const Id end : {link.from, link.to})
+                row(end).mass += 0.5 * density * link.restLength;
+}
+
 void Network::carryByPanels()
 {
     m_part.carrier = FabricKind::Panels;
     for (Panel& panel : m_part.panels)
         layFlat(panel, row(panel.a), row(panel.b), row(panel.c));
+}
+
+void Network::carryByPanels(const std::function<Vec3(const Vec3&)>& warp)
+{
+    m_part.carrier = FabricKind::Panels;
+    for (Panel& panel : m_part.panels) {
+        const Vec3 a = position(panel.a), b = position(panel.b), c = position(panel.c);
+        layFlat(panel, a, b, c, warp((a + b + c) / 3.0));
+    }
 }
 
 void Network::dropLinks(const std::vector<Id>& materials)

@@ -41,8 +41,13 @@ public:
     // Gives each corner of the panel its third of the fabric's mass; density in kg/m^2.
     void addFabricMass(double density);
 
-    // Has the panels so far carry the pull of the fabric, cut as they lie.
+    // Gives both ends of each link of this material half of what it weighs; density in kg/m.
+    void addLinkMass(Id material, double density);
+
+    // Has the panels so far carry the pull of the fabric, cut as they lie: the warp along the
+    // textures' v, or along what `warp` answers for the middle of a panel, projected onto it.
     void carryByPanels();
+    void carryByPanels(const std::function<Vec3(const Vec3& middle)>& warp);
 
     // Takes all links of these materials away.
     void dropLinks(const std::vector<Id>& materials);

@@ -14,6 +14,12 @@
 // tension only, so that it can fold, and holds the air that comes in by its mouth
 // (forces/canopy_air.h). It starts full, in the shape of above, or as a tube in folds with a round
 // crown.
+//
+// Of a cloth that one can buy (builders/craft_materials.h), panels carry the canopy, cut as it is
+// sewn: the warp along the middle of each gore, or at an angle to it. Skirt and seams between the
+// gores are rods that pull only, of the cloth turned in or of a tape sewn into it. Nothing of it
+// pushes, so it stays open by the air in it alone, or by the hoop.
+#include "builders/craft_materials.h"
 #include "builders/descent.h"
 #include "builders/designs.h"
 #include "builders/network.h"
@@ -27,6 +33,15 @@
 namespace ripstop {
 namespace {
 
+constexpr auto canopyCloths = std::to_array<std::string_view>(
+    {"ideal", "mil_7020_1", "mil_7020_3", "mil_44378_1", "mil_498_g", "f111", "silicone_nylon",
+     "skytex_32", "ripstop_075"});
+constexpr auto canopyCords = std::to_array<std::string_view>(
+    {"ideal", "mil_5040_1", "mil_5040_3", "liros_tsl90", "liros_tsl190", "dyneema_1", "dyneema_2"});
+constexpr auto canopyTapes =
+    std::to_array<std::string_view>({"hem", "mil_5625_050", "mil_5625_056", "mil_5625_100"});
+constexpr CraftChoices choices{canopyCloths, {}, canopyCords, canopyTapes};
+
 // clang-format off
 constexpr Parameter parameters[]{
     {"rings",         "",       6,      2, 40,    true,  "Rings of fabric from the apex to the skirt.", "Mesh"},
@@ -35,6 +50,10 @@ constexpr Parameter parameters[]{
     {"diameter",      "m",      5,      0.3, 60,  false, "Nominal diameter D0: that of the canopy laid out flat.", "Canopy"},
     {"fullness",      "",       0.67,   0.5, 0.95, false, "Width of the open mouth over the nominal diameter; 0.67 to 0.70 for flat circular canopies."},
     {"drag",          "",       0.775,  0.05, 2,  false, "Drag coefficient CD0 on the nominal area; 0.75 to 0.80 for flat circular canopies."},
+    {"cloth",         "",       0,      0, canopyCloths.size() - 1, true, "Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.", "Materials", canopyCloths},
+    {"cord",          "",       0,      0, canopyCords.size() - 1, true, "What the suspension lines are made of; ideal ones never stretch.", {}, canopyCords},
+    {"tape",          "",       0,      0, canopyTapes.size() - 1, true, "What is sewn into the skirt and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.", {}, canopyTapes},
+    {"grain",         "deg",    0,      0, 90,    false, "Angle between the warp of real cloth and the middle of its gore; 45 is a bias cut."},
     {"payload",       "kg",     25,     0.01, 2000, false, "Mass that hangs below.", "Load and lines"},
     {"line_length",   "m",      4.5,    0.3, 60,  false, "From the skirt to the payload; 0.8 to 1 nominal diameter is usual."},
     {"line_segments", "",       4,      1, 40,    true,  "Segments of each suspension line."},
@@ -48,7 +67,7 @@ constexpr Parameter parameters[]{
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
     {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy"},
     {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full."},
-    {"porosity",      "",       0,      0, 0.5,   false, "Porosity of the cloth; about 0.03 for parachute nylon."},
+    {"porosity",      "",       0,      0, 0.5,   false, "Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own."},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
 };
 // clang-format on
@@ -70,6 +89,7 @@ public:
         const double angle = capAngle(p.at("fullness"));
         const double radius = 0.5 * p.at("diameter") / angle;
         const bool folded = p.at("pressure") > 0.0;
+        m_radius = folded ? 0.0 : radius;
         for (int ring = 0; ring <= m_rings; ++ring)
             for (int sector = 0; sector < (ring ? m_sectors : 1); ++sector) {
                 const double polar = angle * ring / m_rings;
@@ -86,7 +106,7 @@ public:
                                       ? tube(0.5 * p.at("mouth") * p.at("diameter"), along, out)
                                       : full);
             }
-        m_resists = folded ? Resists::Tension : Resists::Both;
+        m_resists = folded || !isIdeal(p, "cloth") ? Resists::Tension : Resists::Both;
     }
 
     // From where it is cut to where it starts.
@@ -94,6 +114,24 @@ public:
     {
         for (std::size_t i = 0; i < m_nodes.size(); ++i)
             network.row(m_nodes[i]).position = m_start[i];
+    }
+
+    // Has panels carry the cloth as it is cut, with the warp at the angle `grain`, rad, to the
+    // middle of their gore.
+    void cut(Network& network, double grain) const
+    {
+        network.carryByPanels([&](const Vec3& middle) -> Vec3 {
+            const double gore = 2.0 * pi / m_sectors;
+            const double turn = std::floor(std::atan2(middle.z(), middle.x()) / gore) * gore;
+            const double half = turn + 0.5 * gore;
+            const Vec3 out(std::cos(half), 0.0, std::sin(half));
+            const Vec3 around(-std::sin(half), 0.0, std::cos(half));
+            // from the apex to the skirt, which is down where the cap is steep
+            const double reach = std::hypot(middle.x(), middle.z());
+            const double polar = m_radius > 0.0 ? std::atan2(reach, middle.y()) : 0.0;
+            const Vec3 along = std::cos(polar) * out - std::sin(polar) * Vec3::UnitY();
+            return std::cos(grain) * along + std::sin(grain) * around;
+        });
     }
 
     Id at(int ring, int sector) const
@@ -104,7 +142,8 @@ public:
     const std::vector<Id>& nodes() const { return m_nodes; }
     std::vector<Id> skirt() const { return {m_nodes.end() - m_sectors, m_nodes.end()}; }
 
-    void weave(Network& network, const CanopyMaterials& materials) const
+    // `seam` and `skirt` are what is sewn along the gores and the mouth.
+    void weave(Network& network, const CanopyMaterials& materials, Id seam, Id skirt) const
     {
         for (int ring = 1; ring <= m_rings; ++ring)
             for (int sector = 0; sector < m_sectors; ++sector) {
@@ -113,8 +152,8 @@ public:
                 const Id b = at(ring, sector + 1);
                 const Id c = at(ring - 1, sector);
                 const Id d = at(ring - 1, sector + 1);
-                network.rod(a, c, materials.seams, m_resists);
-                network.rod(a, b, materials.seams, m_resists);
+                network.rod(a, c, seam, m_resists);
+                network.rod(a, b, ring == m_rings ? skirt : materials.seams, m_resists);
                 if (ring == 1) {
                     network.panel(c, b, a, cloth);
                     continue;
@@ -139,6 +178,7 @@ private:
 
     int m_rings;
     int m_sectors;
+    double m_radius; // m, of the sphere that it is a cap of; 0 for one that is cut flat
     Resists m_resists;
     std::vector<Id> m_nodes;
     std::vector<Vec3> m_start; // [nodes] m
@@ -152,9 +192,31 @@ Id addPayload(Network& network, const std::vector<Id>& skirt, const Parameters& 
     const double depth = std::sqrt(length * length - edge.x() * edge.x());
     const Id payload = network.particle({0.0, edge.y() - depth, 0.0}, p.at("payload"));
     for (const Id node : skirt)
-        network.line(node, payload, int(p.at("line_segments")), length * p.at("line_density"),
+        network.line(node, payload, int(p.at("line_segments")), length * cordDensity(p, choices),
                      materials.lines, Resists::Tension);
     return payload;
+}
+
+// Weaves and weighs the canopy; real cloth is cut before it is bent to where it starts.
+void layCloth(Scene& scene, Network& network, const Canopy& canopy, const Parameters& p,
+              const CanopyMaterials& materials, CraftMaterials& craft)
+{
+    if (isIdeal(p, "cloth")) {
+        canopy.weave(network, materials, materials.seams, materials.seams);
+        network.addFabricMass(p.at("fabric"));
+        return;
+    }
+    Material sewn;
+    sewn.name = "gore seams";
+    sewn.color = "#b5b2a6";
+    craft.hems.push_back(addItem(scene, sewn));
+    sewn.name = "skirt";
+    craft.hems.push_back(addItem(scene, sewn));
+    canopy.weave(network, materials, craft.hems[0], craft.hems[1]);
+    canopy.cut(network, p.at("grain") * degrees);
+    network.addFabricMass(clothDensity(p, choices));
+    for (const Id hem : craft.hems)
+        network.addLinkMass(hem, hemDensity(p, choices));
 }
 
 Result<Scene> buildParachute(const Parameters& p)
@@ -169,8 +231,11 @@ Result<Scene> buildParachute(const Parameters& p)
 
     Network network(scene, "parachute");
     const Canopy canopy(network, p);
-    canopy.weave(network, materials);
-    network.addFabricMass(p.at("fabric"));
+    CraftMaterials craft;
+    craft.cloth = {materials.cloth.begin(), materials.cloth.end()};
+    craft.seams = {materials.seams};
+    craft.lines = {materials.lines};
+    layCloth(scene, network, canopy, p, materials, craft);
     const bool holdsAir = p.at("pressure") > 0.0;
     if (holdsAir) {
         canopy.shape(network);
@@ -188,6 +253,7 @@ Result<Scene> buildParachute(const Parameters& p)
                        materials.frame);
     if (p.at("equal_masses") > 0.0)
         network.shareMass(payload);
+    makeOf(p, craft, scene, network, choices);
     network.place(Eigen::Matrix3d::Identity(),
                   {0.0, p.at("altitude") - network.position(payload).y(), 0.0},
                   {0.0, 0.0 - p.at("speed"), 0.0}); // no -0 in files
