@@ -141,7 +141,7 @@ int buildScene(const BuildOptions& options)
     const Result<Parameters> parameters = parametersFrom(*builder, options.parameters);
     if (!parameters)
         return fail(WrongUsage, parameters.message());
-    Result<Scene> scene = build(*builder, *parameters);
+    Result<Scene> scene = build(*builder, newDesign(*builder, *parameters));
     if (!scene)
         return fail(WrongUsage, scene.message());
     for (const std::string& key : idleOnes(*builder, *parameters, *scene))
@@ -162,11 +162,13 @@ Json jsonOf(const Builder& builder)
     for (const Parameter& parameter : builder.parameters) {
         parameters.push_back({{"key", parameter.key},
                               {"unit", parameter.unit},
-                              {"default", parameter.initial},
+                              {"default", parameter.atFirst()},
                               {"low", parameter.low},
                               {"high", parameter.high},
                               {"whole", parameter.whole},
                               {"help", parameter.help}});
+        if (parameter.offered) // what a file means that does not say it
+            parameters.back()["unsaid"] = parameter.initial;
         for (const std::string_view choice : parameter.choices)
             parameters.back()["choices"].push_back(choice);
     }
@@ -188,13 +190,21 @@ std::string padded(std::string_view text, std::size_t width)
     return std::string(text) + std::string(width - std::min(text.size(), width - 1), ' ');
 }
 
+// "mil_7020_1", or "0.47".
+std::string defaultOf(const Parameter& parameter)
+{
+    if (parameter.choices.empty())
+        return shortNumber(parameter.atFirst());
+    return std::string(parameter.choices[std::size_t(parameter.atFirst())]);
+}
+
 void describe(const Builder& builder)
 {
     std::cout << builder.name << ": " << builder.help << "\n\n"
               << padded("parameter", 18) << padded("default", 12) << padded("range", 18)
               << padded("unit", 8) << "meaning\n";
     for (const Parameter& parameter : builder.parameters)
-        std::cout << padded(parameter.key, 18) << padded(shortNumber(parameter.initial), 12)
+        std::cout << padded(parameter.key, 18) << padded(defaultOf(parameter), 12)
                   << padded(shortNumber(parameter.low) + " to " + shortNumber(parameter.high), 18)
                   << padded(parameter.unit.empty() ? (parameter.whole ? "whole" : "1")
                                                    : parameter.unit,
@@ -202,6 +212,9 @@ void describe(const Builder& builder)
                   << parameter.help
                   << (parameter.choices.empty() ? "" : " One of " + listed(parameter.choices) + '.')
                   << '\n';
+    if (std::ranges::any_of(builder.parameters, [](const Parameter& p) { return bool(p.offered); }))
+        std::cout << "\nWith cloth=ideal it is the design of the papers: what is not given is then "
+                     "ideal, too.\n";
     if (builder.table)
         std::cout << padded(builder.table->key, 18) << padded("none", 12)
                   << padded(shortNumber(builder.table->low) + " to "
@@ -256,6 +269,8 @@ void addBuild(CLI::App& app, Command& chosen)
     command->footer("Examples:\n"
                     "  ripstop-cli builders delta_kite              (lists the parameters)\n"
                     "  ripstop-cli build delta_kite segments=14 span=2.4 -o kite.ripstop.json\n"
+                    "  ripstop-cli build delta_kite cloth=ideal -o papers.ripstop.json   (as in the "
+                    "papers)\n"
                     "  ripstop-cli build bridle lengths=@lengths.csv -o bridle.ripstop.json\n"
                     "  ripstop-cli build parachute rings=8 -o canopy.ripstop.json \\\n"
                     "      --set settings.substeps=8");

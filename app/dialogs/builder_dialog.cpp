@@ -70,6 +70,7 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     , m_figures(new QLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel
                                      | QDialogButtonBox::RestoreDefaults))
+    , m_ideal(m_buttons->addButton(tr("The papers'"), QDialogButtonBox::ResetRole))
     , m_worker(outcomeOf, [this] {
         QMetaObject::invokeMethod(this, &BuilderDialog::collect, Qt::QueuedConnection);
     })
@@ -99,6 +100,10 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             &BuilderDialog::restoreDefaults);
+    connect(m_ideal, &QPushButton::clicked, this, [this] {
+        m_form->setValues(unsaid(chosen()));
+        post();
+    });
 
     m_builders->setCurrentIndex(std::max(m_builders->findData(builder), 0));
     m_builders->setEnabled(!part);
@@ -139,6 +144,9 @@ void BuilderDialog::layOut()
     QPushButton* defaults = m_buttons->button(QDialogButtonBox::RestoreDefaults);
     defaults->setText(tr("Defaults"));
     defaults->setToolTip(tr("Sets every parameter to what it was at first."));
+    m_ideal->setObjectName(QStringLiteral("ideal"));
+    m_ideal->setToolTip(tr("Sets every parameter to what the papers have: ideal cloth, lines and "
+                           "spars, which never stretch."));
 
     auto* form = new QVBoxLayout;
     form->addWidget(m_builders);
@@ -177,6 +185,8 @@ void BuilderDialog::showParameters()
     const Builder& builder = chosen();
     m_isNew = true;
     m_help->setText(translated(builder.help));
+    m_ideal->setVisible(std::ranges::any_of(
+        builder.parameters, [](const Parameter& parameter) { return bool(parameter.offered); }));
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -209,6 +219,7 @@ void BuilderDialog::showParameters()
 // Fills the form with what the part was built with.
 void BuilderDialog::showValuesOf(const Part& part)
 {
+    m_form->setValues(unsaid(chosen())); // a file may be older than a parameter
     m_form->setValues(part.parameters);
     if (m_table) {
         QStringList rows;

@@ -24,6 +24,7 @@ class QComboBox;
 class QDialogButtonBox;
 class QLabel;
 class QPlainTextEdit;
+class QPushButton;
 class QScrollArea;
 
 namespace ripstop {
@@ -89,6 +90,7 @@ private:
     QCheckBox* m_show;
     QLabel* m_figures;
     QDialogButtonBox* m_buttons;
+    QPushButton* m_ideal; // sets what the papers have
 
     // of a change of the open design
     PlaceForm* m_place = nullptr;

@@ -142,9 +142,7 @@ const Builder* findBuilder(std::string_view name)
 
 Result<Scene> build(const Builder& builder, const Parameters& given)
 {
-    Parameters all;
-    for (const Parameter& parameter : builder.parameters)
-        all.emplace(parameter.key, parameter.initial);
+    Parameters all = unsaid(builder);
     for (const auto& [key, value] : given) {
         const Parameter* parameter = findParameter(builder, key);
         if (!parameter && !isCell(builder, key))
@@ -157,6 +155,25 @@ Result<Scene> build(const Builder& builder, const Parameters& given)
         if (const auto failure = refused(*builder.table, tableOf(all, *builder.table)))
             return *failure;
     return builder.build(all);
+}
+
+Parameters unsaid(const Builder& builder)
+{
+    Parameters all;
+    for (const Parameter& parameter : builder.parameters)
+        all.emplace(parameter.key, parameter.initial);
+    return all;
+}
+
+Parameters newDesign(const Builder& builder, const Parameters& given)
+{
+    Parameters all = given;
+    if (const auto cloth = given.find("cloth"); cloth != given.end() && cloth->second == 0.0)
+        return all;
+    for (const Parameter& parameter : builder.parameters)
+        if (parameter.offered)
+            all.emplace(parameter.key, *parameter.offered);
+    return all;
 }
 
 void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows)

@@ -3,6 +3,10 @@
 // A builder is one row of a table: its parameters with unit, default and range, and a function
 // that turns values into a whole scene. The command line, the forms of the editor and the manual
 // are made from the rows.
+//
+// A parameter that is not said is `initial`: files leave out what was not there when they were
+// saved, and are built again as they were. A new design may be offered something else: the craft
+// are made of real materials, and `initial` are the ideal ones of the papers.
 #pragma once
 
 #include "base/result.h"
@@ -11,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,13 +26,16 @@ struct Parameter
 {
     std::string_view key;
     std::string_view unit; // SI; empty for counts and switches
-    double initial;
+    double initial;        // where nothing is said of it
     double low;
     double high;
     bool whole; // counts, switches (0 or 1) and choices
     std::string_view help;
     std::string_view group = {};                    // heading over this one and those after it
     std::span<const std::string_view> choices = {}; // what whole numbers from 0 on stand for
+    std::optional<double> offered = {};             // of a new design, where that is not `initial`
+
+    double atFirst() const { return offered.value_or(initial); } // of a new design
 };
 
 // Joins tables of parameters into one.
@@ -74,8 +82,14 @@ struct Builder
 std::span<const Builder> allBuilders();            // by family
 const Builder* findBuilder(std::string_view name); // null when there is none
 
-// Fills in defaults and checks names and ranges, then builds.
+// Fills in what is not said with `initial` and checks names and ranges, then builds.
 Result<Scene> build(const Builder& builder, const Parameters& given);
+
+Parameters unsaid(const Builder& builder); // every parameter at `initial`
+
+// What is said of a new design, with what is offered for the rest. Who says that its cloth is ideal
+// wants the papers' design, and is offered nothing else.
+Parameters newDesign(const Builder& builder, const Parameters& given);
 
 void setTable(Parameters& parameters, const TableParameter& table, const NumberRows& rows);
 NumberRows tableOf(const Parameters& parameters,

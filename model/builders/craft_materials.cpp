@@ -54,6 +54,15 @@ void forEachMaterial(Scene& scene, const std::vector<Id>& materials, Change chan
         change(std::get<Material>(*findItem(scene, id)));
 }
 
+// Takes rods away that something real stands for, and the materials that only they have.
+void drop(const std::vector<Id>& materials, Scene& scene, Network& network)
+{
+    network.dropLinks(materials);
+    std::erase_if(scene.items, [&](const Entry& entry) {
+        return std::ranges::find(materials, entry.id) != materials.end();
+    });
+}
+
 void makeCloth(const Preset& cloth, const Preset* tape, const CraftMaterials& materials,
                Scene& scene, Network& network)
 {
@@ -66,7 +75,7 @@ void makeCloth(const Preset& cloth, const Preset* tape, const CraftMaterials& ma
             m.axialStiffness = hemWidth * *numbers.membraneStiffness;
         m.dampingTime = numbers.dampingTime;
     });
-    network.dropLinks(materials.seams);
+    drop(materials.seams, scene, network);
     if (network.part().carrier != FabricKind::Panels)
         network.carryByPanels();
 }
@@ -92,7 +101,7 @@ void makeLine(const Preset& cord, const CraftMaterials& materials, Scene& scene,
         if (!(numbersOf(cord).diameter > 0.0))
             m.diameter = typed; // the library does not know it of all cords
     });
-    network.dropLinks(materials.doubled);
+    drop(materials.doubled, scene, network);
 }
 
 } // namespace

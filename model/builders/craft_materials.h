@@ -31,9 +31,9 @@ inline constexpr auto cordChoices = std::to_array<std::string_view>(
 
 // clang-format off
 inline constexpr auto materialParameters = std::to_array<Parameter>({
-    {"cloth", "", 0, 0, clothChoices.size() - 1, true, "Cloth of the sail; ideal cloth never stretches and weighs what is said below, a real one is carried by panels and wrinkles.", "Materials", clothChoices},
-    {"spars", "", 0, 0, sparChoices.size() - 1,  true, "Spars of the frame; ideal ones never stretch, real ones bend.", {}, sparChoices},
-    {"cord",  "", 0, 0, cordChoices.size() - 1,  true, "What the line is made of; an ideal one never stretches.", {}, cordChoices},
+    {"cloth", "", 0, 0, clothChoices.size() - 1, true, "Cloth of the sail; ideal cloth never stretches and weighs what is said below, a real one is carried by panels and wrinkles.", "Materials", clothChoices, 2},
+    {"spars", "", 0, 0, sparChoices.size() - 1,  true, "Spars of the frame; ideal ones never stretch, real ones bend.", {}, sparChoices, 1},
+    {"cord",  "", 0, 0, cordChoices.size() - 1,  true, "What the line is made of; an ideal one never stretches.", {}, cordChoices, 3},
 });
 // clang-format on
 

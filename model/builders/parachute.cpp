@@ -46,12 +46,12 @@ constexpr CraftChoices choices{canopyCloths, {}, canopyCords, canopyTapes};
 constexpr Parameter parameters[]{
     {"rings",         "",       6,      2, 40,    true,  "Rings of fabric from the apex to the skirt.", "Mesh"},
     {"sectors",       "",       24,     6, 120,   true,  "Gores, and suspension lines."},
-    {"hoop",          "",       1,      0, 1,     true,  "1 holds the skirt open with a rigid hoop, 0 leaves it to the air."},
+    {"hoop",          "",       1,      0, 1,     true,  "1 holds the skirt open with a rigid hoop where there is no canopy pressure, 0 leaves it to the air."},
     {"diameter",      "m",      5,      0.3, 60,  false, "Nominal diameter D0: that of the canopy laid out flat.", "Canopy"},
     {"fullness",      "",       0.67,   0.5, 0.95, false, "Width of the open mouth over the nominal diameter; 0.67 to 0.70 for flat circular canopies."},
     {"drag",          "",       0.775,  0.05, 2,  false, "Drag coefficient CD0 on the nominal area; 0.75 to 0.80 for flat circular canopies."},
-    {"cloth",         "",       0,      0, canopyCloths.size() - 1, true, "Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.", "Materials", canopyCloths},
-    {"cord",          "",       0,      0, canopyCords.size() - 1, true, "What the suspension lines are made of; ideal ones never stretch.", {}, canopyCords},
+    {"cloth",         "",       0,      0, canopyCloths.size() - 1, true, "Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.", "Materials", canopyCloths, 1},
+    {"cord",          "",       0,      0, canopyCords.size() - 1, true, "What the suspension lines are made of; ideal ones never stretch.", {}, canopyCords, 1},
     {"tape",          "",       0,      0, canopyTapes.size() - 1, true, "What is sewn into the skirt and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.", {}, canopyTapes},
     {"grain",         "deg",    0,      0, 90,    false, "Angle between the warp of real cloth and the middle of its gore; 45 is a bias cut."},
     {"payload",       "kg",     25,     0.01, 2000, false, "Mass that hangs below.", "Load and lines"},
@@ -65,7 +65,7 @@ constexpr Parameter parameters[]{
     {"friction",      "",       0.02,   0, 0.5,   false, "Coefficient of the air's force along the fabric."},
     {"altitude",      "m",      150,    1, 5000,  false, "Height of the payload at the start.", "Start"},
     {"wind",          "m/s",    0,      0, 30,    false, "Speed of the wind."},
-    {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy"},
+    {"pressure",      "",       0,      0, 4,     false, "Canopy pressure coefficient, 1.68 for round canopies: the air fills the canopy and holds it open, without a hoop, and the drag is what comes of it; 0 has each panel meet the wind by itself.", "Air in the canopy", {}, 1.68},
     {"mouth",         "",       0,      0, 0.6,   false, "Width of the mouth at the start over the nominal diameter, the cloth in folds, with canopy pressure only; 0 starts full."},
     {"porosity",      "",       0,      0, 0.5,   false, "Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own."},
     {"speed",         "m/s",    0,      0, 200,   false, "Sinks this fast at the start."},
@@ -78,6 +78,16 @@ double capAngle(double fullness)
     return root([&](double a) { return std::sin(a) / a - fullness; }, 0.01, 3.0);
 }
 
+// m, twice from the apex to the skirt along the flat cloth. Gores are triangles, whose polygon is
+// smaller than the disc around it; of real cloth it has the area of the nominal diameter, which
+// defines that (Knacke 1991), so that it is the same canopy at any number of gores.
+double laidOut(const Parameters& p)
+{
+    const double gore = 2.0 * pi / p.at("sectors");
+    return isIdeal(p, "cloth") ? p.at("diameter")
+                               : p.at("diameter") * std::sqrt(gore / std::sin(gore));
+}
+
 // Nodes of a polar mesh: node(0, ...) is the apex.
 class Canopy
 {
@@ -87,7 +97,8 @@ public:
         , m_sectors(int(p.at("sectors")))
     {
         const double angle = capAngle(p.at("fullness"));
-        const double radius = 0.5 * p.at("diameter") / angle;
+        const double diameter = laidOut(p);
+        const double radius = 0.5 * diameter / angle;
         const bool folded = p.at("pressure") > 0.0;
         m_radius = folded ? 0.0 : radius;
         for (int ring = 0; ring <= m_rings; ++ring)
@@ -96,15 +107,14 @@ public:
                 const double turn = 2.0 * pi * sector / m_sectors;
                 const Vec3 out(std::cos(turn), 0.0, std::sin(turn));
                 const double reach = 0.5 * ring / m_rings;
-                const double along = reach * p.at("diameter");
+                const double along = reach * diameter;
                 const Vec3 full =
                     radius * (std::sin(polar) * out + std::cos(polar) * Vec3::UnitY());
                 const Id node = network.particle(folded ? Vec3(along * out) : full);
                 network.texture(node, 0.5 + reach * out.x(), 0.5 + reach * out.z());
                 m_nodes.push_back(node);
-                m_start.push_back(p.at("mouth") > 0.0
-                                      ? tube(0.5 * p.at("mouth") * p.at("diameter"), along, out)
-                                      : full);
+                m_start.push_back(
+                    p.at("mouth") > 0.0 ? tube(0.5 * p.at("mouth") * diameter, along, out) : full);
             }
         m_resists = folded || !isIdeal(p, "cloth") ? Resists::Tension : Resists::Both;
     }

@@ -41,15 +41,17 @@ std::vector<Point> polarOf(const Wing& wing)
                          / (2.0 + std::sqrt(wing.aspect * wing.aspect + 8.0));
     std::vector<Point> polar;
     for (const double trim : {8.0, 9.0, 10.0, 11.0, 12.5, 15.0, 18.0, 22.0, 26.0}) {
-        const auto glider = design("hang_glider", {{"span", span},
-                                                   {"chord", 2.0 * wing.area / span},
-                                                   {"wing_mass", 0.3 * wing.mass},
-                                                   {"pilot_mass", 0.7 * wing.mass},
-                                                   {"lift_slope", slope},
-                                                   {"vortex", wing.law == AirLaw::Vortex},
-                                                   {"drag", wing.drag},
-                                                   {"speed", trim},
-                                                   {"altitude", 2000.0}});
+        const auto glider =
+            design("hang_glider", {{"cloth", 0.0}, // ideal: the wing keeps its shape
+                                   {"span", span},
+                                   {"chord", 2.0 * wing.area / span},
+                                   {"wing_mass", 0.3 * wing.mass},
+                                   {"pilot_mass", 0.7 * wing.mass},
+                                   {"lift_slope", slope},
+                                   {"vortex", wing.law == AirLaw::Vortex},
+                                   {"drag", wing.drag},
+                                   {"speed", trim},
+                                   {"altitude", 2000.0}});
         if (!glider || !glider->runUntil(30.0))
             continue;
         const Vec3 from = centerOfMass(glider->system(), glider->state().position);

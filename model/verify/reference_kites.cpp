@@ -12,7 +12,8 @@ namespace {
 std::array<double, 2> flown(double wind) // degrees, N
 {
     const auto kite = design(
-        "delta_kite", {{"span", 2.2}, {"chord", 1.09}, {"wind", wind}, {"frame_mass", 0.19}});
+        "delta_kite",
+        {{"cloth", 0.0}, {"span", 2.2}, {"chord", 1.09}, {"wind", wind}, {"frame_mass", 0.19}});
     if (!kite)
         return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     const double angle = meanProbe(*kite, "line angle", 25.0, 30.0);

@@ -21,6 +21,7 @@ namespace {
 // of the mass in all.
 double descentRate(Parameters given, double mass) // m/s
 {
+    given["cloth"] = 0.0; // ideal, as heavy as is said
     given["payload"] = 1.0;
     given["altitude"] = 1000.0;
     const auto light = design("parachute", given);
@@ -35,7 +36,7 @@ double descentRate(Parameters given, double mass) // m/s
 // Width of the skirt over the nominal diameter after 20 s, from its area seen from above.
 double projectedRatio(double hoop)
 {
-    const auto flown = design("parachute", {{"hoop", hoop}, {"altitude", 1000.0}});
+    const auto flown = design("parachute", {{"cloth", 0.0}, {"hoop", hoop}, {"altitude", 1000.0}});
     if (!flown || !flown->runUntil(20.0))
         return std::numeric_limits<double>::quiet_NaN();
     const System& system = flown->system();

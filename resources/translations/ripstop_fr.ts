@@ -155,6 +155,11 @@
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
+        <source>Sets every parameter to what the papers have: ideal cloth, lines and spars, which never stretch.</source>
+        <translation>Remet chaque paramètre à ce qu’ont les articles : toile, lignes et longerons idéaux, qui ne s’étirent jamais.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
         <source>Show in the view</source>
         <translation>Montrer dans la vue</translation>
     </message>
@@ -162,6 +167,11 @@
         <location filename="builder_dialog.cpp"/>
         <source>The design shows the outcome while this dialog is open.</source>
         <translation>Le modèle montre le résultat tant que cette fenêtre est ouverte.</translation>
+    </message>
+    <message>
+        <location filename="builder_dialog.cpp"/>
+        <source>The papers'</source>
+        <translation>Des articles</translation>
     </message>
     <message>
         <location filename="builder_dialog.cpp"/>
@@ -8008,8 +8018,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>1 holds the skirt open with a rigid hoop, 0 leaves it to the air.</source>
-        <translation>1 tient la voilure ouverte par un cerceau rigide, 0 la laisse à l’air.</translation>
+        <source>1 holds the skirt open with a rigid hoop where there is no canopy pressure, 0 leaves it to the air.</source>
+        <translation>1 tient la jupe ouverte par un cerceau rigide quand la voilure n’a pas de pression, 0 la laisse à l’air.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8450,6 +8460,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Angle at which a section of a wing with the vortex law meets the air when it has lost half of its circulation; 15 for a wing, 10 to 12 for a thin sail.</source>
         <translation>Angle auquel un profil d’une aile à loi tourbillonnaire rencontre l’air quand il a perdu la moitié de sa circulation ; 15 pour une aile, 10 à 12 pour une voile mince.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle between the warp of real cloth and the middle of its gore; 45 is a bias cut.</source>
+        <translation>Angle entre la chaîne d’une vraie toile et le milieu de son fuseau ; 45 est une coupe en biais.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Angle between the warp of real cloth and the trailing edge, mirrored at the keel; at 90 it runs along the keel.</source>
+        <translation>Angle entre la chaîne d’une vraie toile et le bord de fuite, en miroir de part et d’autre de la quille ; à 90 elle suit la quille.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8918,6 +8938,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Cloth of the canopy; ideal cloth never stretches and is as heavy and porous as is said below, a real one is carried by panels, wrinkles and does not push.</source>
+        <translation>Toile de la voilure ; une toile idéale ne s’étire jamais et a le poids et la porosité dits plus bas, une vraie est portée par des panneaux, fait des plis et ne pousse pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cloth of the sail; ideal cloth never stretches and weighs what is said above, a real one is carried by panels and wrinkles.</source>
+        <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus haut, une vraie est portée par des panneaux et fait des plis.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Cloth of the sail; ideal cloth never stretches and weighs what is said below, a real one is carried by panels and wrinkles.</source>
         <translation>Toile de la voile ; une toile idéale ne s’étire jamais et pèse ce qui est dit plus bas, une vraie est portée par des panneaux et fait des plis.</translation>
     </message>
@@ -9075,6 +9105,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Cross parachute</source>
         <translation>Parachute cruciforme</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Cross tube, control frame, wires and fittings, shared by the nodes of the frame; where the cloth is real, whose weight and that of the tubes come to it.</source>
+        <translation>Transversale, trapèze, câbles et accastillage, répartis sur les nœuds de la structure ; pour une vraie toile, dont le poids et celui des tubes s’y ajoutent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9523,6 +9558,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Fittings</source>
+        <translation>Accastillage</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Flag</source>
         <translation>Drapeau</translation>
     </message>
@@ -9935,6 +9975,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Held in place, whatever pulls on it.</source>
         <translation>Tenue en place, quoi qui tire dessus.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Hem</source>
+        <translation>Ourlet</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11418,8 +11463,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Porosity of the cloth; about 0.03 for parachute nylon.</source>
-        <translation>Porosité de la toile ; environ 0,03 pour le nylon de parachute.</translation>
+        <source>Porosity of ideal cloth; about 0.03 for parachute nylon. Real cloth has its own.</source>
+        <translation>Porosité d’une toile idéale ; environ 0,03 pour un nylon de parachute. Une vraie toile a la sienne.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11788,8 +11833,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Sail and frame together, shared equally by all particles but the pilot.</source>
-        <translation>Voile et armature ensemble, réparties également sur toutes les particules sauf le pilote.</translation>
+        <source>Sail and frame together, shared equally by all particles but the pilot; where the cloth is ideal.</source>
+        <translation>Voile et structure ensemble, réparties également sur toutes les particules sauf le pilote ; pour une toile idéale.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12243,6 +12288,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Tape</source>
+        <translation>Sangle</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Target</source>
         <translation>Cible</translation>
     </message>
@@ -12543,6 +12593,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Tubes in the leading edges and, below real cloth, in the keel; ideal ones never stretch, real ones bend.</source>
+        <translation>Tubes des bords d’attaque et, sous une vraie toile, de la quille ; les idéaux ne s’étirent jamais, les vrais fléchissent.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Tubular nylon 1 in, MIL-W-5625</source>
         <translation>Sangle tubulaire nylon 1 in, MIL-W-5625</translation>
     </message>
@@ -12738,6 +12793,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>What is sewn into the skirt and onto the seams between the gores of real cloth; a hem is the cloth itself, turned in twice over 1 cm.</source>
+        <translation>Ce qui est cousu dans la jupe et sur les coutures entre les fuseaux d’une vraie toile ; un ourlet est la toile elle-même, repliée deux fois sur 1 cm.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>What it is meant to weigh; the totals show the difference, and empty sets no target.</source>
         <translation>Ce que cela doit peser ; les totaux montrent la différence, et vide ne vise rien.</translation>
     </message>
@@ -12785,6 +12845,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>What the particle cannot leave: a line or a plane through where it is, which takes up every force across it and gives no friction.</source>
         <translation>Ce que la particule ne peut quitter : une ligne ou un plan par sa place, qui reprend toute force en travers et ne frotte pas.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>What the suspension lines are made of; ideal ones never stretch.</source>
+        <translation>Matière des suspentes ; les idéales ne s’étirent jamais.</translation>
     </message>
     <message>
         <location filename="tables"/>

@@ -103,11 +103,36 @@ private slots:
         BuilderDialog dialog("delta_kite");
         dialog.show();
         QTRY_VERIFY(okOf(dialog)->isEnabled());
+        forEachPart(dialog.scene(),
+                    [](Id, const Part& part) { QCOMPARE(part.carrier, FabricKind::Panels); });
+        dialog.findChild<QPushButton*>("ideal")->click();
+        QTRY_VERIFY(dialog.findChild<QLabel*>("counts")->text().contains("152 particles"));
         std::size_t particles = 0;
         forEachPart(dialog.scene(),
                     [&](Id, const Part& part) { particles += part.particles.size(); });
         QCOMPARE(particles, std::size_t(152)); // validation 1.5
-        QVERIFY(dialog.findChild<QLabel*>("counts")->text().contains("152 particles"));
+    }
+
+    // A new design is of real materials; one of a file that does not say what it is made of, not.
+    void showsWhatAnOlderFileMeans()
+    {
+        BuilderDialog fresh("parachute");
+        QVERIFY(fresh.findChild<QWidget*>("cloth")->findChild<QComboBox*>()->currentIndex() > 0);
+
+        Scene old = built("parachute");
+        for (Entry& entry : old.items)
+            if (Part* part = std::get_if<Part>(&entry.item))
+                std::erase_if(part->parameters, [](const auto& one) {
+                    return one.first == "cloth" || one.first == "cord" || one.first == "pressure";
+                });
+        Shop shop(std::move(old));
+        shop.selection.set({shop.part(0)});
+        shop.during<BuilderDialog>("parameters", [&](BuilderDialog& dialog) {
+            QTRY_VERIFY(okOf(dialog)->isEnabled());
+            QCOMPARE(dialog.findChild<QWidget*>("cloth")->findChild<QComboBox*>()->currentIndex(),
+                     0);
+            QCOMPARE(numberOf(dialog, "pressure")->text(), QString("0"));
+        });
     }
 
     // Each builder opens, and its defaults can be built.

@@ -196,6 +196,42 @@ private slots:
         }
     }
 
+    void aNewCraftIsOfRealMaterials_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"delta_kite", "diamond_kite", "rectangular_kite", "hang_glider",
+                                 "parachute"})
+            QTest::newRow(name) << name;
+    }
+
+    // What is built for the first time carries its pull by cloth; what says nothing, as files of
+    // before do, and what says that its cloth is ideal are the papers'.
+    void aNewCraftIsOfRealMaterials()
+    {
+        QFETCH(QString, name);
+        const Builder& builder = *findBuilder(name.toStdString());
+        const Result<Scene> fresh = build(builder, newDesign(builder, {}));
+        QVERIFY(bool(fresh));
+        QCOMPARE(partOf(*fresh).carrier, FabricKind::Panels);
+        QVERIFY(problemsOf(*fresh).empty());
+        for (const Parameters& given : {Parameters{}, newDesign(builder, {{"cloth", 0.0}})}) {
+            const Result<Scene> ideal = build(builder, given);
+            QVERIFY(bool(ideal));
+            QCOMPARE(partOf(*ideal).carrier, FabricKind::Threads);
+            QVERIFY(*ideal == built(builder.name.data()));
+        }
+    }
+
+    void whatIsGivenIsNotOffered()
+    {
+        const Builder& canopy = *findBuilder("parachute");
+        const Parameters design = newDesign(canopy, {{"pressure", 0.0}, {"rings", 8.0}});
+        QCOMPARE(design.at("pressure"), 0.0);
+        QCOMPARE(design.at("rings"), 8.0);
+        QVERIFY(design.at("cloth") > 0.0);
+        QVERIFY(newDesign(*findBuilder("rope"), {}).empty());
+    }
+
     void refusesWhatIsWrong()
     {
         const Builder& kite = *findBuilder("delta_kite");

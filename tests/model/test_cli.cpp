@@ -214,6 +214,26 @@ private slots:
         }
     }
 
+    // What one builds at first is of real materials; the papers' kite has 152 particles (1.5).
+    void buildsOfRealMaterials()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("kite.ripstop.json");
+        const auto madeOf = [&](QStringList more) {
+            const Outcome built = call(QStringList{"build", "delta_kite", "-o", file} + more);
+            Part part;
+            if (const Result<Scene> scene = readScene(file.toStdString());
+                built.exitCode == 0 && scene)
+                forEachPart(*scene, [&](Id, const Part& found) { part = found; });
+            return part;
+        };
+        QCOMPARE(madeOf({}).carrier, FabricKind::Panels);
+        const Part papers = madeOf({"cloth=ideal"});
+        QCOMPARE(papers.carrier, FabricKind::Threads);
+        QCOMPARE(papers.particles.size(), std::size_t(152));
+        QVERIFY(call({"builders", "delta_kite"}).out.contains("ripstop_075 "));
+    }
+
     void builders()
     {
         const QJsonArray all = call({"builders", "--json"}).json()["builders"].toArray();

@@ -163,8 +163,8 @@ private slots:
                 QVERIFY2(number(std::string(name).c_str(), key.data()) > 0.0, name.data());
     }
 
-    // Gores are triangles of sides R: S/2 R^2 sin(2 pi / S) of cloth, S R of seams, 2 S R
-    // sin(pi / S) of skirt, each of a hem of 2 cm of cloth; and S lines.
+    // The cloth has the area of D0. Gores are triangles of sides R: S/2 R^2 sin(2 pi / S) of it,
+    // S R of seams, 2 S R sin(pi / S) of skirt, each of a hem of 2 cm of cloth; and S lines.
     void canopyWeighsWhatItIsMadeOf_data()
     {
         QTest::addColumn<QByteArray>("tape");
@@ -178,10 +178,11 @@ private slots:
         const Scene scene =
             craft("parachute",
                   nylon({{"pressure", 1.68}, {"tape", choice("parachute", "tape", tape.data())}}));
-        constexpr double R = 2.5, S = 24.0;
+        constexpr double S = 24.0;
+        const double R = 2.5 * std::sqrt(2.0 * pi / (S * std::sin(2.0 * pi / S)));
         const double density = number("mil_7020_1", "arealDensity");
         const double hem = tape == "hem" ? 0.02 * density : number("mil_5625_050", "linearDensity");
-        const double expected = density * 0.5 * S * R * R * std::sin(2.0 * pi / S)
+        const double expected = density * 0.25 * pi * 5.0 * 5.0
                                 + hem * S * R * (1.0 + 2.0 * std::sin(pi / S))
                                 + number("mil_5040_1", "linearDensity") * S * 4.5 + 25.0;
         QVERIFY2(std::abs(massOf(partOf(scene)) / expected - 1.0) < 1e-9,
@@ -309,6 +310,9 @@ private slots:
         QVERIFY(bool(system));
         for (const Rod& rod : (*system)->rods)
             QVERIFY(rod.compliance > 0.0);
+        for (const Entry& entry : scene.items)
+            if (const Material* material = std::get_if<Material>(&entry.item))
+                QVERIFY2(material->name != "seams", "nothing is made of it");
     }
 
     // Cloth pushes nothing. Without air in it, nothing holds the mouth of a canopy open against the
@@ -324,8 +328,8 @@ private slots:
         QVERIFY(width < 0.5 * 3.35);
     }
 
-    // The air opens it from folds, and holds it as wide as round canopies are: 0.67 to 0.70 D0.
-    // It sinks within a fifth of what CD0 = 0.75 to 0.80 asks for. Both of Knacke 1991, table 5-1.
+    // The air opens it from folds, and holds it as wide as round canopies are: 0.67 to 0.70 D0
+    // (Knacke 1991, table 5-1). It sinks with CD0 of 0.65 to 0.85 (validation 4.8).
     void opensWithPressure()
     {
         const Scene scene = craft(
@@ -345,8 +349,52 @@ private slots:
         const double drag = 2.0 * mass * 9.80665 / (1.225 * 0.25 * pi * 25.0 * rate * rate);
         qInfo("%.2f m wide, sinks at %.2f m/s: CD0 %.3f", width, rate, drag);
         QVERIFY(width > 0.6 * 5.0 && width < 0.75 * 5.0);
-        QVERIFY(std::abs(drag / 0.775 - 1.0) < 0.2);
+        QVERIFY(drag > 0.65 && drag < 0.85);
         QVERIFY(simulation.frame()->accuracy.isMet());
+    }
+
+    // The same craft cut into other panels, and a canopy into other gores, sinks as fast.
+    void sinksAlikeAtAnyResolution_data()
+    {
+        QTest::addColumn<QByteArray>("builder");
+        QTest::addColumn<Parameters>("coarse");
+        QTest::addColumn<Parameters>("usual");
+        QTest::addColumn<Parameters>("fine");
+        QTest::newRow("parachute")
+            << QByteArray("parachute") << Parameters{{"rings", 4.0}, {"sectors", 12.0}}
+            << Parameters{{"rings", 6.0}, {"sectors", 24.0}}
+            << Parameters{{"rings", 12.0}, {"sectors", 48.0}};
+        QTest::newRow("hang glider")
+            << QByteArray("hang_glider") << Parameters{{"segments", 6.0}}
+            << Parameters{{"segments", 8.0}} << Parameters{{"segments", 16.0}};
+    }
+
+    void sinksAlikeAtAnyResolution()
+    {
+        QFETCH(QByteArray, builder);
+        const auto sinkRate = [&](const Parameters& mesh) {
+            Parameters given = builder == "parachute" ? nylon({{"pressure", 1.68}}) : dacron();
+            given["altitude"] = 1000.0;
+            given.insert(mesh.begin(), mesh.end());
+            Simulation simulation(*compile(craft(builder, given)));
+            constexpr int looks = 100; // the glider swings a little
+            double rate = 0.0;
+            for (int look = 0; look < looks; ++look) {
+                if (!simulation.runUntil(15.0 + 0.1 * look))
+                    qFatal("it did not fly");
+                rate += probe(simulation, "sink rate") / looks;
+            }
+            return rate;
+        };
+        QFETCH(Parameters, coarse);
+        QFETCH(Parameters, usual);
+        QFETCH(Parameters, fine);
+        const double finest = sinkRate(fine);
+        for (const Parameters& mesh : {coarse, usual}) {
+            const double rate = sinkRate(mesh);
+            qInfo("%.4f m/s, the finest %.4f", rate, finest);
+            QVERIFY(std::abs(rate / finest - 1.0) < 0.01);
+        }
     }
 
     void everyClothFlies_data()

@@ -176,6 +176,66 @@ private slots:
         }
     }
 
+    // A file that is older than a parameter does not say it. It means what was built then, and is
+    // built again as that, though a new design would be offered something else.
+    void aFileThatSaysNothingIsBuiltAsBefore_data() { everyBuilderIsInserted_data(); }
+
+    void aFileThatSaysNothingIsBuiltAsBefore()
+    {
+        QFETCH(QString, name);
+        const Builder& builder = *findBuilder(name.toStdString());
+        if (builder.family == Family::Obstacles)
+            return;
+        Scene old = built(qPrintable(name));
+        Part& before = *const_cast<Part*>(&part(old));
+        for (const Parameter& parameter : builder.parameters)
+            before.parameters.erase(std::string(parameter.key));
+        QVERIFY(handWork(old, partId(old)).isNothing());
+        const Scene again = changing(old, {});
+        QVERIFY(part(again).particles == before.particles);
+        QVERIFY(part(again).links == before.links);
+        QVERIFY(part(again).panels == before.panels);
+        QCOMPARE(part(again).carrier, before.carrier);
+        for (const Parameter& parameter : builder.parameters)
+            QCOMPARE(part(again).parameters.at(std::string(parameter.key)), parameter.initial);
+    }
+
+    // Real cloth is chosen for an ideal craft that flies already, and taken back.
+    void clothIsChosenLater_data()
+    {
+        QTest::addColumn<Parameters>("real");
+        QTest::newRow("parachute") << Parameters{{"cloth", 1}, {"cord", 1}, {"pressure", 1.68}};
+        QTest::newRow("hang_glider") << Parameters{{"cloth", 1}, {"spars", 2}};
+        QTest::newRow("delta_kite") << Parameters{{"cloth", 2}, {"spars", 1}, {"cord", 3}};
+    }
+
+    void clothIsChosenLater()
+    {
+        QFETCH(Parameters, real);
+        const char* name = QTest::currentDataTag();
+        const auto verify = [](const Scene& scene, const Scene& wanted) {
+            QVERIFY(isClean(scene));
+            QCOMPARE(part(scene).carrier, part(wanted).carrier);
+            QCOMPARE(part(scene).particles.size(), part(wanted).particles.size());
+            QCOMPARE(part(scene).links.size(), part(wanted).links.size());
+            QCOMPARE(part(scene).panels.size(), part(wanted).panels.size());
+            for (std::size_t i = 0; i < part(wanted).panels.size(); ++i) {
+                const auto of = [&](const Scene& one) {
+                    return findItem<Material>(one, part(one).panels[i].material);
+                };
+                QVERIFY(*of(scene) == *of(wanted));
+                QCOMPARE(part(scene).panels[i].grain, part(wanted).panels[i].grain);
+            }
+        };
+        const Scene ideal = built(name);
+        const Scene sewn = changing(ideal, real);
+        verify(sewn, built(name, real));
+        Parameters back;
+        for (const auto& [key, value] : real)
+            back[key] = part(ideal).parameters.at(key);
+        verify(changing(sewn, back), ideal);
+    }
+
     // Every number of every builder, from its default to the middle of its range: what comes is
     // what the builder makes, in the same place, and undo restores (after() checks that).
     void everyParameterCanBeChanged_data() { everyBuilderIsInserted_data(); }

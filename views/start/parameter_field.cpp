@@ -43,7 +43,7 @@ double shareOf(const Parameter& parameter, double value)
     if (low > 0.0 && high > wide * low)
         return std::log(value / low) / std::log(high / low);
     const double share = (value - low) / (high - low);
-    return low == 0.0 && high > wide * parameter.initial ? std::cbrt(share) : share;
+    return low == 0.0 && high > wide * parameter.atFirst() ? std::cbrt(share) : share;
 }
 
 double valueAt(const Parameter& parameter, double share)
@@ -52,7 +52,7 @@ double valueAt(const Parameter& parameter, double share)
     const double high = parameter.high;
     if (low > 0.0 && high > wide * low)
         return low * std::pow(high / low, share);
-    if (low == 0.0 && high > wide * parameter.initial)
+    if (low == 0.0 && high > wide * parameter.atFirst())
         share = share * share * share;
     return low + share * (high - low);
 }
@@ -84,14 +84,14 @@ QString help(const Parameter& parameter)
 {
     const QString unit = parameter.unit.empty() ? QString() : QChar(' ') + text(parameter.unit);
     QString limits = ParameterField::tr("%1; at first %2%3.")
-                         .arg(range(parameter), compactNumber(parameter.initial), unit);
+                         .arg(range(parameter), compactNumber(parameter.atFirst()), unit);
     if (isSwitch(parameter))
         limits = ParameterField::tr("At first %1.")
-                     .arg(parameter.initial > 0.0 ? ParameterField::tr("on")
+                     .arg(parameter.atFirst() > 0.0 ? ParameterField::tr("on")
                                                   : ParameterField::tr("off"));
     else if (!parameter.choices.empty())
         limits = ParameterField::tr("At first %1.")
-                     .arg(choiceLabel(parameter.choices[std::size_t(parameter.initial)]));
+                     .arg(choiceLabel(parameter.choices[std::size_t(parameter.atFirst())]));
     return QStringLiteral("<p>%1</p><p>%2<br>%3</p>")
         .arg(translated(parameter.help).toHtmlEscaped(), limits,
              ParameterField::tr("On the command line: %1").arg(text(parameter.key)));
@@ -130,7 +130,7 @@ ParameterField::ParameterField(const Parameter& parameter, Slider slider, QWidge
     QWidget* focused = m_number ? m_number : field;
     focused->setAccessibleName(label(parameter));
     setFocusProxy(focused);
-    setValue(parameter.initial);
+    setValue(parameter.atFirst());
 }
 
 QWidget* ParameterField::numberRow(Slider slider)

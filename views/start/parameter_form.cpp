@@ -76,7 +76,7 @@ void ParameterForm::restoreDefaults()
 {
     const QSignalBlocker quiet(this);
     for (ParameterField* field : m_fields)
-        field->setValue(field->parameter().initial);
+        field->setValue(field->parameter().atFirst());
 }
 
 } // namespace ripstop
