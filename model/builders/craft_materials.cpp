@@ -129,17 +129,22 @@ double hemDensity(const Parameters& p, const CraftChoices& choices)
     return tape ? *numbersOf(*tape).linearDensity : hemWidth * clothDensity(p, choices);
 }
 
+double sparDensity(const Parameters& p, const CraftChoices& choices)
+{
+    const Preset* spar = sparsOf(p, choices);
+    return spar ? *numbersOf(*spar).linearDensity : 0.0;
+}
+
 double frameMass(const Parameters& p, const std::vector<Id>& spars, const Network& network,
                  double ideal, const CraftChoices& choices)
 {
-    const Preset* spar = sparsOf(p, choices);
-    if (!spar)
+    if (!sparsOf(p, choices))
         return ideal;
     double length = 0.0;
     for (const Link& link : network.part().links)
         if (std::ranges::find(spars, link.material) != spars.end())
             length += link.restLength;
-    return *numbersOf(*spar).linearDensity * length;
+    return sparDensity(p, choices) * length;
 }
 
 void makeOf(const Parameters& p, const CraftMaterials& materials, Scene& scene, Network& network,

@@ -70,6 +70,9 @@ double cordDensity(const Parameters& p, const CraftChoices& choices = kiteChoice
 // kg/m, of the tape that hems and seams are made with, or of the cloth that is turned in.
 double hemDensity(const Parameters& p, const CraftChoices& choices);
 
+// kg/m, of the spar that is chosen, or 0 of ideal ones.
+double sparDensity(const Parameters& p, const CraftChoices& choices);
+
 // kg, of the rods so far that are spars; `ideal` where they are that.
 double frameMass(const Parameters& p, const std::vector<Id>& spars, const Network& network,
                  double ideal, const CraftChoices& choices = kiteChoices);

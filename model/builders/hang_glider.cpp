@@ -10,8 +10,9 @@
 // hung where the wing trims at the wanted speed, and the run starts in that trim.
 //
 // Of a cloth that one can buy (builders/craft_materials.h) the sail is two halves that are sewn
-// along the keel, carried by panels, with tubes in the leading edges and the keel. Pilot and
-// control frame are tied to these only: the trailing edge is free between keel and tips.
+// along the keel, carried by panels, with tubes in the leading edges and the keel. Frame, pilot and
+// wires hold these at the nose, along the keel and where the cross tube meets them: outside of it
+// they bend, and the trailing edge is free.
 #include "builders/craft_materials.h"
 #include "builders/delta_wing.h"
 #include "builders/designs.h"
@@ -110,8 +111,9 @@ CraftMaterials craftMaterials(const Materials& materials)
 struct Wing
 {
     SailFrame frame;
+    SailFrame held;          // what the stiffeners are tied to
     std::vector<Id> rim;     // what pilot and control frame are tied to
-    std::array<Id, 4> wired; // of these: nose, tips and tail
+    std::array<Id, 4> wired; // of these: nose, tail, and tips or ends of the cross tube
     std::vector<Id> stiffeners;
     Id pilot;
     Id foot; // of the control frame
@@ -123,18 +125,20 @@ Wing addIdealSail(Network& network, const DeltaShape& shape, int segments,
     const Lattice lattice = addSail(network, shape, segments, materials.sail);
     const int n = lattice.segments();
     Wing wing{};
-    wing.frame = SailFrame::of(lattice);
+    wing.frame = wing.held = SailFrame::of(lattice);
     wing.rim = lattice.perimeter();
     wing.wired = {lattice.at(0, 0), lattice.at(n, 0), lattice.at(n, n), lattice.at(n, n / 2)};
     return wing;
 }
 
-// As many panels as the ideal sail has, of rows that all reach the keel instead of every second
-// one. The cloth is cut as the wing is shaped.
+// About as many panels as the ideal sail has, of rows that all reach the keel instead of every
+// second one: three, or a multiple of it, so that the cross tube meets the leading edges at two
+// thirds of them in each mesh. The cloth is cut as the wing is shaped.
 Wing addRealSail(Network& network, const DeltaShape& shape, const Parameters& p,
                  const Materials& materials)
 {
-    const int rows = int(std::round(p.at("segments") / std::numbers::sqrt2));
+    const int rows =
+        3 * std::max(1, int(std::round(p.at("segments") / (3.0 * std::numbers::sqrt2))));
     Wing wing{};
     wing.frame = addHalves(network, shape, rows, materials.sail);
     const std::vector<Id>& axis = wing.frame.axis;
@@ -146,30 +150,32 @@ Wing addRealSail(Network& network, const DeltaShape& shape, const Parameters& p,
         return {-std::sin(grain), 0.0, side * std::cos(grain)};
     });
     network.addFabricMass(clothDensity(p, choices));
-    wing.rim = wing.frame.leadingEdges;
+    // nose and left side come first
+    const std::vector<Id>& edges = wing.frame.leadingEdges;
+    const auto across = std::size_t(2 * rows / 3);
+    wing.held = {{edges[0], edges[across], edges[std::size_t(rows) + across]}, axis};
+    wing.rim = wing.held.leadingEdges;
     wing.rim.insert(wing.rim.end(), axis.begin() + 1, axis.end());
-    const std::size_t tip = std::size_t(rows); // nose and left side come first
-    wing.wired = {axis.front(), wing.frame.leadingEdges[tip], wing.frame.leadingEdges.back(),
-                  axis.back()};
+    wing.wired = {edges[0], wing.held.leadingEdges[1], wing.held.leadingEdges[2], axis.back()};
     return wing;
 }
 
-// Shared equally for an ideal wing; else tubes and fittings hang on the frame, and the cloth has
-// its mass already.
+// Shared equally for an ideal wing; else tubes weigh where they are, fittings hang on what the
+// control frame is tied to, and the cloth has its mass already.
 void addWingMass(Network& network, const Parameters& p, const Wing& wing,
                  const Materials& materials)
 {
     std::vector<Id> carrying;
-    double mass = p.at("wing_mass");
     if (isIdeal(p, "cloth")) {
         for (const Particle& particle : network.part().particles)
             carrying.push_back(particle.id);
     } else {
+        network.addLinkMass(materials.sail.edges, sparDensity(p, choices));
         carrying = wing.rim;
         carrying.insert(carrying.end(), wing.stiffeners.begin(), wing.stiffeners.end());
         carrying.push_back(wing.foot);
-        mass = p.at("fittings") + frameMass(p, {materials.sail.edges}, network, 0.0, choices);
     }
+    const double mass = p.at(isIdeal(p, "cloth") ? "wing_mass" : "fittings");
     for (const Id node : carrying)
         network.row(node).mass += mass / double(carrying.size());
 }
@@ -184,7 +190,7 @@ Wing addWing(Network& network, const Parameters& p, const Materials& materials)
                            p.at("reflex")};
     Wing wing = isIdeal(p, "cloth") ? addIdealSail(network, shape, int(p.at("segments")), materials)
                                     : addRealSail(network, shape, p, materials);
-    wing.stiffeners = addStiffeners(network, shape, wing.frame, materials.frame);
+    wing.stiffeners = addStiffeners(network, shape, wing.held, materials.frame);
     const double depth = p.at("pilot_depth");
     wing.foot = network.particle({-0.6 * shape.chord, -1.25 * depth, 0.0});
     addWingMass(network, p, wing, materials);
