@@ -8053,8 +8053,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>6 m/s with the gusts of light turbulence after Dryden. Another seed gives other gusts.</source>
-        <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden. Une autre graine donne d’autres rafales.</translation>
+        <source>6 m/s with the gusts of light turbulence after Dryden, on a delta of 0.75 oz. Another seed gives other gusts. Tune the line strength of the line: gusts pull with 50 N and more, 450 N hold, less what knots take, and 100 N do not.</source>
+        <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden, sur un delta de 0,75 oz. Une autre graine donne d’autres rafales. Réglez la résistance de la ligne : les rafales tirent avec 50 N et plus, 450 N tiennent, moins ce que prennent les nœuds, et 100 N non.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8068,6 +8068,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>A bowed kite of 0.75 oz ripstop. Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways. Tune the membrane stiffness of sail and trim, 2 to 100 kN/m: a sail that stretches flies lower and pulls less.</source>
+        <translation>Un cerf-volant bombé en ripstop de 0,75 oz. Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté. Réglez la raideur de membrane de sail et trim, de 2 à 100 kN/m : une voile qui s’étire vole plus bas et tire moins.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>A box on the ground that cloth lies on and lines bend round.</source>
         <translation>Une boîte au sol où la toile se pose et que les lignes contournent.</translation>
     </message>
@@ -8075,6 +8080,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>A canopy in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop.</source>
         <translation>Une voilure en plis est jetée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 18 N as the canopy opens, 11 N as it sinks, and breaks at 445 N.</source>
+        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 18 N à l’ouverture, 11 N en descente, et rompt à 445 N.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -8115,6 +8125,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>A hanging sheet is let go and folds on the ground. Its layers stay 12 mm apart.</source>
         <translation>Une toile suspendue est lâchée et se plie au sol. Ses couches restent à 12 mm l’une de l’autre.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>A kite of 0.75 oz ripstop on fibreglass tubes of 6 mm. Down pulls the hand back against the wind, Up gives way, Left and Right walk sideways. Tune the wind, 3 to 12 m/s, and the line strength of the line, 1 to 10 N: it breaks where the pull is more.</source>
+        <translation>Un cerf-volant en ripstop de 0,75 oz sur des tubes de fibre de verre de 6 mm. Bas tire la main en arrière contre le vent, Haut cède, Gauche et Droite marchent de côté. Réglez le vent, de 3 à 12 m/s, et la résistance de la ligne, de 1 à 10 N : elle rompt quand la traction est plus forte.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -9140,6 +9155,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Dacron glider</source>
+        <translation>Deltaplane en Dacron</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11028,6 +11048,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Nylon parachute</source>
+        <translation>Parachute en nylon</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Of a link, its length over that at rest less one; the largest where there are several.</source>
         <translation>D’une liaison, sa longueur sur celle au repos moins un ; la plus grande s’il y en a plusieurs.</translation>
     </message>
@@ -12403,13 +12428,18 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>The Dacron glider flies over generated hills of 40 m, a height field of 256 x 256 points, and lands on them when it is low. Tune the altitude of the hills, the y of the size of the ground.</source>
+        <translation>Le deltaplane en Dacron survole des collines engendrées de 40 m, un champ de hauteurs de 256 x 256 points, et s’y pose quand il est bas. Réglez la hauteur des collines, le y de la taille du sol.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>The delta of what one can buy: 0.75 oz ripstop, fibreglass tubes of 6 mm and a line that breaks at 450 N. Tune the membrane stiffness of sail, border and keel cloth, 20 to 90 kN/m, and watch the strain (Alt+2).</source>
         <translation>Le delta de ce qui s’achète : ripstop de 0,75 oz, tubes de fibre de verre de 6 mm et une ligne qui casse à 450 N. Réglez la raideur de membrane de la voile, du bord et de la toile de quille, de 20 à 90 kN/m, et regardez la déformation (Alt+2).</translation>
     </message>
     <message>
         <location filename="tables"/>
-        <source>The glider flies over generated hills of 40 m, a height field of 256 x 256 points, and lands on them when it is low.</source>
-        <translation>Le deltaplane survole des collines engendrées de 40 m, un champ de hauteurs de 256 x 256 points, et s’y pose quand il est bas.</translation>
+        <source>The glider of what one can buy: Dacron of 210 g/m2 on aluminium tubes of 50 mm. The keys shift the pilot. Tune the flexural rigidity of the tube, 500 to 6000 N m2: soft leading edges give way outside of the cross tube, the sail billows, and it sinks faster.</source>
+        <translation>Le deltaplane de ce qui s’achète : Dacron de 210 g/m2 sur des tubes d’aluminium de 50 mm. Les touches déplacent le pilote. Réglez la rigidité de flexion du tube, de 500 à 6000 N m2 : des bords d’attaque souples cèdent au-delà de la transversale, la voile se gonfle, et il descend plus vite.</translation>
     </message>
     <message>
         <location filename="tables"/>
