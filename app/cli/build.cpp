@@ -266,14 +266,15 @@ void addBuild(CLI::App& app, Command& chosen)
         ->required()
         ->type_name("SCENE");
     addSetOption(*command, options->assignments);
-    command->footer("Examples:\n"
-                    "  ripstop-cli builders delta_kite              (lists the parameters)\n"
-                    "  ripstop-cli build delta_kite segments=14 span=2.4 -o kite.ripstop.json\n"
-                    "  ripstop-cli build delta_kite cloth=ideal -o papers.ripstop.json   (as in the "
-                    "papers)\n"
-                    "  ripstop-cli build bridle lengths=@lengths.csv -o bridle.ripstop.json\n"
-                    "  ripstop-cli build parachute rings=8 -o canopy.ripstop.json \\\n"
-                    "      --set settings.substeps=8");
+    command->footer(
+        "Examples:\n"
+        "  ripstop-cli builders delta_kite              (lists the parameters)\n"
+        "  ripstop-cli build delta_kite segments=14 span=2.4 -o kite.ripstop.json\n"
+        "  ripstop-cli build delta_kite cloth=ideal -o papers.ripstop.json   (as in the "
+        "papers)\n"
+        "  ripstop-cli build bridle lengths=@lengths.csv -o bridle.ripstop.json\n"
+        "  ripstop-cli build parachute rings=8 -o canopy.ripstop.json \\\n"
+        "      --set settings.substeps=8");
     command->callback([options, &chosen] { chosen = [options] { return buildScene(*options); }; });
 }
 

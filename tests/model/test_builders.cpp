@@ -199,8 +199,8 @@ private slots:
     void aNewCraftIsOfRealMaterials_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"delta_kite", "diamond_kite", "rectangular_kite", "hang_glider",
-                                 "parachute"})
+        for (const char* name :
+             {"delta_kite", "diamond_kite", "rectangular_kite", "hang_glider", "parachute"})
             QTest::newRow(name) << name;
     }
 

@@ -88,7 +88,7 @@ QString help(const Parameter& parameter)
     if (isSwitch(parameter))
         limits = ParameterField::tr("At first %1.")
                      .arg(parameter.atFirst() > 0.0 ? ParameterField::tr("on")
-                                                  : ParameterField::tr("off"));
+                                                    : ParameterField::tr("off"));
     else if (!parameter.choices.empty())
         limits = ParameterField::tr("At first %1.")
                      .arg(choiceLabel(parameter.choices[std::size_t(parameter.atFirst())]));
