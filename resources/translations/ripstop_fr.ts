@@ -8053,8 +8053,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>6 m/s with the gusts of light turbulence after Dryden, on a delta of 0.75 oz. Another seed gives other gusts. Tune the line strength of the line: gusts pull with 50 N and more, 450 N hold, less what knots take, and 100 N do not.</source>
-        <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden, sur un delta de 0,75 oz. Une autre graine donne d’autres rafales. Réglez la résistance de la ligne : les rafales tirent avec 50 N et plus, 450 N tiennent, moins ce que prennent les nœuds, et 100 N non.</translation>
+        <source>6 m/s with the gusts of light turbulence after Dryden, on a delta of 0.75 oz. Another seed gives other gusts. Tune the line strength of the line: the jerk of the launch pulls with 120 N, gusts with 50 N, and it breaks at 450 N.</source>
+        <translation>6 m/s avec les rafales d’une turbulence légère d’après Dryden, sur un delta de 0,75 oz. Une autre graine donne d’autres rafales. Réglez la résistance de la ligne : la secousse du lancement tire avec 120 N, les rafales avec 50 N, et elle rompt à 450 N.</translation>
     </message>
     <message>
         <location filename="tables"/>
