@@ -111,16 +111,17 @@ std::vector<std::string> idleOnes(const Builder& builder, const Parameters& give
         return one;
     };
     const Scene plain = withoutParameters(scene);
+    const Parameters design = newDesign(builder, given);
     std::vector<std::string> idle;
-    for (const Parameter& parameter : builder.parameters) {
-        const auto found = given.find(std::string(parameter.key));
-        if (found == given.end() || found->second == parameter.initial)
-            continue;
+    for (const auto& [key, value] : given) {
         Parameters others = given;
-        others.erase(found->first);
+        others.erase(key);
+        others = newDesign(builder, others);
+        if (others == design)
+            continue; // it was given what it has anyway
         const Result<Scene> other = build(builder, others);
         if (other && withoutParameters(*other) == plain)
-            idle.emplace_back(parameter.key);
+            idle.push_back(key);
     }
     return idle;
 }

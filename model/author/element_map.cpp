@@ -20,7 +20,14 @@ enum Name : std::size_t { X, Y, Z, U, V, Present, Grey, nameCount };
 
 std::vector<Formula::Name> mapNames()
 {
-    return {{"x", ""}, {"y", ""}, {"z", ""}, {"u", ""}, {"v", ""}, {"value", ""}, {"grey", ""}};
+    const auto keyOf = [](const Property& property) { return std::string(property.key); };
+    return {{"x", ""},
+            {"y", ""},
+            {"z", ""},
+            {keyOf(propertyOf<&Particle::textureU>()), ""},
+            {keyOf(propertyOf<&Particle::textureV>()), ""},
+            {"value", ""},
+            {"grey", ""}};
 }
 
 struct Spot
