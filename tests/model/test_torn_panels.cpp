@@ -75,8 +75,10 @@ private slots:
                 if (n < 98) // at 0.9996 of the strength with 1.02 of the load
                     QVERIFY2(simulation.state().tears.empty(), told(n, 98.0));
             }
-            QVERIFY(simulation.runUntil(6.0));
+            // what falls after the first tear is another matter, and slow: scraps of a milligram
             const auto& tears = simulation.state().tears;
+            for (double time = 5.0; time < 6.0 && tears.empty(); time += 0.05)
+                QVERIFY(simulation.runUntil(time + 0.05));
             if (share < 1.0) {
                 QVERIFY(tears.empty());
                 const auto frame = simulation.frame();
