@@ -5,12 +5,14 @@
 // neither written nor read, and keeps the value that it begins with.
 //
 // The bytes are those of the machine. Whoever reads them has checked that they are whole; a length
-// that cannot be is noticed all the same: ok() turns false and stays so.
+// that cannot be is noticed all the same: ok() turns false and stays so. A byte that is there asks
+// for no more than `mostMemory` bytes of memory.
 #pragma once
 
 #include "base/fields.h"
 #include "base/vec3.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -30,6 +32,53 @@ template <typename T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 inline constexpr int newestVersion = std::numeric_limits<int>::max();
+
+// The fewest bytes that a value of a type is written as. It bounds how many values some bytes can
+// hold, before memory is asked for.
+template <typename T>
+struct FewestBytes
+{
+    static constexpr std::size_t count()
+    {
+        if constexpr (Plain<T>) {
+            return std::is_same_v<T, bool> ? 1 : sizeof(T);
+        } else if constexpr (HasFields<T>) {
+            std::size_t sum = 0;
+            forEachField<T>([&](auto field) {
+                using Value = std::remove_cvref_t<decltype(field.of(std::declval<T&>()))>;
+                if (field.mark(Since{1}).version == 1)
+                    sum += FewestBytes<Value>::count();
+            });
+            return sum;
+        } else {
+            return sizeof(Vec3); // or PaddedVec3
+        }
+    }
+};
+template <>
+struct FewestBytes<std::string>
+{
+    static constexpr std::size_t count() { return sizeof(std::uint64_t); }
+};
+template <typename T>
+struct FewestBytes<std::vector<T>> : FewestBytes<std::string>
+{};
+template <typename T, std::size_t n>
+struct FewestBytes<std::array<T, n>>
+{
+    static constexpr std::size_t count() { return n * FewestBytes<T>::count(); }
+};
+template <typename T>
+struct FewestBytes<std::optional<T>> : FewestBytes<bool>
+{};
+template <typename T>
+struct FewestBytes<std::shared_ptr<const T>> : FewestBytes<T>
+{};
+template <typename... T>
+struct FewestBytes<std::variant<T...>>
+{
+    static constexpr std::size_t count() { return 1 + std::min({FewestBytes<T>::count()...}); }
+};
 
 class ByteWriter
 {
@@ -116,6 +165,8 @@ private:
 class ByteReader
 {
 public:
+    static constexpr std::size_t mostMemory = 16;
+
     explicit ByteReader(std::string_view bytes, int version = newestVersion)
         : m_left(bytes)
         , m_version(version)
@@ -171,7 +222,8 @@ private:
             values.resize(length(sizeof(T)));
             raw(values.data(), values.size() * sizeof(T));
         } else {
-            values.resize(length(1));
+            static_assert(sizeof(T) <= mostMemory * FewestBytes<T>::count());
+            values.resize(length(FewestBytes<T>::count()));
             for (T& value : values)
                 take(value);
         }

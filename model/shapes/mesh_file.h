@@ -1,5 +1,5 @@
-// Files of meshes as polygons or as triangles. Nobody else calls assimp, which reads all of them
-// but OBJ (obj_file.h), PLY and OFF (ply_file.h).
+// Files of meshes as polygons or as triangles. OBJ (obj_file.h), PLY and OFF (ply_file.h) are read
+// here, all others by assimp in a process of its own (mesh_process.h).
 // Both functions read the file at each call and may run on any thread; the message of a failure is
 // a whole sentence that names the file. Files above 1 GiB are refused.
 #pragma once

@@ -4356,11 +4356,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 cannot be read (%2). The file may be cut off or of another format; save it again, or choose another file.</source>
-        <translation>Le maillage %1 ne peut pas être lu (%2). Le fichier est peut-être tronqué ou d’un autre format ; l’enregistrer de nouveau, ou choisir un autre fichier.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
         <source>The mesh %1 cannot be read to its end; check the disk.</source>
         <translation>Le maillage %1 ne peut pas être lu jusqu’au bout ; vérifier le disque.</translation>
     </message>
@@ -4383,11 +4378,6 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_file.cpp"/>
         <source>The mesh %1 has no faces; choose a file with a surface.</source>
         <translation>Le maillage %1 n’a pas de faces ; choisir un fichier avec une surface.</translation>
-    </message>
-    <message>
-        <location filename="mesh_file.cpp"/>
-        <source>The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or Collada (.dae) file.</source>
-        <translation>Le maillage %1 n’a pas de format connu ; choisir un fichier OBJ, STL, PLY, OFF, glTF, GLB ou Collada (.dae).</translation>
     </message>
     <message>
         <location filename="mesh_file.cpp"/>
@@ -4448,6 +4438,46 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="mesh_preview.cpp"/>
         <source>Preview</source>
         <translation>Aperçu</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 and the files that it names are larger than 1 GiB; make it coarser in a mesh program first.</source>
+        <translation>Le maillage %1 et les fichiers qu’il nomme dépassent 1 Gio ; le rendre d’abord plus grossier dans un logiciel de maillage.</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 asks for more memory than a file of its size may need; it is damaged, or has to be saved in another format.</source>
+        <translation>Le maillage %1 demande plus de mémoire qu’un fichier de sa taille n’en peut nécessiter ; il est endommagé, ou doit être enregistré dans un autre format.</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 cannot be read (%2). The file may be cut off or of another format; save it again, or choose another file.</source>
+        <translation>Le maillage %1 ne peut pas être lu (%2). Le fichier est peut-être tronqué ou d’un autre format ; l’enregistrer de nouveau, ou choisir un autre fichier.</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 cannot be read, as the program %2 could not be started (%3).</source>
+        <translation>Le maillage %1 ne peut pas être lu, car le programme %2 n’a pas pu être démarré (%3).</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 cannot be read, as the program %2 is not beside this one; install it there, or save the mesh as OBJ, PLY or OFF.</source>
+        <translation>Le maillage %1 ne peut pas être lu, car le programme %2 n’est pas à côté de celui-ci ; l’y installer, ou enregistrer le maillage en OBJ, PLY ou OFF.</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 has no known format; choose an OBJ, STL, PLY, OFF, glTF, GLB or Collada (.dae) file.</source>
+        <translation>Le maillage %1 n’a pas de format connu ; choisir un fichier OBJ, STL, PLY, OFF, glTF, GLB ou Collada (.dae).</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 is damaged: the library that reads its format crashed on it. Save it again in a mesh program, as OBJ or PLY for example.</source>
+        <translation>Le maillage %1 est endommagé : la bibliothèque qui lit son format s’est arrêtée dessus. L’enregistrer de nouveau dans un logiciel de maillage, en OBJ ou PLY par exemple.</translation>
+    </message>
+    <message>
+        <location filename="mesh_process.cpp"/>
+        <source>The mesh %1 takes longer to read than a file of its size may; it is damaged, or has to be saved in another format.</source>
+        <translation>La lecture du maillage %1 prend plus de temps qu’un fichier de sa taille n’en devrait demander ; il est endommagé, ou doit être enregistré dans un autre format.</translation>
     </message>
     <message>
         <location filename="mesh_repair.cpp"/>

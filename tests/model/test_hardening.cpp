@@ -16,6 +16,7 @@ private slots:
     {
         QTest::addColumn<QString>("program");
         QTest::newRow("command line") << CLI_PROGRAM;
+        QTest::newRow("reader of meshes") << MESH_READER_PROGRAM;
         if (QFileInfo::exists(EDITOR_PROGRAM))
             QTest::newRow("editor") << EDITOR_PROGRAM;
     }
