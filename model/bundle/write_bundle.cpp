@@ -235,6 +235,16 @@ ExportRange everyStep(double begin, double end, double timeStep)
     return {begin, begin + steps * timeStep, 1.0 / timeStep};
 }
 
+// The time step of the first design, unless later ones are so much longer that most moments would
+// be of no step.
+double timeStepOf(const RecordedFrames& source, const Recording& recording)
+{
+    constexpr double mostMoments = 64.0; // for each step
+    const auto steps = double(recording.lastStep() - recording.firstStep());
+    const double mean = (source.end() - source.begin()) / std::max(1.0, steps);
+    return std::max(source.timeStep(), mean / mostMoments);
+}
+
 // Flies and writes into a folder beside the target, then puts it into its place.
 class Writer
 {
@@ -276,7 +286,8 @@ public:
         if (!own)
             return {own.failure()};
         RecordedFrames source(*own, RecordedFrames::Places::Exact, m_order.threads);
-        if (auto failure = fly(source, everyStep(source.begin(), source.end(), source.timeStep())))
+        if (auto failure =
+                fly(source, everyStep(source.begin(), source.end(), timeStepOf(source, **own))))
             return {failure};
         return write((*own)->scene(), **own, Manifest::From::Recording);
     }

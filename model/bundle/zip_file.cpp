@@ -6,7 +6,7 @@
 //
 // unzip() opens the archive with libzip's check of consistency and unpacks entry by entry: the name
 // must not lead out of the folder, then the content is copied in pieces of 64 KiB, so that large
-// recordings need little memory.
+// recordings need little memory. What is unpacked is bounded by the size of the archive.
 #include "bundle/zip_file.h"
 
 #include <algorithm>
@@ -81,6 +81,19 @@ bool add(zip_t* zip, const fs::path& file, const std::string& name)
     return true;
 }
 
+// What may still be unpacked. Tables of probes that do not move pack best, to about a fiftieth.
+struct Room
+{
+    static constexpr std::uint64_t atOnce = std::uint64_t(64) << 20; // bytes
+    static constexpr std::uint64_t perByte = 100;                    // of the archive
+
+    explicit Room(std::uint64_t archive)
+        : left(atOnce + perByte * archive)
+    {}
+
+    std::uint64_t left; // bytes
+};
+
 bool leadsOut(const fs::path& name)
 {
     return name.is_absolute() || name.empty()
@@ -88,7 +101,7 @@ bool leadsOut(const fs::path& name)
 }
 
 std::optional<Failure> unpackEntry(zip_t* zip, zip_uint64_t number, const fs::path& archive,
-                                   const fs::path& folder)
+                                   const fs::path& folder, Room& room)
 {
     const char* said = zip_get_name(zip, number, 0);
     const fs::path name = said ? said : "";
@@ -106,8 +119,14 @@ std::optional<Failure> unpackEntry(zip_t* zip, zip_uint64_t number, const fs::pa
     std::ofstream out(folder / name, std::ios::binary | std::ios::trunc);
     std::vector<char> buffer(std::size_t(1) << 16);
     zip_int64_t count = 0;
-    while ((count = zip_fread(entry.get(), buffer.data(), buffer.size())) > 0)
+    while ((count = zip_fread(entry.get(), buffer.data(), buffer.size())) > 0) {
+        if (std::uint64_t(count) > room.left)
+            return Failure("%1 was not unpacked: there is far more in it than its size allows for; "
+                           "get it from whom you trust, and unpack it by hand.",
+                           archive.string());
+        room.left -= std::uint64_t(count);
         out.write(buffer.data(), count);
+    }
     if (count < 0)
         return unread(archive, Message("%1: %2", name.string(), zip_file_strerror(entry.get())));
     out.close();
@@ -157,9 +176,12 @@ std::optional<Failure> unzip(const fs::path& zip, const fs::path& folder, const 
     const Zip archive(zip_open(zip.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));
     if (!archive)
         return unread(zip, Message::verbatim(textOf(code)));
+    std::error_code error;
+    const std::uint64_t size = fs::file_size(zip, error);
+    Room room(error ? 0 : size);
     const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
     for (zip_int64_t i = 0; i < count; ++i) {
-        if (auto failure = unpackEntry(archive.get(), zip_uint64_t(i), zip, folder))
+        if (auto failure = unpackEntry(archive.get(), zip_uint64_t(i), zip, folder, room))
             return failure;
         if (!goesOn(progress, double(i + 1) / double(count)))
             return Failure{"Cancelled."};

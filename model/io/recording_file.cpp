@@ -4,6 +4,7 @@
 #include "io/recording_file.h"
 
 #include "base/bytes.h"
+#include "io/recording_bounds.h"
 #include "io/scene_file.h"
 #include "io/whole_file.h"
 #include "run/packed.h"
@@ -210,11 +211,14 @@ public:
             return Message("is cut off");
         if (head.length > m_size - m_place - headSize)
             return Message("is cut off");
+        if (head.length > RecordingBudget::largestBlock)
+            return Message("is damaged");
         const std::string content = m_file->read(m_place + headSize, std::size_t(head.length));
         if (content.size() < head.length || checksumOf(head.kind, content) != head.checksum)
             return Message("is damaged");
         const std::uint64_t begin = m_place + headSize;
         m_place = begin + head.length;
+        m_budget.hasRead(headSize + head.length);
         if (head.kind == BlockKind::End)
             m_atEnd = true;
         else if (head.kind == BlockKind::About)
@@ -246,6 +250,8 @@ private:
 
     std::optional<Message> readCertificate(const std::string& content)
     {
+        if (!m_budget.takesToKeep(content))
+            return tooMuch();
         const Result<std::string> bytes = unpacked(content);
         Certificate certificate;
         const auto isWhole = [&](const CertifiedProbe& probe) {
@@ -261,6 +267,8 @@ private:
 
     std::optional<Message> readDesign(const std::string& content)
     {
+        if (!m_budget.takesDesign(content))
+            return tooMuch();
         Result<std::string> text = unpacked(content, m_text);
         if (!text)
             return Message("is damaged");
@@ -268,23 +276,22 @@ private:
         if (!scene)
             return Message("has a scene that cannot be read (%1)", scene.message());
         scene->folder.path = m_folder;
+        m_time.addDesign(scene->settings.timeStep);
         m_recording->addDesign({std::make_shared<const Scene>(std::move(*scene)), {}});
         m_text = std::move(*text);
         return std::nullopt;
     }
 
-    bool isSound(const StoredChunk& chunk) const
+    static Message tooMuch() { return Message("asks for more memory than its bytes may need"); }
+
+    bool isSound(const StoredChunk& chunk)
     {
         const int designs = int(m_recording->designCount());
         const auto isKnown = [&](const RunInput& input) {
             const auto* change = std::get_if<DesignChange>(&input.what);
             return !change || (change->number >= 0 && change->number < designs);
         };
-        const bool follows =
-            m_recording->chunkCount() == 0 || chunk.firstStep == m_recording->lastStep() + 1;
-        return follows && chunk.design >= 0 && chunk.design < designs && !chunk.frameSteps.empty()
-               && chunk.frameSteps.size() == chunk.frameTimes.size() && !chunk.hashes.empty()
-               && std::is_sorted(chunk.frameSteps.begin(), chunk.frameSteps.end())
+        return chunk.design >= 0 && chunk.design < designs && m_time.takes(chunk)
                && std::all_of(chunk.inputs.begin(), chunk.inputs.end(), isKnown);
     }
 
@@ -296,8 +303,11 @@ private:
             || !readWhole(std::string_view(content).substr(0, prefix), length)
             || length > content.size() - prefix)
             return Message("is damaged");
-        const Result<std::string> head =
-            unpacked(std::string_view(content).substr(prefix, std::size_t(length)));
+        const auto packedHead = std::string_view(content).substr(prefix, std::size_t(length));
+        if (!m_budget.takesToKeep(packedHead)
+            || !m_budget.takes(std::string_view(content).substr(prefix + std::size_t(length))))
+            return tooMuch();
+        const Result<std::string> head = unpacked(packedHead);
         StoredChunk chunk;
         if (!head || !readWhole(*head, chunk, m_version) || !isSound(chunk))
             return Message("is damaged");
@@ -323,6 +333,8 @@ private:
     std::string m_folder; // what scenes name is seen from there
     std::uint64_t m_place = firstLine.size();
     bool m_atEnd = false;
+    RecordingBudget m_budget;
+    RecordedTime m_time;
     std::string m_text; // of the last design
     std::shared_ptr<Recording> m_recording = std::make_shared<Recording>(0);
 };

@@ -77,16 +77,24 @@ std::string packedAfter(std::string_view before, std::string_view bytes)
     return pack(before, bytes, 3);
 }
 
-Result<std::string> unpacked(std::string_view packed, std::string_view before)
+std::optional<std::uint64_t> unpackedSize(std::string_view packed)
 {
     const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-    if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR || size > largest)
+    if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR)
+        return std::nullopt;
+    return size;
+}
+
+Result<std::string> unpacked(std::string_view packed, std::string_view before)
+{
+    const std::optional<std::uint64_t> size = unpackedSize(packed);
+    if (!size || *size > largest)
         return Failure{"it is no compressed data"};
     const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
     ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, 31);
     if (!before.empty())
         ZSTD_DCtx_refPrefix(context.get(), before.data(), before.size());
-    std::string bytes(std::size_t(size), '\0');
+    std::string bytes(std::size_t(*size), '\0');
     const std::size_t done = ZSTD_decompressDCtx(context.get(), bytes.data(), bytes.size(),
                                                  packed.data(), packed.size());
     if (ZSTD_isError(done) || done != bytes.size())

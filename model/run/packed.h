@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,7 +36,11 @@ private:
 // hundred bytes.
 std::string packedAfter(std::string_view before, std::string_view bytes);
 
-// A failure is half a sentence: why the bytes are damaged.
+// As packed bytes say it themselves, which may be false; nothing when they do not.
+std::optional<std::uint64_t> unpackedSize(std::string_view packed);
+
+// Takes as much memory as unpackedSize() says. A failure is half a sentence: why the bytes are
+// damaged.
 Result<std::string> unpacked(std::string_view packed, std::string_view before = {});
 
 // Tells damaged bytes from whole ones.

@@ -35,7 +35,9 @@ bool fits(const System& system, const State& state)
     const auto isLink = [&](const TearHold& hold) {
         return hold.link >= 0 && std::size_t(hold.link) < system.links.size();
     };
-    return sized && state.carried.size() == state.hands.carries.size()
+    constexpr int mostSubsteps = 10000; // that a scene may ask for, and more than the solver takes
+    return sized && state.substeps >= 0 && state.substeps <= mostSubsteps
+           && state.carried.size() == state.hands.carries.size()
            && std::all_of(state.tearHolds.begin(), state.tearHolds.end(), isLink);
 }
 
@@ -202,7 +204,7 @@ Result<std::shared_ptr<const RunChunk>> Recording::Private::chunkOf(std::size_t 
         return bytes.failure();
     const Result<std::string> whole = unpacked(*bytes);
     std::optional<RunChunk> chunk = whole ? ripstop::chunkOf(*whole) : std::nullopt;
-    if (!chunk)
+    if (!chunk || chunk->start->step != entryAt(number).firstStep)
         return Failure{"A stretch of the recording is damaged; choose another time."};
     std::swap(unpackedChunks[0], unpackedChunks[1]);
     unpackedChunks[0] = {number, std::make_shared<const RunChunk>(std::move(*chunk))};

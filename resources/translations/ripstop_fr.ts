@@ -6135,6 +6135,11 @@ ripstop-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <location filename="recording_file.cpp"/>
+        <source>asks for more memory than its bytes may need</source>
+        <translation>demande plus de mémoire que ses octets n’en peuvent nécessiter</translation>
+    </message>
+    <message>
+        <location filename="recording_file.cpp"/>
         <source>has a scene that cannot be read (%1)</source>
         <translation>a une scène qui ne peut pas être lue (%1)</translation>
     </message>
@@ -15550,6 +15555,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="zip_file.cpp"/>
         <source>%1 leads out of it</source>
         <translation>%1 en sort</translation>
+    </message>
+    <message>
+        <location filename="zip_file.cpp"/>
+        <source>%1 was not unpacked: there is far more in it than its size allows for; get it from whom you trust, and unpack it by hand.</source>
+        <translation>%1 n’a pas été décompressé : il contient bien plus que sa taille ne le laisse attendre ; l’obtenir d’une source de confiance, et le décompresser à la main.</translation>
     </message>
     <message>
         <location filename="zip_file.cpp"/>

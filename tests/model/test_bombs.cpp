@@ -1,0 +1,253 @@
+// Small files that ask for much: lists and sizes in a recording that are not there, steps and times
+// that nobody has recorded, archives that unpack to a thousand times their size. Each is forged
+// with its checksums repaired, and refused by what is there; what packs well by rights is read.
+//
+// Stages: the counts of bytes; recordings, of which each row forges one number; a sheet at rest;
+// archives.
+#include "base/bytes.h"
+#include "builders/builder.h"
+#include "bundle/bundle.h"
+#include "bundle/zip_file.h"
+#include "io/recording_file.h"
+#include "run/run_chunk.h"
+#include "run/run_fields.h"
+
+#include "files.h"
+#include "flown.h"
+#include "recording_blocks.h"
+#include "system/moment.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <sys/resource.h>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr std::int64_t flownSteps = 40;
+
+std::string bytesOf(const StoredChunk& chunk)
+{
+    ByteWriter writer;
+    writer(chunk);
+    return writer.take();
+}
+
+// A zstd frame without content that claims to have this much.
+std::string claiming(std::uint64_t size)
+{
+    std::string frame("\x28\xb5\x2f\xfd\xe0", 5); // magic; one segment, a size of eight bytes
+    frame.append(reinterpret_cast<const char*>(&size), sizeof size);
+    return frame + std::string("\x01\0\0", 3); // the last block, raw and empty
+}
+
+long peakMemory() // KiB
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+}
+
+using Forge = void (*)(StretchParts& stretch);
+
+void forgeHead(StretchParts& stretch, void (*forge)(StoredChunk& chunk))
+{
+    const std::string bytes = *unpacked(stretch.head);
+    StoredChunk chunk;
+    ByteReader reader(bytes);
+    reader(chunk);
+    forge(chunk);
+    stretch.head = packed(bytesOf(chunk), Packing::Small);
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Forge)
+
+class TestBombs : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        const auto recording = flown(*build(*findBuilder("rope"), {}), flownSteps);
+        m_file = m_folder.filePath("run.ripstop-run");
+        QVERIFY(!saveRecording(*recording, m_file.toStdString()));
+        QVERIFY(blocksOf(contentOf(m_file).toStdString()).first(RecordingBlock::Stretch));
+    }
+
+    // An input takes ten bytes at least: a thousand bytes hold no more than a hundred of them.
+    void aListAsksForWhatItsBytesHold()
+    {
+        ByteWriter writer;
+        writer(std::uint64_t(101));
+        const std::string bytes = writer.take() + std::string(1000, '\0');
+        ByteReader reader(bytes);
+        std::vector<RunInput> inputs;
+        reader(inputs);
+        QVERIFY(!reader.ok());
+        QVERIFY(inputs.empty());
+    }
+
+    void forgedRecordings_data()
+    {
+        QTest::addColumn<Forge>("forge");
+        QTest::addColumn<QString>("says");
+        const QString memory = "asks for more memory than its bytes may need";
+        const auto row = [&](const char* name, Forge forge, const QString& says) {
+            QTest::newRow(name) << forge << says;
+        };
+        row("nothing forged", [](StretchParts&) {}, {});
+        row(
+            "frames that claim 3.2 GB",
+            [](StretchParts& stretch) { stretch.frames = claiming(3200000000u); }, memory);
+        row(
+            "a head that claims 3.2 GB",
+            [](StretchParts& stretch) { stretch.head = claiming(3200000000u); }, memory);
+        row(
+            "8 MB of inputs from some hundred bytes",
+            [](StretchParts& stretch) {
+                const std::uint64_t count = 8000000;
+                std::string bytes = bytesOf(StoredChunk{0, 0, {0}, {0.0}, {1}, {}, {}});
+                bytes.resize(bytes.size() - 2 * sizeof count);
+                bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+                bytes.resize(bytes.size() + count);
+                stretch.head = packed(bytes, Packing::Small);
+            },
+            memory);
+        row(
+            "a frame of step 10^15",
+            [](StretchParts& stretch) {
+                forgeHead(stretch,
+                          [](StoredChunk& chunk) { chunk.frameSteps.back() = 1000000000000000; });
+            },
+            "is damaged");
+        row(
+            "a first step that no number follows",
+            [](StretchParts& stretch) {
+                forgeHead(stretch, [](StoredChunk& chunk) {
+                    chunk.firstStep = chunk.frameSteps.front() = chunk.frameSteps.back() =
+                        std::numeric_limits<std::int64_t>::max();
+                });
+            },
+            "is damaged");
+        row(
+            "a frame after 10^9 s",
+            [](StretchParts& stretch) {
+                forgeHead(stretch, [](StoredChunk& chunk) { chunk.frameTimes.back() = 1e9; });
+            },
+            "is damaged");
+        row(
+            "a frame at no time",
+            [](StretchParts& stretch) {
+                forgeHead(stretch, [](StoredChunk& chunk) { chunk.frameTimes.back() = NAN; });
+            },
+            "is damaged");
+        row(
+            "a start 10^12 steps before",
+            [](StretchParts& stretch) {
+                std::optional<RunChunk> chunk = chunkOf(*unpacked(stretch.frames));
+                State start = *chunk->start;
+                start.step = -1000000000000;
+                chunk->start = std::make_shared<const State>(start);
+                stretch.frames = packed(ripstop::bytesOf(*chunk));
+            },
+            "is damaged");
+        row(
+            "a step of 2^31 substeps",
+            [](StretchParts& stretch) {
+                std::optional<RunChunk> chunk = chunkOf(*unpacked(stretch.frames));
+                State start = *chunk->start;
+                start.substeps = std::numeric_limits<int>::max();
+                chunk->start = std::make_shared<const State>(start);
+                stretch.frames = packed(ripstop::bytesOf(*chunk));
+            },
+            "does not fit its design");
+    }
+
+    // It is refused when it is opened or when its last step is asked for, at once and in little
+    // memory.
+    void forgedRecordings()
+    {
+        QFETCH(Forge, forge);
+        QFETCH(QString, says);
+        RecordingBlocks blocks = blocksOf(contentOf(m_file).toStdString());
+        RecordingBlock& block = *blocks.first(RecordingBlock::Stretch);
+        StretchParts stretch = partsOf(block.content);
+        forge(stretch);
+        block.content = ripstop::contentOf(stretch);
+        const QString forged = m_folder.filePath("forged.ripstop-run");
+        write(forged, QByteArray::fromStdString(fileOf(blocks)));
+
+        const long before = peakMemory();
+        QElapsedTimer clock;
+        clock.start();
+        std::string said;
+        if (const auto opened = openRecording(forged.toStdString()); !opened)
+            said = opened.message().english();
+        else if (!opened->damage.empty())
+            said = opened->damage.english();
+        else if (const auto moment = opened->recording->moment(flownSteps); !moment)
+            said = moment.message().english();
+        QVERIFY2(says.isEmpty() ? said.empty() : said.find(says.toStdString()) != std::string::npos,
+                 said.c_str());
+        QVERIFY(clock.elapsed() < 5000);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+        QVERIFY(peakMemory() - before < 64 * 1024);
+#endif
+    }
+
+    // What stands still packs to a thousandth, and is read all the same.
+    void aSheetAtRest()
+    {
+        Scene scene = *build(*findBuilder("cloth"),
+                             {{"columns", 60.0}, {"rows", 60.0}, {"sphere", 0.0}, {"hang", 3.0}});
+        scene.settings.gravity = {};
+        const auto recording = flown(scene, 100);
+        recording->settle();
+        const std::string bytes = *recording->chunkBytes(0);
+        QVERIFY(*unpackedSize(bytes) > 500 * bytes.size());
+        const QString file = m_folder.filePath("rest.ripstop-run");
+        QVERIFY(!saveRecording(*recording, file.toStdString()));
+        const auto opened = openRecording(file.toStdString());
+        QVERIFY2(opened, opened ? "" : opened.message().english().c_str());
+        QVERIFY2(opened->damage.empty(), opened->damage.english().c_str());
+        QVERIFY(opened->recording->moment(100));
+    }
+
+    // 100 MiB of zeros, of which a zip takes a thousandth.
+    void anArchiveThatGrows()
+    {
+        QVERIFY(QDir().mkpath(m_folder.filePath("large")));
+        QFile zeros(m_folder.filePath("large/probes.csv"));
+        QVERIFY(zeros.open(QIODevice::WriteOnly));
+        QVERIFY(zeros.resize(qint64(100) << 20));
+        zeros.close();
+        const QString zip = m_folder.filePath("large.zip");
+        QVERIFY(
+            !zipFolder(m_folder.filePath("large").toStdString(), "large", zip.toStdString(), {}));
+        QVERIFY(QFileInfo(zip).size() < (1 << 20));
+        QVERIFY(zeros.remove());
+
+        QVERIFY(QDir().mkpath(m_folder.filePath("unpacked")));
+        const auto failure =
+            unzip(zip.toStdString(), m_folder.filePath("unpacked").toStdString(), {});
+        QVERIFY(failure);
+        const std::string said = failure->message.english();
+        QVERIFY2(said.find("large.zip") != std::string::npos
+                     && said.find("far more in it than its size allows") != std::string::npos,
+                 said.c_str());
+        QVERIFY(!openBundle(zip.toStdString()));
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QString m_file;
+};
+
+QTEST_GUILESS_MAIN(TestBombs)
+#include "test_bombs.moc"
