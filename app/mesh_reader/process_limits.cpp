@@ -9,7 +9,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef __has_feature // Clang
+#define RIPSTOP_HAS_ASAN __has_feature(address_sanitizer)
+#else
+#define RIPSTOP_HAS_ASAN 0
+#endif
+#if RIPSTOP_HAS_ASAN || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 // Sanitizers map terabytes of addresses; they bound the memory in use by themselves.
 #define RIPSTOP_IS_WATCHED 1
 extern "C" const char* __asan_default_options();

@@ -76,6 +76,9 @@ Result<HeightGrid> readPgm(const std::filesystem::path& file)
         return grid;
     }
     in.get();
+    std::error_code error; // what the file does not have must not ask for memory
+    if (count * (wide ? 2 : 1) > std::filesystem::file_size(file, error))
+        return unreadable(file, Message("it ends too early"));
     std::vector<unsigned char> samples(count * (wide ? 2 : 1));
     in.read(reinterpret_cast<char*>(samples.data()), std::streamsize(samples.size()));
     if (!in)
