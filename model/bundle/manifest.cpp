@@ -32,9 +32,12 @@ Result<std::string> contentOf(const fs::path& file)
 Result<Manifest> parsed(const std::string& text)
 {
     const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object() || json.value("format", "") != formatName)
+    const auto says = [&](const char* key, const Json& value) {
+        return json.contains(key) && json[key] == value;
+    };
+    if (!json.is_object() || !says("format", formatName))
         return Failure{"is no manifest of a bundle"};
-    if (json.value("version", 0) != formatVersion)
+    if (!says("version", formatVersion))
         return Failure{"was written by a later version of Ripstop; use that"};
     Manifest manifest;
     try {
