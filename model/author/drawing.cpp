@@ -133,16 +133,17 @@ Drawing::Drawing(const Scene& scene)
 std::set<Id>& Drawing::linkedTo(Id particle)
 {
     const auto [place, isNew] = m_linkedTo.try_emplace(particle);
+    std::set<Id>& linked = place->second;
     if (isNew && particle < m_scene.nextId)
         forEachPart(m_scene, [&](Id, const Part& part) {
             for (const Link& link : part.links) {
                 if (link.from == particle)
-                    place->second.insert(link.to);
+                    linked.insert(link.to);
                 if (link.to == particle)
-                    place->second.insert(link.from);
+                    linked.insert(link.from);
             }
         });
-    return place->second;
+    return linked;
 }
 
 // The other corners of the panels of which it is the lowest, in ascending order.

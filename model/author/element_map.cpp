@@ -95,7 +95,7 @@ double greyAt(const HeightGrid& picture, double u, double v)
     };
     const auto [column, across] = cell(u, picture.columns);
     const auto [row, down] = cell(1.0 - v, picture.rows);
-    const auto along = [&](int r) {
+    const auto along = [&picture, column = column, across = across](int r) {
         return (1.0 - across) * picture.at(r, column) + across * picture.at(r, column + 1);
     };
     return (1.0 - down) * along(row) + down * along(row + 1);

@@ -120,7 +120,9 @@ std::vector<Id> similar(Alike alike, const Scene& scene, const std::vector<Id>& 
         return ofSameGroups(scene, elementsOf(scene, selected));
     const Net net(scene);
     Marks marks(net, scene, selected);
-    const auto& [particles, links, panels] = net.all;
+    const auto& particles = net.all.particles;
+    const auto& links = net.all.links;
+    const auto& panels = net.all.panels;
     switch (alike) {
     case Alike::Type:
         spread(marks.particles, [&](std::size_t i) { return particles[i]->pinned; });

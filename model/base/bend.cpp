@@ -414,7 +414,8 @@ BendsAndPanels bendsAndPanelsOf(const BendingNet& net)
     fabric.addBends();
     found.panels = fabric.bentPanels();
     Spars(net, found.bends).addBends();
-    std::ranges::stable_partition(found.bends, [](const Bend& bend) { return !bend.withRods; });
+    std::stable_partition(found.bends.begin(), found.bends.end(),
+                          [](const Bend& bend) { return !bend.withRods; });
     return found;
 }
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <ranges>
 #include <system_error>
 
 namespace ripstop {
@@ -54,8 +53,8 @@ OutputFiles::~OutputFiles()
     std::error_code ignored;
     for (const File& file : m_files)
         fs::remove(file.written, ignored);
-    for (const fs::path& folder : m_newFolders | std::views::reverse)
-        fs::remove(folder, ignored); // only when it is empty
+    for (auto folder = m_newFolders.rbegin(); folder != m_newFolders.rend(); ++folder)
+        fs::remove(*folder, ignored); // only when it is empty
 }
 
 // Reading a folder takes time; once for a series is enough.
