@@ -62,7 +62,7 @@ void Recorder::loaded(Simulation& simulation, const Design& design)
     m_number = m_recording->addDesign(design);
     RunInput& input = m_inputs.emplace_back();
     input.step = simulation.state().step;
-    input.what.emplace<DesignChange>(m_number);
+    input.what.emplace<DesignChange>(DesignChange{m_number});
 }
 
 void Recorder::begin(Simulation& simulation)
