@@ -150,15 +150,16 @@ std::set<Id>& Drawing::linkedTo(Id particle)
 std::set<std::array<Id, 2>>& Drawing::coveredBy(Id lowest)
 {
     const auto [place, isNew] = m_coveredBy.try_emplace(lowest);
+    auto& covered = place->second;
     if (isNew && lowest < m_scene.nextId)
         forEachPart(m_scene, [&](Id, const Part& part) {
             for (const Panel& panel : part.panels)
                 if (panel.a == lowest || panel.b == lowest || panel.c == lowest)
                     if (const auto corners = tripleOf(panel.a, panel.b, panel.c);
                         corners[0] == lowest)
-                        place->second.insert({corners[1], corners[2]});
+                        covered.insert({corners[1], corners[2]});
         });
-    return place->second;
+    return covered;
 }
 
 Id Drawing::fresh() { return std::exchange(m_next, Id{std::uint32_t(m_next) + 1}); }
