@@ -97,6 +97,11 @@ const char* elementKind(const Tear& tear, const Frame& frame)
     return isOfPanel(tear, *frame.layout) ? "panel" : "link";
 }
 
+const char* loadName(const Tear& tear, const Frame& frame)
+{
+    return isSnap(tear) ? "moment" : isOfPanel(tear, *frame.layout) ? "tension" : "force";
+}
+
 Json tearSummary(const Frame& frame)
 {
     const std::span<const Tear> tears = frame.tears;
@@ -160,7 +165,7 @@ Json report(const Simulation& simulation, double wallSeconds)
              {elementKind(tear, *frame), tear.element},
              {"length", tear.length},
              {"strain", tear.strain},
-             {isOfPanel(tear, *frame->layout) ? "tension" : "force", tear.force},
+             {loadName(tear, *frame), tear.force},
              {"energy", tear.energy},
              {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
     result["tear_report"] = tearSummary(*frame);

@@ -80,7 +80,8 @@ Result<Edit> havePanelsCarry(const Scene& scene, const Property&, const std::vec
 // The rule by which the strengths of the material are limits of what is made of it.
 TearRule ruleOfStrength(const Material& material, const Use& made)
 {
-    const bool breaksLines = made.lines > 0 && material.lineStrength;
+    const bool bends = material.flexuralRigidity > 0.0 && material.breakingMoment;
+    const bool breaksLines = made.lines > 0 && (material.lineStrength || bends);
     const bool tearsPanels =
         made.elasticPanels > 0 && (material.warpStrength || material.weftStrength);
     if (breaksLines || tearsPanels)

@@ -390,6 +390,7 @@ private:
         bend.corner = {particle, a, b, particle};
         bend.weight = {-(u + v), u, v, 0.0};
         bend.stiffness = first.bending.spar / (turning * turning * turning);
+        bend.breaking = first.bending.breaking;
         bend.length = {first.restLength, m_net.links[std::size_t(other)].restLength};
         const Vec3 turn = away(one, particle) + away(other, particle);
         bend.restTurn = turn.norm() > 1e-9 ? turning * turn.norm() : 0.0; // rounding is no bend
@@ -434,6 +435,23 @@ SparTurn turnOf(const Bend& bend, const std::array<Vec3, 2>& ways)
             turn.slope[k] -= turning / (length * length * length) * ways[k] * ways[k].transpose();
     }
     return turn;
+}
+
+// The turn is 2 L sin(angle / 2), so that its slope over the angle is L cos(angle / 2). L is what
+// turns: less at a clamp, where half of it is held.
+double momentOf(const Bend& spar, const std::array<Vec3, 2>& ways)
+{
+    const double size = turnOf(spar, ways).turn.norm();
+    const double length = spar.weight[1] * spar.length[0];
+    const double sine = std::min(size / (2.0 * length), 1.0);
+    return std::abs(spar.stiffness * (size - spar.restTurn)) * length
+           * std::sqrt(1.0 - sine * sine);
+}
+
+double energyOf(const Bend& spar, const std::array<Vec3, 2>& ways)
+{
+    const double over = turnOf(spar, ways).turn.norm() - spar.restTurn;
+    return 0.5 * spar.stiffness * over * over;
 }
 
 std::size_t countOfFabric(const std::vector<Bend>& bends)

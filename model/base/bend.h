@@ -59,8 +59,9 @@ namespace ripstop {
 
 struct Bending // of a material
 {
-    double fabric = 0.0; // N m, B of panels
-    double spar = 0.0;   // N m^2, EI of links
+    double fabric = 0.0;   // N m, B of panels
+    double spar = 0.0;     // N m^2, EI of links
+    double breaking = 0.0; // N m, the moment at which these links snap, or 0 for never
 
     friend bool operator==(const Bending&, const Bending&) = default;
 };
@@ -74,6 +75,7 @@ struct Bend
     double stiffness;                 // N/m
     std::array<double, 2> length{};   // m, of the links of a spar
     double restTurn = 0.0;            // m, of spars that are built bent
+    double breaking = 0.0;            // N m, the moment at which a spar snaps, or 0 for never
     std::array<int, 4> beside = {};   // bends of the same panels
     std::array<double, 4> coupling{}; // N/m, to them; 0 for none
     std::array<int, 2> of{};          // the two panels, or the two links
@@ -93,6 +95,12 @@ struct SparTurn
 
 //   ways  m, from the particle to the outer ends
 SparTurn turnOf(const Bend& bend, const std::array<Vec3, 2>& ways);
+
+// The bending moment of a spar at the particle, N m: the slope of its energy over the angle between
+// its two links. At rest it is exactly the moment about the particle of all that pulls at either
+// side. The energy, J, is half of the stiffness times the square of the turn beyond that at rest.
+double momentOf(const Bend& spar, const std::array<Vec3, 2>& ways);
+double energyOf(const Bend& spar, const std::array<Vec3, 2>& ways);
 
 // A panel with a side that bends.
 struct BentPanel

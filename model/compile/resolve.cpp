@@ -242,7 +242,7 @@ std::vector<MaterialAir> materialAirOf(const Scene& scene)
 
 Bending bendingOf(const Material& material)
 {
-    return {material.bendingStiffness, material.flexuralRigidity};
+    return {material.bendingStiffness, material.flexuralRigidity, snapMomentOf(material)};
 }
 
 std::vector<Bending> bendingsOf(const Scene& scene)

@@ -53,18 +53,6 @@ BendWork workOf(const System& system, const State& state, BendScratch& bends)
 namespace ripstop {
 namespace {
 
-bool isTorn(const System& system, const State& state, const Bend& spar)
-{
-    return isTorn(system.links[std::size_t(spar.of[0])], state)
-           || isTorn(system.links[std::size_t(spar.of[1])], state);
-}
-
-SparTurn turnIn(const Bend& bend, const std::vector<PaddedVec3>& x)
-{
-    const Vec3& at = x[std::size_t(bend.corner[0])];
-    return turnOf(bend, {Vec3(x[std::size_t(bend.corner[1])] - at),
-                         Vec3(x[std::size_t(bend.corner[2])] - at)});
-}
 
 // Of the spar `i` that is a force.
 void fillLoads(const System& system, const State& state, BendScratch& bends, std::size_t i)
@@ -72,11 +60,11 @@ void fillLoads(const System& system, const State& state, BendScratch& bends, std
     const BendLists& lists = system.of<BendLists>();
     const Bend& bend = lists.spars()[i];
     PaddedVec3* const load = &bends.load[3 * (lists.panels.size() + i)];
-    if (isTorn(system, state, bend)) {
+    if (isCut(system, state, bend)) {
         std::fill_n(load, 3, PaddedVec3());
         return;
     }
-    const SparTurn spar = turnIn(bend, state.position);
+    const SparTurn spar = turnOf(bend, waysOf(bend, state));
     const double size = bend.restTurn > 0.0 ? spar.turn.norm() : 0.0;
     const double left = size > 0.0 ? 1.0 - bend.restTurn / size : 1.0;
     const Vec3 moment = bend.stiffness * left * spar.turn;
@@ -197,6 +185,19 @@ void BendScratch::size(const BendLists& bends)
     load.resize(3 * (panels + bends.spars().size()));
 }
 
+std::array<Vec3, 2> waysOf(const Bend& spar, const State& state)
+{
+    const Vec3& at = state.position[std::size_t(spar.corner[0])];
+    return {Vec3(state.position[std::size_t(spar.corner[1])] - at),
+            Vec3(state.position[std::size_t(spar.corner[2])] - at)};
+}
+
+bool isCut(const System& system, const State& state, const Bend& spar)
+{
+    return isTorn(system.links[std::size_t(spar.of[0])], state)
+           || isTorn(system.links[std::size_t(spar.of[1])], state);
+}
+
 void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends)
 {
     const BendLists& lists = system.of<BendLists>();
@@ -225,11 +226,10 @@ double bendingEnergy(const System& system, const State& state)
             energy +=
                 0.5 / stiffness
                 * (bends.bending[2 * i].squaredNorm() + bends.bending[2 * i + 1].squaredNorm());
-    for (const Bend& bend : std::span(lists.list).subspan(countOfFabric(lists.list))) {
-        if (isTorn(system, state, bend))
+    for (const Bend& bend : lists.ofSpars()) {
+        if (isCut(system, state, bend))
             continue;
-        const double over = turnIn(bend, state.position).turn.norm() - bend.restTurn;
-        energy += 0.5 * bend.stiffness * over * over;
+        energy += energyOf(bend, waysOf(bend, state));
     }
     return energy;
 }

@@ -5,6 +5,7 @@
 #include "parallel/thread_pool.h"
 #include "system/system.h"
 
+#include <array>
 #include <vector>
 
 namespace ripstop {
@@ -20,6 +21,12 @@ struct BendScratch
 
     void size(const BendLists& bends);
 };
+
+// From the particle of a spar to the outer ends of its links, m.
+std::array<Vec3, 2> waysOf(const Bend& spar, const State& state);
+
+// Whether one of the two links has torn, so that nothing bends there any more.
+bool isCut(const System& system, const State& state, const Bend& spar);
 
 // Fills `bends`, sized for the system, for the positions of the state. Loads are zero where a
 // panel, or a link of the spar, is gone.

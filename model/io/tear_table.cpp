@@ -3,6 +3,7 @@
 #include "io/csv.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
+#include "run/tear_report.h"
 
 namespace ripstop {
 namespace {
@@ -31,14 +32,15 @@ std::optional<Failure> writeTears(const Scene& scene, std::span<const Tear> tear
                                   const std::filesystem::path& file)
 {
     std::string text = "time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m),"
-                       "tension (N/m)\n";
+                       "tension (N/m),moment (N m)\n";
     for (const Tear& tear : tears) {
         const Torn torn = tornBy(scene, Id{tear.element});
         appendNumber(text, tear.time);
         text += ',' + std::to_string(tear.element) + ',' + csvCell(torn.part) + ',';
         appendNumber(text, tear.strain);
         text += ',';
-        if (!torn.isPanel)
+        const bool isMoment = isSnap(tear);
+        if (!torn.isPanel && !isMoment)
             appendNumber(text, tear.force);
         for (const double value : {tear.energy, tear.place.x(), tear.place.y(), tear.place.z()}) {
             text += ',';
@@ -46,6 +48,9 @@ std::optional<Failure> writeTears(const Scene& scene, std::span<const Tear> tear
         }
         text += ',';
         if (torn.isPanel)
+            appendNumber(text, tear.force);
+        text += ',';
+        if (isMoment)
             appendNumber(text, tear.force);
         text += '\n';
     }

@@ -12,8 +12,9 @@
 namespace ripstop {
 
 // A table with a row for each break, in order of time:
-// "time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m)". The element is the id of
-// the link; a part that is no longer in the scene is an empty cell.
+// "time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m),tension (N/m),moment (N m)".
+// The element is the id of the link or the panel; a part that is no longer in the scene is an empty
+// cell, and so are the two loads that the element did not tear by.
 std::optional<Failure> writeTears(const Scene& scene, std::span<const Tear> tears,
                                   const std::filesystem::path& file);
 

@@ -75,9 +75,9 @@ struct Tear
 {
     double time = 0.0;         // s
     std::uint32_t element = 0; // id of a link, or of a panel that carried the pull of a fabric
-    double length = 0.0;       // m, of a panel its width across the pull
+    double length = 0.0;       // m, of a panel its width across the pull, 0 where a spar snaps
     double strain = 0.0;       // 1
-    double force = 0.0;        // N, of a panel N/m
+    double force = 0.0;        // N, of a panel N/m, where a spar snaps N m
     Vec3 place = Vec3::Zero(); // m
     double energy = 0.0;       // J, released
 };

@@ -34,4 +34,6 @@ bool isOfPanel(const Tear& tear, const Layout& layout)
     return std::ranges::find(layout.panelId, tear.element) != layout.panelId.end();
 }
 
+bool isSnap(const Tear& tear) { return tear.length == 0.0; }
+
 } // namespace ripstop

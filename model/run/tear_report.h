@@ -32,4 +32,7 @@ std::size_t tornElements(const Frame& frame);
 // Whether a tear is of a panel, and not of a link.
 bool isOfPanel(const Tear& tear, const Layout& layout);
 
+// Whether it is of a spar that was bent too far, whose load is a moment.
+bool isSnap(const Tear& tear);
+
 } // namespace ripstop

@@ -5,6 +5,11 @@ namespace {
 
 TearLimit never(std::optional<double> own) { return {TearRule::Never, own.value_or(0.0)}; }
 
+double joined(const Material& material, double strength)
+{
+    return material.jointEfficiency.value_or(1.0) * strength;
+}
+
 } // namespace
 
 TearLimit linkTearOf(const Material& material, LinkRole role, double width,
@@ -23,7 +28,7 @@ TearLimit linkTearOf(const Material& material, LinkRole role, double width,
     case TearRule::Strength:
         if (!own && (role != LinkRole::Line || !material.lineStrength))
             return never(own);
-        return {TearRule::Force, own ? *own : *material.lineStrength};
+        return {TearRule::Force, own ? *own : joined(material, *material.lineStrength)};
     }
     return never(own);
 }
@@ -38,14 +43,21 @@ FabricTear fabricTearOf(const Material& material)
     case TearRule::Strength:
         if (!material.warpStrength && !material.weftStrength)
             return {};
-        return {TearRule::Tension, material.warpStrength.value_or(unbreakable),
-                material.weftStrength.value_or(unbreakable)};
+        return {TearRule::Tension, joined(material, material.warpStrength.value_or(unbreakable)),
+                joined(material, material.weftStrength.value_or(unbreakable))};
     case TearRule::Never:
     case TearRule::Length:
     case TearRule::Force:
         break;
     }
     return {};
+}
+
+double snapMomentOf(const Material& material)
+{
+    return material.tearRule == TearRule::Strength
+               ? joined(material, material.breakingMoment.value_or(0.0))
+               : 0.0;
 }
 
 } // namespace ripstop

@@ -9,6 +9,8 @@
 //     strength    a line above `lineStrength`, N;           the same, above `warpStrength` or
 //                 others never                              `weftStrength`, N/m
 //
+// With the last, a spar snaps above `breakingMoment`, N m, as well, and `jointEfficiency` is the
+// share of all strengths that is left by the seams and knots of what the material is made into.
 // What a link has as its own limit is in m, 1 or N; with the last two rules it is a force, N. A
 // strength that is not there never breaks.
 #pragma once
@@ -25,5 +27,7 @@ TearLimit linkTearOf(const Material& material, LinkRole role, double width,
                      std::optional<double> own);
 
 FabricTear fabricTearOf(const Material& material);
+
+double snapMomentOf(const Material& material); // N m, or 0 for never
 
 } // namespace ripstop

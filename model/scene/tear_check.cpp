@@ -15,6 +15,24 @@ bool cannotTear(const Link& link, const Material& material)
            && linkTearOf(material, link.role, link.width, link.tearLimit).rule == TearRule::Never;
 }
 
+// Links that bend are spars, and snap when they are bent too far.
+bool isSpar(const Material& material)
+{
+    return material.tearRule == TearRule::Strength
+           && (material.flexuralRigidity > 0.0 || material.breakingMoment);
+}
+
+Message unsnappable(const Part& part, const Material& material)
+{
+    return material.breakingMoment
+               ? Message("Spars of %1 do not snap: %2 has a breaking moment and no flexural "
+                         "rigidity, so that nothing resists bending. Type it.",
+                         part.name, material.name)
+               : Message("Spars of %1 do not snap: %2 tears by strength and has no breaking "
+                         "moment. Type it, or choose another rule.",
+                         part.name, material.name);
+}
+
 Message unbreakable(const Part& part, const Material& material, bool isLine)
 {
     if (material.tearRule == TearRule::Strength)
@@ -46,7 +64,12 @@ void checkTearing(const Scene& scene, const AddFinding& add)
                     && material->tearRule != TearRule::Strength))
                 continue;
             const bool isLine = link.role == LinkRole::Line;
-            if (cannotTear(link, *material) && told.emplace(link.material, isLine).second)
+            if (isSpar(*material) && isLine) {
+                if (!(material->flexuralRigidity > 0.0 && snapMomentOf(*material) > 0.0)
+                    && told.emplace(link.material, true).second)
+                    add("unsnappable", Severity::Warning, unsnappable(part, *material),
+                        link.material);
+            } else if (cannotTear(link, *material) && told.emplace(link.material, isLine).second)
                 add("unbreakable", Severity::Warning, unbreakable(part, *material, isLine),
                     link.material);
         }

@@ -101,7 +101,7 @@ void Stepper::prepare(const System& system, State& state)
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
     m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size()
-                        + system.membranes.size());
+                        + system.membranes.size() + system.of<BendLists>().ofSpars().size());
     m_lanes.reserve(m_forces.size());
     for (const auto& force : m_forces)
         force->prepare(system, state);

@@ -145,10 +145,12 @@ struct State
     {
         double time;         // s
         Key element;         // key of the link, or of the panel that carried the pull of a fabric
-        double length;       // m, at the break; of a panel its width across the pull, flat
+        double length;       // m, at the break; of a panel its width across the pull, flat; 0 of a
+                             // link that goes where a spar snaps
         double strain;       // 1, of a panel that of the threads that broke
-        double force;        // N, of a panel N/m: the pull of those threads per flat width
-        Vec3 place;          // m, its middle
+        double force;        // N, of a panel N/m: the pull of those threads per flat width; of a
+                             // spar that snaps N m, its bending moment
+        Vec3 place;          // m, its middle; of a spar that snaps the bend
         double energy = 0.0; // J, that it held and no longer does
 
         friend bool operator==(const Tear&, const Tear&) = default;

@@ -9,6 +9,7 @@
 #include "assembly/split_system.h"
 #include "forces/spring_force.h"
 #include "tearing/panel_tearing.h"
+#include "tearing/spar_snapping.h"
 
 #include <algorithm>
 #include <limits>
@@ -147,7 +148,15 @@ void findPanelOverloads(const System& system, const State& state, std::vector<Ov
         if (const Membrane& membrane = system.membranes[i];
             !state.panelGone[std::size_t(membrane.panel)])
             if (const double ratio = judge(system, state, membrane).worst.ratio; ratio > 1.0)
-                overloads.push_back({int(i), ratio, true});
+                overloads.push_back({int(i), ratio, Overload::Of::Panel});
+}
+
+void findSparOverloads(const System& system, const State& state, std::vector<Overload>& overloads)
+{
+    const std::span<const Bend> spars = system.of<BendLists>().ofSpars();
+    for (std::size_t i = 0; i < spars.size(); ++i)
+        if (const double ratio = snapRatio(system, state, spars[i]); ratio > 1.0)
+            overloads.push_back({int(i), ratio, Overload::Of::Spar});
 }
 
 // Springs and rods are gone through as they lie in memory; the links that they are tell the order.
@@ -168,11 +177,21 @@ void findOverloads(const System& system, const State& state, const TearLoads& lo
             judge(loadOfRod(state, loads, i), system.rods[i].tear, system.rodLink[i], overloads);
     }
     findPanelOverloads(system, state, overloads);
+    findSparOverloads(system, state, overloads);
 }
 
 bool inOrder(const Overload& one, const Overload& other)
 {
-    return one.isPanel != other.isPanel ? other.isPanel : one.element < other.element;
+    if (one.of != other.of)
+        return one.of < other.of;
+    if (one.of == Overload::Of::Spar && one.ratio != other.ratio)
+        return one.ratio > other.ratio;
+    return one.element < other.element;
+}
+
+const Bend& sparOf(const System& system, const Overload& overload)
+{
+    return system.of<BendLists>().ofSpars()[std::size_t(overload.element)];
 }
 
 bool worstFirst(const Overload& one, const Overload& other)
@@ -184,10 +203,10 @@ bool worstFirst(const Overload& one, const Overload& other)
 void takeHeldPanelsOut(const System& system, State& state, std::vector<Overload>& overloads,
                        double farAbove, double waits)
 {
-    auto next = std::ranges::find(overloads, true, &Overload::isPanel);
+    auto next = std::ranges::find(overloads, Overload::Of::Panel, &Overload::of);
     for (std::size_t i = 0; i < system.membranes.size(); ++i) {
         double& hold = state.panelHold[std::size_t(system.membranes[i].panel)];
-        const bool isAbove = next != overloads.end() && next->element == int(i);
+        const bool isAbove = next != overloads.end() && next->of == Overload::Of::Panel && next->element == int(i);
         if (hold > 0.0 && !isAbove)
             hold = 0.0;
         else if (hold > 0.0 && !(next->ratio > farAbove * hold))
@@ -204,7 +223,8 @@ void takeHeldOut(const System& system, State& state, std::vector<Overload>& over
     const auto find = [&](int link) {
         const auto found =
             std::lower_bound(overloads.begin(), overloads.end(), Overload{link, 0.0}, inOrder);
-        const bool isThere = found != overloads.end() && !found->isPanel && found->element == link;
+        const bool isThere = found != overloads.end() && found->of == Overload::Of::Link
+                             && found->element == link;
         return isThere ? found : overloads.end();
     };
     std::erase_if(state.tearHolds,
@@ -237,7 +257,11 @@ void tearApart(const System& system, State& state, const TearLoads& loads,
         if (most == 0)
             return;
         const auto number = std::size_t(overload.element);
-        if (overload.isPanel) {
+        if (overload.of == Overload::Of::Spar) {
+            most -= snap(system, state, sparOf(system, overload));
+            continue;
+        }
+        if (overload.of == Overload::Of::Panel) {
             const Membrane& membrane = system.membranes[number];
             if (!takes(system.panels[std::size_t(membrane.panel)].corner))
                 continue;
@@ -283,11 +307,17 @@ void tearOverloaded(const System& system, State& state, const TearLoads& loads,
     std::size_t torn = 0;
     for (std::size_t i = 0; i < scratch.size() && torn < most; ++i) {
         const Overload& overload = scratch[i];
-        if (overload.isPanel) {
-            torn += tearPanel(system, state, overload.element);
-        } else {
+        switch (overload.of) {
+        case Overload::Of::Link:
             tear(system, state, loads, overload.element);
             ++torn;
+            break;
+        case Overload::Of::Panel:
+            torn += tearPanel(system, state, overload.element);
+            break;
+        case Overload::Of::Spar:
+            torn += snap(system, state, sparOf(system, overload));
+            break;
         }
     }
 }

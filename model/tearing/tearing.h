@@ -1,6 +1,6 @@
 // Tearing: links that break when they are above their limit, and the panels beside them that vanish
-// with them or part; and panels that carry the pull of a fabric, which tear by it themselves
-// (panel_tearing.h).
+// with them or part; panels that carry the pull of a fabric, which tear by it themselves
+// (panel_tearing.h); and spars that snap where they are bent too far (spar_snapping.h).
 //
 // The stepper calls tearOverloaded() within a substep; cuts and the parting of the mesh call the
 // others between two steps. Nothing here fails: what breaks is noted in the State.
@@ -21,19 +21,22 @@ struct TearLoads
     std::size_t tearsBefore = 0;             // breaks before this time step
 };
 
-// What is above its limit, and how far: the length, strain, force or pull over the limit.
+// What is above its limit, and how far: the length, strain, force, pull or moment over the limit.
 struct Overload
 {
-    int element;  // index into System::links or, of a panel, into System::membranes
+    enum class Of { Link, Panel, Spar };
+
+    int element;  // index into System::links, System::membranes or BendLists::ofSpars()
     double ratio; // 1
-    bool isPanel = false;
+    Of of = Of::Link;
 };
 
 // Breaks links and panels above their limit (above, not at) and notes the events. A rod is judged
 // by its length before projection, since none is ever long afterwards, or by its multiplier.
 //
-// Without System::tearsPerStep all of them break, in order: the links, then the panels. With it,
-// the most overloaded break first and of equals the first in that order; who is left over is judged
+// Without System::tearsPerStep all of them break, in order: the links, then the panels, then spars
+// by their moments, the worst first, as the pieces beside a spar that has snapped lose theirs. With
+// it, the most overloaded break first and of equals the first in that order; who is left over is judged
 // again in the next substep, when the breaks have moved the load.
 //
 // Where the mesh is to split instead of losing panels (TearMesh::Split), all are judged once in a

@@ -8678,8 +8678,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Bending moment at which a spar snaps, or yields for good; noted for margins, so that a run does not depend on it.</source>
-        <translation>Moment de flexion auquel un longeron casse ou se plie pour de bon ; noté pour les marges, une simulation n’en dépend pas.</translation>
+        <source>Bending moment at which a spar snaps, or yields for good; spars snap by it where the material tears by strength, and else it is noted for margins.</source>
+        <translation>Moment de flexion auquel un longeron casse ou se plie pour de bon ; les longerons y cassent si le matériau cède par résistance, sinon il est noté pour les marges.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11983,8 +11983,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Share of its strength that the fabric keeps at seams or the line at knots: about 0.8 for lap seams, 0.9 for sewn loops, 0.35 to 0.6 for knots; noted for margins.</source>
-        <translation>Part de sa résistance que le tissu garde aux coutures ou la ligne aux nœuds : environ 0.8 pour les coutures rabattues, 0.9 pour les boucles cousues, 0.35 à 0.6 pour les nœuds ; notée pour les marges.</translation>
+        <source>Share of its strengths that what is made of it keeps, as fabric does at seams and a line at knots: about 0.8 for lap seams, 0.9 for sewn loops, 0.35 to 0.6 for knots; all of it tears at that share where the material tears by strength, and else it is noted for margins.</source>
+        <translation>Part de ses résistances que garde ce qui en est fait, comme le tissu aux coutures et une ligne aux nœuds : environ 0.8 pour les coutures rabattues, 0.9 pour les boucles cousues, 0.35 à 0.6 pour les nœuds ; tout cède à cette part si le matériau cède par résistance, sinon elle est notée pour les marges.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -13570,6 +13570,16 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tear_check.cpp"/>
         <source>Lines of %1 do not tear: %2 tears by strength and has no line strength. Type it, or choose another rule.</source>
         <translation>Les lignes de %1 ne rompent pas : %2 cède par résistance et n’a pas de résistance de ligne. Saisissez-la, ou choisissez une autre règle.</translation>
+    </message>
+    <message>
+        <location filename="tear_check.cpp"/>
+        <source>Spars of %1 do not snap: %2 has a breaking moment and no flexural rigidity, so that nothing resists bending. Type it.</source>
+        <translation>Les longerons de %1 ne cassent pas : %2 a un moment de rupture et pas de rigidité en flexion, si bien que rien ne résiste à la flexion. Saisissez-la.</translation>
+    </message>
+    <message>
+        <location filename="tear_check.cpp"/>
+        <source>Spars of %1 do not snap: %2 tears by strength and has no breaking moment. Type it, or choose another rule.</source>
+        <translation>Les longerons de %1 ne cassent pas : %2 cède par résistance et n’a pas de moment de rupture. Saisissez-le, ou choisissez une autre règle.</translation>
     </message>
     <message>
         <location filename="tear_check.cpp"/>

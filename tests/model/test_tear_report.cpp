@@ -119,14 +119,14 @@ private slots:
         QCOMPARE(rows.size(), qsizetype(4)); // and the end of the last
         QCOMPARE(rows[0],
                  QString("time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m),"
-                         "tension (N/m)"));
+                         "tension (N/m),moment (N m)"));
         for (int i = 0; i < 2; ++i) {
             const double rest = i == 0 ? 0.4 : 0.3;
             const double stretch = 0.5 - rest;
             const QString part = i == 0 ? "\"left, \"\"upper\"\"\"" : "right";
             QVERIFY2(rows[i + 1].contains(',' + part + ','), qPrintable(rows[i + 1]));
             const QStringList cells = QString(rows[i + 1]).replace(part, "part").split(',');
-            QCOMPARE(cells.size(), qsizetype(10)); // the last is of panels
+            QCOMPARE(cells.size(), qsizetype(11)); // the last two are of panels and spars
             const auto near = [&](int column, double expected) {
                 return std::abs(cells[column].toDouble() - expected) < 1e-12;
             };
