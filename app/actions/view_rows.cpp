@@ -50,6 +50,7 @@ MenuRows viewRows(const Workbench& bench)
         {"&View", "byTear",     tr("Colour by tea&r limit"), nullptr, QKeySequence("Alt+6"), tr("How much of what it tears at each link bears."), coloring(ColorBy::TearLoad), Toggle::Off, "color"},
         {"&View", "byStress",   tr("Colour by fabric stress"), nullptr, QKeySequence("Alt+7"), tr("How hard the fabric pulls per width: the largest tension of elastic panels, that of threads over the width that they stand for."), coloring(ColorBy::Stress), Toggle::Off, "color"},
         {"&View", "byWrinkles", tr("Colour by wrinkles"), nullptr,   {},                    tr("Which elastic panels are slack, wrinkled or taut."), coloring(ColorBy::Wrinkles), Toggle::Off, "color"},
+        {"&View", "byMargin",   tr("Colour by margin"),   nullptr,   {},                    tr("Load over strength of lines, cloth and spars: 1 breaks."), coloring(ColorBy::Margin), Toggle::Off, "color"},
         {"&View", "colourRange", tr("Range of colours…"), nullptr,   QKeySequence("Alt+8"), tr("Type the values at the ends of the colours, or let them follow. A click on the colours does the same."), [&viewport] { viewport.editRange(); }},
         line,
         {"&View", "panels",     tr("Show p&anels"),        "panel",   {},                   tr("Draw the fabric."), showing("panels", &Viewport::setPanelsShown), Toggle::On},

@@ -1,46 +1,41 @@
 // ripstop-cli run: flies a scene and says what came of it.
 //
 // In order: the steps of the run, as Simulation::runUntil() takes them, so that the window gets the
-// same bits; the report as JSON, which the table is printed from, too; flyAndReport(), which opens
-// what is to be written before the run and reports what was flown even when a file cannot be
-// written; and run(), which refuses wrong options and files that cannot be written before the first
-// step.
-#include "base/hash_text.h"
+// same bits; flyAndReport(), which opens what is to be written before the run and reports what was
+// flown even when a file cannot be written (run_report.h); and run(), which refuses wrong options
+// and files that cannot be written before the first step.
 #include "bundle/bundle.h"
 #include "cli/commands.h"
 #include "cli/event_list.h"
 #include "cli/probe_names.h"
 #include "cli/replay.h"
+#include "cli/run_report.h"
 #include "cli/scene_input.h"
 #include "cli/targets.h"
 #include "compile/compile.h"
 #include "io/control_track.h"
 #include "io/csv.h"
 #include "io/event_table.h"
+#include "io/load_table.h"
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"
-#include "measure/diagnostics.h"
-#include "run/end_check.h"
+#include "run/has_margins.h"
 #include "run/pose.h"
 #include "run/recorder.h"
 #include "run/settle.h"
 #include "run/simulation.h"
-#include "run/tear_report.h"
 #include "step/step_times.h"
 #include "terminal/terminal.h"
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace ripstop {
 namespace {
 
-struct Options
+struct RunOptions
 {
     SceneInput scene;
     std::optional<double> seconds; // s; without, a settling run has SettleGoal::within
@@ -50,6 +45,7 @@ struct Options
     int threads = 1;
     std::string csv;
     std::string tears;
+    std::string loads;
     std::string events;
     std::string finalScene;
     std::string controls;
@@ -63,7 +59,7 @@ struct Options
 
 // Steps like Simulation::runUntil(), so that the window gets the same bits. Returns the wall time,
 // s.
-double fly(Simulation& simulation, const Options& options, ControlPlayer& controls,
+double fly(Simulation& simulation, const RunOptions& options, ControlPlayer& controls,
            CsvWriter* table, Settler* settler, Recorder& recorder, GrowingRecording* file,
            EventList* events)
 {
@@ -92,177 +88,13 @@ double fly(Simulation& simulation, const Options& options, ControlPlayer& contro
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-const char* elementKind(const Tear& tear, const Frame& frame)
-{
-    return isOfPanel(tear, *frame.layout) ? "panel" : "link";
-}
-
-const char* loadName(const Tear& tear, const Frame& frame)
-{
-    return isSnap(tear) ? "moment" : isOfPanel(tear, *frame.layout) ? "tension" : "force";
-}
-
-Json tearSummary(const Frame& frame)
-{
-    const std::span<const Tear> tears = frame.tears;
-    const TearReport report = tearReport(tears);
-    Json result;
-    result["count"] = report.count;
-    result["energy"] = report.energy;
-    result["first"] = nullptr;
-    if (!tears.empty())
-        result["first"] = {{"time", tears[0].time},
-                           {elementKind(tears[0], frame), tears[0].element}};
-    result["front"] = Json::array();
-    for (const TearReport::Front& front : report.front)
-        result["front"].push_back({{"time", front.time}, {"distance", front.distance}});
-    return result;
-}
-
-Json accuracyOf(const RunAccuracy& accuracy)
-{
-    return {{"reached", accuracy.pulls},
-            {"wanted", accuracy.wantedPulls},
-            {"strain", accuracy.strain},
-            {"wanted_strain", accuracy.wantedStrain},
-            {"missed", accuracy.missedShare()},
-            {"worst",
-             {{"factor", accuracy.worst},
-              {"time", accuracy.worstTime},
-              {"link", accuracy.worstLink > 0 ? Json(accuracy.worstLink) : Json(nullptr)}}},
-            {"met", accuracy.isMet()}};
-}
-
-Json report(const Simulation& simulation, double wallSeconds)
-{
-    const std::shared_ptr<const Frame> frame = simulation.frame();
-    const State& state = simulation.state();
-    const Energies energy = energies(simulation.system(), state);
-    const auto largest = std::max_element(frame->strain.begin(), frame->strain.end());
-
-    Json result;
-    result["time"] = state.time;
-    result["steps"] = state.step;
-    result["substeps"] = frame->substeps;
-    result["wall_seconds"] = wallSeconds;
-    result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
-    result["hash"] = hashText(stateHash(state));
-    result["torn"] = tornElements(*frame);
-    result["max_strain"] = std::max(largest == frame->strain.end() ? 0.0 : double(*largest),
-                                    largestPanelStrain(simulation.system(), simulation.state()));
-    result["accuracy"] = accuracyOf(frame->accuracy);
-    result["energy"] = energy.total();
-    result["energies"] = {
-        {"kinetic", energy.kinetic}, {"potential", energy.potential}, {"elastic", energy.elastic}};
-    result["probes"] = Json::object();
-    const std::vector<std::string> names = distinctNames(frame->layout->probes);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        result["probes"][names[i]] = frame->probe[i];
-    result["tears"] = Json::array();
-    for (const Tear& tear : frame->tears)
-        result["tears"].push_back(
-            {{"time", tear.time},
-             {elementKind(tear, *frame), tear.element},
-             {"length", tear.length},
-             {"strain", tear.strain},
-             {loadName(tear, *frame), tear.force},
-             {"energy", tear.energy},
-             {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
-    result["tear_report"] = tearSummary(*frame);
-    result["absurd"] = Json::array();
-    for (const Message& one : absurdities(simulation))
-        result["absurd"].push_back(one.english());
-    result["stopped"] = simulation.trouble().has_value();
-    if (simulation.trouble())
-        result["message"] = simulation.trouble()->message.english();
-    if (interrupted())
-        result["interrupted"] = true;
-    return result;
-}
-
-Json settlingOf(const Settling& end)
-{
-    return {{"still", end.outcome == Settling::Outcome::Still},
-            {"speed", end.speed},
-            {"goal", end.goal},
-            {"seconds", end.since}};
-}
-
-// Seconds by stage; what is left of the wall time is the watchdog and what is written.
-Json profileOf(const StepTimes& times, double wallSeconds)
-{
-    Json profile;
-    double left = wallSeconds;
-    for (std::size_t i = 0; i < stepStageNames.size(); ++i) {
-        profile.push_back({{"stage", stepStageNames[i]}, {"seconds", times.seconds[i]}});
-        left -= times.seconds[i];
-    }
-    profile.push_back({{"stage", "watchdog and output"}, {"seconds", std::max(left, 0.0)}});
-    return profile;
-}
-
-void printProfile(const Json& result)
-{
-    std::cout << "\nwhere the time went\n";
-    for (const Json& row : result["profile"]) {
-        char line[80];
-        std::snprintf(line, sizeof line, "  %-22s%8.3f s %5.1f %%\n",
-                      row["stage"].get<std::string>().c_str(), row["seconds"].get<double>(),
-                      100.0 * row["seconds"].get<double>()
-                          / std::max(result["wall_seconds"].get<double>(), 1e-9));
-        std::cout << line;
-    }
-}
-
-void printTable(const Json& result, const Layout& layout)
-{
-    const auto row = [](const std::string& label, const std::string& text) {
-        std::cout << label << std::string(24 - std::min<std::size_t>(label.size(), 23), ' ') << text
-                  << '\n';
-    };
-    row("time", shortNumber(result["time"]) + " s, " + std::to_string(result["steps"].get<long>())
-                    + " steps");
-    row("wall time", shortNumber(result["wall_seconds"]) + " s, "
-                         + shortNumber(result["steps_per_second"]) + " steps/s");
-    row("torn", std::to_string(result["torn"].get<long>()));
-    if (const Json& tears = result["tear_report"]; tears["count"].get<long>() > 0) {
-        const Json& end = tears["front"].back();
-        const Json& first = tears["first"];
-        const std::string kind = first.contains("panel") ? "panel" : "link";
-        row("first tear", shortNumber(first["time"]) + " s, " + kind + ' '
-                              + std::to_string(first[kind].get<long>()));
-        row("tears reach",
-            shortNumber(end["distance"]) + " m from there at " + shortNumber(end["time"]) + " s");
-        row("energy they released", shortNumber(tears["energy"]) + " J");
-    }
-    if (result.contains("settled")) {
-        const Json& end = result["settled"];
-        row(end["still"].get<bool>() ? "settled after" : "not settled after",
-            shortNumber(end["seconds"]) + " s; the fastest particle has "
-                + shortNumber(end["speed"]) + " m/s");
-    }
-    row("largest strain", shortNumber(result["max_strain"]));
-    const Json& accuracy = result["accuracy"];
-    const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
-    row("error of pulls", percent(accuracy["reached"]) + ", wanted " + percent(accuracy["wanted"])
-                              + "; missed in " + percent(accuracy["missed"]) + " of the steps");
-    row("energy", shortNumber(result["energy"]) + " J");
-    row("hash", result["hash"].get<std::string>());
-    const std::vector<std::string> names = distinctNames(layout.probes);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const double value = result["probes"][names[i]].get<double>();
-        row(names[i],
-            (std::isfinite(value) ? shortNumber(value) : "none") + " " + layout.probes[i].unit);
-    }
-}
-
 std::vector<RunEvent> eventsOf(const Recorder& recorder)
 {
     return recorder.recording() ? recorder.recording()->events() : std::vector<RunEvent>();
 }
 
 // Flies a compiled scene, writes what was asked for and reports.
-int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
+int flyAndReport(Scene scene, Simulation& simulation, const RunOptions& options,
                  const std::optional<SettleGoal>& goal, ControlTrack track)
 {
     std::optional<CsvWriter> table;
@@ -303,6 +135,8 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
         written.push_back(table->close(*simulation.frame()));
     if (!options.tears.empty())
         written.push_back(writeTears(scene, simulation.frame()->tears, options.tears));
+    if (!options.loads.empty())
+        written.push_back(writeLoads(scene, *simulation.frame(), options.loads));
     if (!options.events.empty())
         written.push_back(
             writeEvents(scene, events ? events->all() : eventsOf(recorder), options.events));
@@ -313,7 +147,11 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     if (file)
         written.push_back(file->finish());
 
-    Json result = report(simulation, wallSeconds);
+    Json result = runReport(simulation, wallSeconds);
+    if (!options.loads.empty() && !hasMargins(*simulation.frame()))
+        std::cerr << "No material of this scene has a strength (lineStrength, warpStrength, "
+                     "weftStrength, breakingMoment), so that there are no margins: the table of "
+                     "loads has no rows.\n";
     if (settler)
         result["settled"] = settlingOf(settler->progress());
     if (options.profile)
@@ -321,7 +159,7 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
     if (options.json)
         print(result);
     else
-        printTable(result, *simulation.frame()->layout);
+        printRunTable(result, *simulation.frame()->layout);
     if (options.profile && !options.json)
         printProfile(result);
     for (const auto& failure : written)
@@ -345,7 +183,7 @@ int flyAndReport(Scene scene, Simulation& simulation, const Options& options,
 
 // The goal of a settling run, if one was asked for; wrong usage is a failure that says what is
 // wrong.
-Result<std::optional<SettleGoal>> settleGoal(const Options& options)
+Result<std::optional<SettleGoal>> settleGoal(const RunOptions& options)
 {
     if (!options.settles && !options.seconds)
         return Failure{"--seconds is required, or --settle."};
@@ -363,7 +201,7 @@ Result<std::optional<SettleGoal>> settleGoal(const Options& options)
     return std::optional<SettleGoal>(goal);
 }
 
-int run(const Options& options)
+int run(const RunOptions& options)
 {
     if (!options.replay.empty())
         return replayFile(options.replay, options.threads, options.json);
@@ -381,8 +219,8 @@ int run(const Options& options)
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
-    const FileNames targets{options.csv, options.finalScene, options.tears, options.events,
-                            options.record};
+    const FileNames targets{options.csv, options.finalScene, options.tears, options.loads,
+                            options.events, options.record};
     const FileNames inputs = inputsOf(*loaded.scene, options.scene.file, {options.controls});
     if (const int code = refuseTargets(targets, inputs); code != Done) // better than after an hour
         return code;
@@ -397,7 +235,7 @@ int run(const Options& options)
     if (!system)
         return fail(BadInput, Message("%1: %2", options.scene.file, system.message()));
     if (options.finalScene.empty() && options.tears.empty() && options.record.empty()
-        && options.events.empty())
+        && options.events.empty() && options.loads.empty())
         loaded.scene = Scene(); // nobody reads it again, and links take a hundred bytes each
     Simulation simulation(*system, options.threads);
     return flyAndReport(std::move(*loaded.scene), simulation, options, *goal, std::move(track));
@@ -409,7 +247,7 @@ void addRun(CLI::App& app, Command& chosen)
 {
     CLI::App* command =
         app.add_subcommand("run", "Fly a scene and report strain, energy, tears and probes.");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RunOptions>();
     CLI::Option* replay =
         command
             ->add_option("--replay", options->replay,
@@ -446,6 +284,11 @@ void addRun(CLI::App& app, Command& chosen)
                      "Write every break: time, element, part, strain, force, energy, place")
         ->type_name("FILE");
     command
+        ->add_option("--loads", options->loads,
+                     "Write the ten places nearest to breaking, of the last moment and of the run: "
+                     "kind, element, part, load, strength, margin, time, place")
+        ->type_name("FILE");
+    command
         ->add_option("--events", options->events,
                      "Write what happened and when: tears, contact, lines that go slack or taut")
         ->type_name("FILE");
@@ -470,6 +313,7 @@ void addRun(CLI::App& app, Command& chosen)
         "  ripstop-cli run cloth.ripstop.json --settle --kinetic-damping --final "
         "hung.ripstop.json\n"
         "  ripstop-cli run scenes/torn_sheet.ripstop.json --seconds 3 --tears tears.csv\n"
+        "  ripstop-cli run scenes/ripstop_kite.ripstop.json --seconds 5 --loads loads.csv\n"
         "  ripstop-cli run scenes/delta_kite.ripstop.json --seconds 20 --record kite.ripstop-run\n"
         "  ripstop-cli run --replay kite.ripstop-run --threads 2\n"
         "  ripstop-cli run paper.zip                       (a bundle: see bundle --help)\n"

@@ -11,6 +11,7 @@
 #include "document/recordings.h"
 #include "inspector/inspector.h"
 #include "inspector/tuning_panel.h"
+#include "loads/load_panel.h"
 #include "outline/outline.h"
 #include "plots/plot_panel.h"
 #include "problems/problem_list.h"
@@ -83,6 +84,11 @@ QWidget* makeProblems(const PanelParts& parts, const Panels&, QDockWidget& dock)
     return problems;
 }
 
+QWidget* makeLoads(const PanelParts& parts, const Panels&, QDockWidget& dock)
+{
+    return new LoadPanel(parts.document, parts.selection, parts.player, &dock);
+}
+
 QWidget* makeTable(const PanelParts& parts, const Panels&, QDockWidget& dock)
 {
     return new SheetPanel(
@@ -116,6 +122,7 @@ std::vector<DockRow> dockTable()
             tr("Measure it"), tr("Strain, energy, forces and probes as they happen. Problems of the design stand beside, each with a click to what it is about.")},
         {"controls",  tr("Controls"),  below, 0,   stays, makeControls, {}, {}},
         {"problems",  tr("Problems"),  below, 0,   stays, makeProblems, {}, {}},
+        {"loads",     tr("Loads"),     below, 0,   stays, makeLoads, {}, {}},
         {"table",     tr("Table"),     below, 0,   stays, makeTable, {}, {}},
         {"timeline",  tr("Timeline"),  below, 0,   stays, makeTimeline, {}, {}},
     };

@@ -22,6 +22,7 @@
 #include "files/run_files.h"
 #include "import/import_dialog.h"
 #include "inspector/inspector.h"
+#include "loads/load_panel.h"
 #include "start/start_page.h"
 #include "timeline/timeline.h"
 #include "timeline/timeline_strip.h"
@@ -168,6 +169,8 @@ void MainWindow::connectParts()
     m_status->hear(*m_arrivals);
     m_status->follow(*m_recordings);
     m_status->follow(*m_viewport);
+    connect(&m_docks->panel<LoadPanel>(), &LoadPanel::chosen, m_viewport,
+            [this](quint32 element) { m_viewport->centre({Id{element}}); });
     connect(m_recordings, &Recordings::ghostShown, m_viewport, &Viewport::showGhost);
     connect(&m_document, &Document::replaced, m_recordings, &Recordings::clear);
     connect(&m_document, &Document::fileChanged, this, &MainWindow::showTitle);

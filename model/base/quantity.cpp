@@ -61,6 +61,7 @@ constexpr std::array table{
     QuantityRow{Quantity::EnergyResidual,  "J", Of::Whole, 1, "Energy change that no work explains: what the solver has made (above 0) or lost."},
     QuantityRow{Quantity::Formula,         "", Of::Probes, 1, "A number made of what other probes read."},
     QuantityRow{Quantity::StepsPerSecond,  "1/s", Of::Whole, 1, "Time steps for each second of the clock, lately: only while it runs in the window, and nothing in files."},
+    QuantityRow{Quantity::Margin,          "", Of::Links, 1, "Load over strength, of the link or panel that is nearest to breaking: 1 breaks. Strength is that of the material times its joint efficiency over the safety factor of the scene."},
 };
 // clang-format on
 

@@ -62,12 +62,13 @@ enum class Quantity {
     WorkOfTearing,
     EnergyResidual,
     Formula,
-    StepsPerSecond // of the clock, while it runs in the window
+    StepsPerSecond, // of the clock, while it runs in the window
+    Margin          // load over strength
 };
 
 // clang-format off
 template <>
-inline constexpr std::array<std::string_view, 52> choiceNames<Quantity>{
+inline constexpr std::array<std::string_view, 53> choiceNames<Quantity>{
     "position_x",       "position_y",     "position_z",       "speed",       "sink_rate",
     "tension",          "strain",         "max_strain",       "max_tension", "distance",
     "elevation",        "glide_ratio",    "mean_glide_ratio", "air_force",   "kinetic_energy",
@@ -78,7 +79,7 @@ inline constexpr std::array<std::string_view, 52> choiceNames<Quantity>{
     "pressure_x",       "pressure_y",     "pressure_z",       "angle_of_attack", "pitch",
     "roll",             "heading",        "momentum",         "energy_change",
     "work_of_air",      "work_of_hands",  "work_of_damping",  "work_of_contact", "work_of_tearing",
-    "energy_residual",  "formula",        "steps_per_second"};
+    "energy_residual",  "formula",        "steps_per_second", "margin"};
 // clang-format on
 
 struct QuantityRow

@@ -119,6 +119,7 @@ void addPanels(const Scene& scene, const ElementIndex& index, System& system)
 {
     system.materialAir = materialAirOf(scene);
     system.bending = bendingsOf(scene);
+    system.strength = strengthsOf(scene);
     system.cloth = clothsOf(scene);
     if (!system.cloth.empty())
         system.clothTear = fabricTearsOf(scene);

@@ -107,6 +107,7 @@ private:
         }
         m_system.materialAir[std::size_t(airOf(key))] = ripstop::airOf(Id{key}, material);
         this->bending(std::size_t(airOf(key)), bendingOf(material));
+        strength(std::size_t(airOf(key)), strengthOf(material));
         cloth(airOf(key), clothOf(material));
         if (!m_system.clothTear.empty())
             m_system.clothTear[std::size_t(airOf(key))] = fabricTearOf(material);
@@ -135,6 +136,15 @@ private:
         all.resize(m_system.materialAir.size());
         all[place] = bending;
         if (isLimp(all))
+            all.clear();
+    }
+
+    void strength(std::size_t place, const Strength& strength)
+    {
+        std::vector<Strength>& all = m_system.strength;
+        all.resize(m_system.materialAir.size());
+        all[place] = strength;
+        if (hasNone(all))
             all.clear();
     }
 

@@ -152,6 +152,7 @@ void takeSettings(const Settings& settings, System& system)
     system.airDensity = settings.airDensity;
     system.viscosity = settings.viscosity;
     system.speedLimit = settings.speedLimit;
+    system.safetyFactor = settings.safetyFactor;
 }
 
 void takeParticle(const Particle& row, int place, System& system)
@@ -257,6 +258,27 @@ bool isLimp(const std::vector<Bending>& bendings)
     return std::all_of(bendings.begin(), bendings.end(), [](const Bending& bending) {
         return bending.fabric == 0.0 && bending.spar == 0.0;
     });
+}
+
+Strength strengthOf(const Material& material)
+{
+    const double joints = material.jointEfficiency.value_or(1.0);
+    return {joints * material.lineStrength.value_or(0.0),
+            joints * material.warpStrength.value_or(0.0),
+            joints * material.weftStrength.value_or(0.0),
+            joints * material.breakingMoment.value_or(0.0)};
+}
+
+std::vector<Strength> strengthsOf(const Scene& scene)
+{
+    std::vector<Strength> strengths{Strength()};
+    forEachItem<Material>(scene, [&](Id, const Material& m) { strengths.push_back(strengthOf(m)); });
+    return hasNone(strengths) ? std::vector<Strength>() : strengths;
+}
+
+bool hasNone(const std::vector<Strength>& strengths)
+{
+    return std::ranges::all_of(strengths, [](const Strength& s) { return s == Strength(); });
 }
 
 ClothLaw clothOf(const Material& material)

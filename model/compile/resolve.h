@@ -24,6 +24,9 @@ std::vector<MaterialAir> materialAirOf(const Scene& scene);
 Bending bendingOf(const Material& material);
 std::vector<Bending> bendingsOf(const Scene& scene); // [materialAir], empty when all are limp
 bool isLimp(const std::vector<Bending>& bendings);
+Strength strengthOf(const Material& material); // with its joints
+std::vector<Strength> strengthsOf(const Scene& scene); // [materialAir], empty when none has any
+bool hasNone(const std::vector<Strength>& strengths);
 ClothLaw clothOf(const Material& material);
 std::vector<ClothLaw> clothsOf(const Scene& scene); // [materialAir], empty when no panel needs them
 std::vector<FabricTear> fabricTearsOf(const Scene& scene); // [materialAir]

@@ -1,42 +1,21 @@
 #include "io/tear_table.h"
 
 #include "io/csv.h"
+#include "io/element_part.h"
 #include "io/json_text.h"
 #include "io/whole_file.h"
 #include "run/tear_report.h"
 
 namespace ripstop {
-namespace {
-
-struct Torn
-{
-    std::string part;
-    bool isPanel = false;
-};
-
-Torn tornBy(const Scene& scene, Id element)
-{
-    Torn torn;
-    forEachPart(scene, [&](Id, const Part& part) {
-        if (findRow(part.links, element))
-            torn = {part.name, false};
-        else if (findRow(part.panels, element))
-            torn = {part.name, true};
-    });
-    return torn;
-}
-
-} // namespace
-
 std::optional<Failure> writeTears(const Scene& scene, std::span<const Tear> tears,
                                   const std::filesystem::path& file)
 {
     std::string text = "time (s),element,part,strain,force (N),energy (J),x (m),y (m),z (m),"
                        "tension (N/m),moment (N m)\n";
     for (const Tear& tear : tears) {
-        const Torn torn = tornBy(scene, Id{tear.element});
+        const ElementPart torn = partOfElement(scene, Id{tear.element});
         appendNumber(text, tear.time);
-        text += ',' + std::to_string(tear.element) + ',' + csvCell(torn.part) + ',';
+        text += ',' + std::to_string(tear.element) + ',' + csvCell(torn.name) + ',';
         appendNumber(text, tear.strain);
         text += ',';
         const bool isMoment = isSnap(tear);

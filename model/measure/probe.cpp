@@ -40,6 +40,21 @@ double glideRatio(const Vec3& motion)
     return motion.y() < 0.0 ? horizontal(motion) / -motion.y() : nothing;
 }
 
+// Of the links and panels of the probe, the largest; not a number where none has a strength.
+double marginOf(const ProbeSpec& probe, const Margins& margins)
+{
+    double largest = nothing;
+    const auto take = [&](const std::vector<int>& places, const std::vector<double>& values) {
+        for (const int place : places)
+            largest = std::fmax(largest, values[std::size_t(place)]); // passes over no numbers
+    };
+    if (!margins.link.empty() || !margins.panel.empty()) {
+        take(probe.links, margins.link);
+        take(probe.panels, margins.panel);
+    }
+    return largest;
+}
+
 // Links and panels that the mesh has parted at are whole again.
 double tornCount(const ProbeSpec& probe, const System& system, const State& state)
 {
@@ -91,6 +106,13 @@ const Energies& Readings::energy()
     if (!m_energy)
         m_energy = energies(m_system, m_state);
     return *m_energy;
+}
+
+const Margins& Readings::margin()
+{
+    if (!m_margin)
+        m_margin = margins(m_system, m_state);
+    return *m_margin;
 }
 
 Vec3 Readings::lineDragOf(const ProbeSpec& probe)
@@ -253,6 +275,8 @@ double Readings::value(const ProbeSpec& probe)
         return roll(probe, *this);
     case Quantity::AngleOfAttack:
         return angleOfAttack(probe, *this);
+    case Quantity::Margin:
+        return marginOf(probe, margin());
     case Quantity::Formula:
     case Quantity::StepsPerSecond:
         break; // known when the others are; of the clock, that the runner alone looks at

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "measure/diagnostics.h"
+#include "measure/margins.h"
 #include "system/system.h"
 
 #include <optional>
@@ -31,6 +32,7 @@ public:
     const std::vector<double>& tension(); // [links] N
     const std::vector<Vec3>& panelLoad(); // [panels] N
     const Energies& energy();
+    const Margins& margin();
 
     const State* before() const { return m_before; }
     Vec3 airForceOf(const ProbeSpec& probe); // N, of its panels and lines
@@ -50,6 +52,7 @@ private:
     std::optional<std::vector<Vec3>> m_panelLoad;
     std::optional<std::vector<Vec3>> m_lineDrag;
     std::optional<Energies> m_energy;
+    std::optional<Margins> m_margin;
 };
 
 } // namespace ripstop

@@ -8,6 +8,7 @@
 
 #include "base/guide.h"
 #include "base/link_laws.h"
+#include "base/load_margin.h"
 #include "base/message.h"
 #include "base/panel_pull.h"
 #include "base/vec3.h"
@@ -132,6 +133,11 @@ struct Frame
     std::vector<std::uint8_t> torn;       // [links]
     std::vector<Vec3> panelLoad;          // [panels] N
     std::vector<PanelPull> panelPull;     // [panels], or empty where no panel carries a pull
+    std::vector<double> linkMargin;       // [links] load over strength, not a number where there
+    std::vector<double> panelMargin;      // [panels] is none; both empty where nothing has one
+    WorstPlaces worstNow;                 // of these margins
+    WorstPlaces worstOfRun;               // of every step since the start of the run; of a moment
+                                          // of a recording there is none
     std::vector<std::uint8_t> gone;       // [panels]
     Vec3 gust = Vec3::Zero();             // m/s, of all gusts together, the same everywhere
     Vec3 wind = Vec3::Zero();             // m/s, gusts included, in the middle of the particles

@@ -2,12 +2,14 @@
 // hands each call to its private half.
 #include "run/simulation.h"
 
+#include "assembly/split_system.h"
 #include "compile/patch.h"
 #include "constraints/guides.h"
 #include "contact/obstacle_motion.h"
 #include "forces/wind.h"
 #include "measure/diagnostics.h"
 #include "measure/energy_ledger.h"
+#include "measure/margins.h"
 #include "measure/probe.h"
 #include "run/derived_system.h"
 #include "run/hand_work.h"
@@ -66,6 +68,9 @@ public:
     Stepper stepper;
     EnergyLedger ledger;
     RunAccuracy accuracy;
+    WorstPlaces worst;      // of the run so far
+    std::vector<int> lines; // of the system with the serial
+    std::uint64_t linesSerial = 0;
     std::optional<Trouble> trouble;
 
 private:
@@ -74,6 +79,8 @@ private:
     std::shared_ptr<const System> endRamps();
     void followRamps(double time);
     void noteAccuracy();
+    void noteWorstPlaces();
+    WorstPlaces worstPlaces();
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -120,6 +127,7 @@ void Simulation::Private::followRamps(double time)
 void Simulation::Private::startOver()
 {
     accuracy = {};
+    worst.forget();
     run.atStart = true;
     run.now = derived.compiled()->start;
     hands.forget();
@@ -177,6 +185,7 @@ void Simulation::Private::resetTo(const Patch& patch)
 {
     if (!run.atStart)
         return startOver();
+    worst.forget();
     hands.forget();
     const State& start = derived.compiled()->start;
     run.now.gusts = start.gusts;
@@ -190,6 +199,7 @@ void Simulation::Private::resetTo(const Patch& patch)
 void Simulation::Private::resume(const Moment& moment)
 {
     accuracy = {};
+    worst.forget();
     hands.forget();
     run.atStart = false;
     trouble.reset();
@@ -202,6 +212,7 @@ void Simulation::Private::resume(const Moment& moment)
 
 void Simulation::Private::place(State state)
 {
+    worst.forget();
     const bool ramped = hasRamps(run.now) || hasRamps(state);
     endRamps();
     if (ramped)
@@ -233,10 +244,12 @@ bool Simulation::Private::step()
         ledger.end(system(), run.now);
     noteAccuracy();
     trouble = findTrouble(system(), run.lastGood, run.now, substeps);
-    if (trouble)
+    if (trouble) {
         std::swap(run.now, run.lastGood);
-    else
+    } else {
+        noteWorstPlaces();
         derived.followTears(tears, run);
+    }
     return !trouble;
 }
 
@@ -257,6 +270,38 @@ void Simulation::Private::noteAccuracy()
         accuracy.worstLink =
             rod < 0 ? 0 : system().links[std::size_t(system().rodLink[std::size_t(rod)])].key;
     }
+}
+
+// A place is among the worst of the run when it is among the worst of a step: whenever it is not,
+// as many others bear more.
+void Simulation::Private::noteWorstPlaces()
+{
+    if (system().strength.empty())
+        return;
+    const WorstPlaces now = worstPlaces();
+    for (const LoadedPlace& place : now.all())
+        worst.offer(place);
+}
+
+// Of this moment, by the ids of the scene.
+WorstPlaces Simulation::Private::worstPlaces()
+{
+    WorstPlaces now;
+    if (linesSerial != system().serial || lines.size() != system().links.size()) {
+        lines = chainsOf(system());
+        linesSerial = system().serial;
+    }
+    offerPlaces(system(), run.now, lines, now);
+    if (run.now.splits.empty())
+        return now;
+    const TwinOrigins origins(run.now.splits);
+    WorstPlaces named;
+    for (LoadedPlace place : now.all()) {
+        place.element = origins.link(place.element);
+        place.whole = origins.link(place.whole);
+        named.offer(place);
+    }
+    return named;
 }
 
 double Simulation::Private::substep() const
@@ -287,6 +332,10 @@ std::shared_ptr<Frame> Simulation::Private::frame()
     frame->panelLoad = instant.panelLoad();
     frame->panelPull = panelPulls(system(), state);
     frame->probe = probes.read(instant);
+    frame->linkMargin = instant.margin().link;
+    frame->panelMargin = instant.margin().panel;
+    frame->worstNow = worstPlaces();
+    frame->worstOfRun = worst;
 
     hands.fill(*frame, system(), state, substep());
     if (trouble) {

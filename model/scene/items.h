@@ -142,7 +142,7 @@ struct Material
     double porosity = 0.0;                      // 1
     double diameter = 0.0;                      // m, of links as lines in the wind
     double dragCoefficient = 1.1;               // 1, of lines across the wind
-    // At what load it breaks, for margins. A run depends on it where the tear rule is strength
+    // At what load it breaks, for margins (base/load_margin.h). A run depends on it where the tear rule is strength
     // (scene/tear_bounds.h), and on the tear strength never.
     std::optional<double> warpStrength;    // N/m, of fabric pulled along its warp
     std::optional<double> weftStrength;    // N/m, of fabric pulled across it
@@ -271,6 +271,7 @@ struct Settings
     double airDensity = 1.225;               // kg/m^3
     double viscosity = 0.0;                  // 1/s
     double speedLimit = 1000.0;              // m/s
+    double safetyFactor = 1.0;               // 1, by which margins lower every strength
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -140,6 +140,7 @@ std::span<const Property> allProperties()
         property<&Settings::airDensity>  ("airDensity",  "Air density",  "kg/m\u00b3", Recompile, "Mass of the air per volume; 1.225 at sea level, 0 is a vacuum.", {someCloth}, {.range = notNegative, .usual = even(0.0, 2.0)}),
         property<&Settings::viscosity>   ("viscosity",   "Viscosity",    "1/s",     Recompile,   "Rate at which every velocity decays, over and above the drag of the panels.", {}, {.range = notNegative, .usual = even(0.0, 5.0)}),
         property<&Settings::speedLimit>  ("speedLimit",  "Speed limit",  "m/s",     Recompile,   "A particle faster than this counts as diverged, and the run stops.", {}, {.range = positive}),
+        property<&Settings::safetyFactor>("safetyFactor", "Safety factor", "",     Recompile,   "Margins count every strength as so many times lower, so that with 2 a margin of 1 is half of what breaks; flights and tears do not depend on it.", {}, {.range = positive, .usual = even(1.0, 5.0)}),
 
         property<&Particle::position>    ("position",    "Position",     "m",       OnReset,     "Where the particle starts.", {}, {.traits = {Own}}),
         property<&Particle::velocity>    ("velocity",    "Velocity",     "m/s",     OnReset,     "How fast the particle starts.", {isFree}),

@@ -8,6 +8,7 @@
 #include "base/airflow.h"
 #include "base/cloth_law.h"
 #include "base/guide.h"
+#include "base/load_margin.h"
 #include "base/quantity.h"
 #include "base/rows.h"
 #include "base/solver_laws.h"
@@ -95,6 +96,7 @@ struct System
     std::vector<GustSpec> gusts;
     double viscosity = 0.0;     // 1/s
     double speedLimit = 1000.0; // m/s
+    double safetyFactor = 1.0;  // 1, of margins
 
     std::vector<Key> key;               // [particles]
     std::vector<PartPlace> parts;       // in ascending order of their first particles
@@ -112,6 +114,7 @@ struct System
     std::vector<std::uint8_t> direct;     // [rods] solved as one block (direct_choice.h), or empty
     std::vector<MaterialAir> materialAir; // the first is that of no material
     std::vector<Bending> bending;         // [materialAir], or empty when nothing bends stiffly
+    std::vector<Strength> strength;       // [materialAir], or empty when nothing has one
     ForceLists forces;                    // what each force derives from all else
     std::vector<FabricPanel> panels;
     std::vector<Key> panelKey;         // [panels]

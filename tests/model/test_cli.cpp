@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <limits>
 
 using namespace ripstop;
 
@@ -80,6 +81,7 @@ private slots:
         row("table into nowhere",         {"run", kite, "--seconds", "0.1", "--json", "--csv", "/nowhere/a.csv"}, 1, "/nowhere/a.csv");
         row("final scene into nowhere",   {"run", kite, "--seconds", "0.1", "--json", "--final", "/nowhere/a.ripstop.json"}, 1, "/nowhere/a.ripstop.json");
         row("tears into nowhere",         {"run", kite, "--seconds", "0.1", "--json", "--tears", "/nowhere/a.csv"}, 1, "/nowhere/a.csv");
+        row("loads into nowhere",         {"run", kite, "--seconds", "0.1", "--json", "--loads", "/nowhere/a.csv"}, 1, "/nowhere/a.csv");
         row("recording into nowhere",     {"run", kite, "--seconds", "0.1", "--json", "--record", "/nowhere/a.ripstop-run"}, 1, "/nowhere/a.ripstop-run");
         row("final scene on a full disk", {"run", kite, "--seconds", "0.1", "--json", "--final", "/dev/full"}, 1, "/dev/full was not saved");
         row("recording on a full disk",   {"run", kite, "--seconds", "0.1", "--json", "--record", "/dev/full"}, 1, "/dev/full was not saved");
@@ -320,6 +322,40 @@ private slots:
         const QJsonArray front = result["tear_report"].toObject()["front"].toArray();
         QCOMPARE(QString(contentOf(table)).count('\n'), tears.size() + 1);
         QVERIFY(front.size() > 1);
+    }
+
+    // The kite of the sample is of materials with strengths; the paper's is not.
+    void loadsAreListed()
+    {
+        QTemporaryDir folder;
+        const QString table = folder.filePath("a.csv");
+        const QJsonObject result =
+            call({"run", scene("ripstop_kite"), "--seconds", "1", "--json", "--loads", table})
+                .json();
+        const QJsonObject loads = result["loads"].toObject();
+        for (const char* of : {"moment", "run"}) {
+            double before = std::numeric_limits<double>::infinity();
+            QCOMPARE(loads[of].toArray().size(), 10);
+            for (const QJsonValue& value : loads[of].toArray()) {
+                const QJsonObject place = value.toObject();
+                const double margin = place["margin"].toDouble();
+                QVERIFY(margin <= std::exchange(before, margin));
+                QCOMPARE(margin, place["load"].toDouble() / place["strength"].toDouble());
+                QVERIFY(place["time"].toDouble() <= result["time"].toDouble());
+                QCOMPARE(place["place"].toArray().size(), 3);
+            }
+        }
+        const auto worst = [&](const char* of) {
+            return loads[of].toArray()[0].toObject()["margin"].toDouble();
+        };
+        QVERIFY(worst("run") >= worst("moment"));
+        QCOMPARE(QString(contentOf(table)).count('\n'), 1 + 10 + 10);
+
+        const Outcome bare =
+            call({"run", scene("paper_kite"), "--seconds", "0.1", "--json", "--loads", table});
+        QVERIFY(bare.json()["loads"].isNull());
+        QVERIFY(bare.error.contains("No material of this scene has a strength"));
+        QCOMPARE(QString(contentOf(table)).count('\n'), 1);
     }
 
     void divergence()

@@ -15,6 +15,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <limits>
 
 using namespace ripstop;
 
@@ -115,6 +116,39 @@ private slots:
         QVERIFY(!valuesOf(now, ColorBy::Wrinkles, look).isKnown);
         QVERIFY(valuesOf(now, ColorBy::Stress, look).isKnown); // by the thread
         QVERIFY(!valuesOf(now, ColorBy::Stress, Look()).isKnown);
+    }
+
+    // What has no strength reads 0; where nothing has one, the legend says so.
+    void margin()
+    {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        Frame now = frame();
+        now.linkMargin = {none, 0.4};
+        now.panelMargin = {none};
+        const QuantityValues values = valuesOf(now, ColorBy::Margin, Look());
+        QCOMPARE(values.link, (std::vector<double>{0.0, 0.4}));
+        QVERIFY(values.isKnown);
+        QCOMPARE(peakOf(now, values).id, 22U);
+        now.linkMargin = {none, none};
+        QVERIFY(!valuesOf(now, ColorBy::Margin, Look()).isKnown);
+        now.linkMargin = {};
+        now.panelMargin = {};
+        QVERIFY(!valuesOf(now, ColorBy::Margin, Look()).isKnown);
+    }
+
+    // The legend of margins has a mark where things break, in place of the number there, and none
+    // where its range ends before.
+    void legendOfMargins()
+    {
+        Legend legend;
+        legend.setScale(ColorBy::Margin, {0.0, 2.0}, ColorMap::sequential());
+        QCOMPARE(legend.title(), QString("Margin"));
+        QVERIFY(legend.labels().contains("1, breaks"));
+        QVERIFY(!legend.labels().contains("1.0") && !legend.labels().contains("1"));
+        legend.setScale(ColorBy::Margin, {0.0, 0.5}, ColorMap::sequential());
+        QVERIFY(!legend.labels().contains("1, breaks"));
+        legend.setScale(ColorBy::Stress, {0.0, 2.0}, ColorMap::sequential());
+        QVERIFY(!legend.labels().contains("1, breaks"));
     }
 
     // The legend of how panels lie has names instead of numbers, and neither peak nor range.

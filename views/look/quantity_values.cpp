@@ -5,9 +5,12 @@
 // both reach. peakOf() looks for the largest value in the array that the quantity belongs to.
 #include "look/quantity_values.h"
 
+#include "run/has_margins.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ripstop {
@@ -138,6 +141,17 @@ QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look)
                          });
         takeLinks(frame, stresses, values);
         takePanels(frame, &PanelPull::tension, values);
+        break;
+    }
+    case ColorBy::Margin: {
+        const auto orZero = [](double margin) { return std::isnan(margin) ? 0.0 : margin; };
+        std::vector<double> ofLinks(frame.linkMargin.size());
+        std::ranges::transform(frame.linkMargin, ofLinks.begin(), orZero);
+        takeLinks(frame, ofLinks, values);
+        takePanels(frame, values, [&](std::size_t i) {
+            return i < frame.panelMargin.size() ? orZero(frame.panelMargin[i]) : 0.0;
+        });
+        values.isKnown = hasMargins(frame);
         break;
     }
     case ColorBy::Wrinkles:

@@ -14,10 +14,20 @@
 
 namespace ripstop {
 
-enum class ColorBy { Material, Strain, Tension, Speed, PanelLoad, TearLoad, Stress, Wrinkles };
+enum class ColorBy {
+    Material,
+    Strain,
+    Tension,
+    Speed,
+    PanelLoad,
+    TearLoad,
+    Stress,
+    Wrinkles,
+    Margin
+};
 // as the command line has them, in the order of the enumeration; never changed
-inline constexpr std::array<std::string_view, 8> colorByNames{
-    "material", "strain", "tension", "speed", "load", "tear", "stress", "wrinkles"};
+inline constexpr std::array<std::string_view, 9> colorByNames{
+    "material", "strain", "tension", "speed", "load", "tear", "stress", "wrinkles", "margin"};
 inline constexpr std::size_t colorByCount = colorByNames.size();
 
 // One quantity of one frame. Only the arrays that it has are filled; the others are empty.
@@ -38,6 +48,7 @@ struct QuantityValues
 // of fabric that it stands for: the membrane force per width, as the strength of fabrics is given;
 // links without a width read 0. A panel that carries the pull of a fabric has the largest principal
 // tension. Wrinkles tell how such a panel lies: 0 slack, 1 wrinkled, 2 taut; others have none.
+// Margin (1) is load over strength (base/load_margin.h); what has no strength reads 0.
 QuantityValues valuesOf(const Frame& frame, ColorBy colorBy, const Look& look);
 
 // The largest value of a frame, and where it is.

@@ -43,6 +43,8 @@ Caption captionOf(ColorBy colorBy)
     case ColorBy::Stress:
         return {Legend::tr("Fabric stress"), QStringLiteral("N/m"),
                 Legend::tr("no fabric of known width")};
+    case ColorBy::Margin:
+        return {Legend::tr("Margin"), {}, Legend::tr("no strength here")};
     case ColorBy::Wrinkles:
         return {Legend::tr("Wrinkles"), {}, Legend::tr("no elastic panels")};
     }
@@ -84,6 +86,7 @@ void Legend::setScale(ColorBy colorBy, const ValueRange& range, const ColorMap& 
     m_title = title;
     m_unit = unit;
     m_isState = isState(colorBy);
+    m_marksLimit = colorBy == ColorBy::Margin;
     m_unknown = unknown;
     m_range = scaled;
     m_colors = &colors;
@@ -150,6 +153,14 @@ std::vector<Legend::Mark> Legend::marks() const
             plain ? locale().toString(value, 'f', decimals) : locale().toString(value, 'g', 3);
         result.push_back({(value - m_range.low) / span, text});
     }
+    if (m_marksLimit && m_range.low <= 1.0 && m_range.high >= 1.0) {
+        const double share = (1.0 - m_range.low) / span;
+        const auto isBeside = [&](const Mark& mark) { // its number would be under the word
+            return std::abs(mark.share - share) * barHeight < QFontMetrics(font()).height();
+        };
+        std::erase_if(result, isBeside);
+        result.push_back({share, tr("1, breaks"), true});
+    }
     return result;
 }
 
@@ -182,7 +193,7 @@ void Legend::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (const Mark& mark : marks()) {
         const int y = bar.top() + int(std::lround((1.0 - mark.share) * (bar.height() - 1)));
-        painter.drawLine(bar.right() + 1, y, bar.right() + 4, y);
+        painter.drawLine(mark.isLimit ? bar.left() : bar.right() + 1, y, bar.right() + 4, y);
         painter.drawText(bar.right() + gap, y + metrics.ascent() / 2 - 1, mark.text);
     }
     painter.drawText(inset, height() - inset - metrics.descent(), peakText());

@@ -54,6 +54,7 @@ private:
     {
         double share; // 0 at the bottom, 1 at the top
         QString text;
+        bool isLimit = false; // where things break: drawn across the bar
     };
     std::vector<Mark> marks() const;
 
@@ -65,6 +66,7 @@ private:
     QString m_unknown; // said instead of the peak
     bool m_isKnown = true;
     bool m_isState = false; // marked by names, without range and peak
+    bool m_marksLimit = false; // of margins, at 1
     double m_shown = 1.0;   // factor from SI units to the unit of the legend
     Peak m_peak;
 };

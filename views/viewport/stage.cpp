@@ -228,6 +228,12 @@ void Stage::takeRange()
     const QuantityValues& values = m_values;
     if (isState(m_colorBy))
         return;
+    if (m_colorBy == ColorBy::Margin) { // as far as to where things break, at least
+        std::vector<double> all = values.link;
+        all.insert(all.end(), values.panel.begin(), values.panel.end());
+        all.insert(all.end(), 1 + all.size() / 100, 1.0); // a range lets the largest few go
+        return m_range.take(all, isSigned(m_colorBy));
+    }
     if (!values.link.empty() && !values.panel.empty()) {
         std::vector<double> both = values.link;
         both.insert(both.end(), values.panel.begin(), values.panel.end());

@@ -306,6 +306,21 @@ void Viewport::fit()
     emit cameraChanged();
 }
 
+void Viewport::centre(const std::vector<Id>& ids)
+{
+    d->stage.prepare(d->document.scene());
+    const std::vector<Vec3> places = d->stage.pointsOf(d->document.scene(), ids);
+    if (places.empty())
+        return;
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& place : places)
+        sum += place;
+    d->untouched = false;
+    d->camera.focus = sum / double(places.size());
+    d->screen.renderSoon();
+    emit cameraChanged();
+}
+
 void Viewport::fit(const std::vector<Id>& ids)
 {
     d->stage.prepare(d->document.scene());

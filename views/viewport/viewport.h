@@ -69,6 +69,7 @@ public:
     // A scene that is opened shows its fabric and what that carries; this shows everything.
     void fit();
     void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
+    void centre(const std::vector<Id>& ids); // from as far as it is seen now
     void look(const Camera& camera);      // shows the view as from there again
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first

@@ -1,0 +1,216 @@
+// The report of a run as JSON; then the table and the profile that are printed of it.
+#include "cli/run_report.h"
+
+#include "base/hash_text.h"
+#include "cli/probe_names.h"
+#include "measure/diagnostics.h"
+#include "run/end_check.h"
+#include "run/has_margins.h"
+#include "run/tear_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace ripstop {
+namespace {
+
+const char* elementKind(const Tear& tear, const Frame& frame)
+{
+    return isOfPanel(tear, *frame.layout) ? "panel" : "link";
+}
+
+const char* loadName(const Tear& tear, const Frame& frame)
+{
+    return isSnap(tear) ? "moment" : isOfPanel(tear, *frame.layout) ? "tension" : "force";
+}
+
+Json tearSummary(const Frame& frame)
+{
+    const std::span<const Tear> tears = frame.tears;
+    const TearReport report = tearReport(tears);
+    Json result;
+    result["count"] = report.count;
+    result["energy"] = report.energy;
+    result["first"] = nullptr;
+    if (!tears.empty())
+        result["first"] = {{"time", tears[0].time},
+                           {elementKind(tears[0], frame), tears[0].element}};
+    result["front"] = Json::array();
+    for (const TearReport::Front& front : report.front)
+        result["front"].push_back({{"time", front.time}, {"distance", front.distance}});
+    return result;
+}
+
+Json accuracyOf(const RunAccuracy& accuracy)
+{
+    return {{"reached", accuracy.pulls},
+            {"wanted", accuracy.wantedPulls},
+            {"strain", accuracy.strain},
+            {"wanted_strain", accuracy.wantedStrain},
+            {"missed", accuracy.missedShare()},
+            {"worst",
+             {{"factor", accuracy.worst},
+              {"time", accuracy.worstTime},
+              {"link", accuracy.worstLink > 0 ? Json(accuracy.worstLink) : Json(nullptr)}}},
+            {"met", accuracy.isMet()}};
+}
+
+Json placesOf(const WorstPlaces& worst)
+{
+    Json places = Json::array();
+    for (const LoadedPlace& place : worst.all())
+        places.push_back({{"time", place.time},
+                          {"kind", choiceNames<LoadKind>[std::size_t(place.kind)]},
+                          {place.kind == LoadKind::Cloth ? "panel" : "link", place.element},
+                          {"load", place.load},
+                          {"strength", place.strength},
+                          {"unit", unitOf(place.kind)},
+                          {"margin", place.margin()},
+                          {"place", {place.place.x(), place.place.y(), place.place.z()}}});
+    return places;
+}
+
+// Null where no material has a strength: then there is no margin to be near.
+Json loadsOf(const Frame& frame)
+{
+    if (!hasMargins(frame))
+        return nullptr;
+    return {{"moment", placesOf(frame.worstNow)}, {"run", placesOf(frame.worstOfRun)}};
+}
+
+} // namespace
+
+Json runReport(const Simulation& simulation, double wallSeconds)
+{
+    const std::shared_ptr<const Frame> frame = simulation.frame();
+    const State& state = simulation.state();
+    const Energies energy = energies(simulation.system(), state);
+    const auto largest = std::max_element(frame->strain.begin(), frame->strain.end());
+
+    Json result;
+    result["time"] = state.time;
+    result["steps"] = state.step;
+    result["substeps"] = frame->substeps;
+    result["wall_seconds"] = wallSeconds;
+    result["steps_per_second"] = wallSeconds > 0.0 ? double(state.step) / wallSeconds : 0.0;
+    result["hash"] = hashText(stateHash(state));
+    result["torn"] = tornElements(*frame);
+    result["max_strain"] = std::max(largest == frame->strain.end() ? 0.0 : double(*largest),
+                                    largestPanelStrain(simulation.system(), simulation.state()));
+    result["accuracy"] = accuracyOf(frame->accuracy);
+    result["energy"] = energy.total();
+    result["energies"] = {
+        {"kinetic", energy.kinetic}, {"potential", energy.potential}, {"elastic", energy.elastic}};
+    result["probes"] = Json::object();
+    const std::vector<std::string> names = distinctNames(frame->layout->probes);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        result["probes"][names[i]] = frame->probe[i];
+    result["tears"] = Json::array();
+    for (const Tear& tear : frame->tears)
+        result["tears"].push_back(
+            {{"time", tear.time},
+             {elementKind(tear, *frame), tear.element},
+             {"length", tear.length},
+             {"strain", tear.strain},
+             {loadName(tear, *frame), tear.force},
+             {"energy", tear.energy},
+             {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
+    result["tear_report"] = tearSummary(*frame);
+    result["loads"] = loadsOf(*frame);
+    result["absurd"] = Json::array();
+    for (const Message& one : absurdities(simulation))
+        result["absurd"].push_back(one.english());
+    result["stopped"] = simulation.trouble().has_value();
+    if (simulation.trouble())
+        result["message"] = simulation.trouble()->message.english();
+    if (interrupted())
+        result["interrupted"] = true;
+    return result;
+}
+
+Json settlingOf(const Settling& end)
+{
+    return {{"still", end.outcome == Settling::Outcome::Still},
+            {"speed", end.speed},
+            {"goal", end.goal},
+            {"seconds", end.since}};
+}
+
+Json profileOf(const StepTimes& times, double wallSeconds)
+{
+    Json profile;
+    double left = wallSeconds;
+    for (std::size_t i = 0; i < stepStageNames.size(); ++i) {
+        profile.push_back({{"stage", stepStageNames[i]}, {"seconds", times.seconds[i]}});
+        left -= times.seconds[i];
+    }
+    profile.push_back({{"stage", "watchdog and output"}, {"seconds", std::max(left, 0.0)}});
+    return profile;
+}
+
+void printProfile(const Json& result)
+{
+    std::cout << "\nwhere the time went\n";
+    for (const Json& row : result["profile"]) {
+        char line[80];
+        std::snprintf(line, sizeof line, "  %-22s%8.3f s %5.1f %%\n",
+                      row["stage"].get<std::string>().c_str(), row["seconds"].get<double>(),
+                      100.0 * row["seconds"].get<double>()
+                          / std::max(result["wall_seconds"].get<double>(), 1e-9));
+        std::cout << line;
+    }
+}
+
+void printRunTable(const Json& result, const Layout& layout)
+{
+    const auto row = [](const std::string& label, const std::string& text) {
+        std::cout << label << std::string(24 - std::min<std::size_t>(label.size(), 23), ' ') << text
+                  << '\n';
+    };
+    row("time", shortNumber(result["time"]) + " s, " + std::to_string(result["steps"].get<long>())
+                    + " steps");
+    row("wall time", shortNumber(result["wall_seconds"]) + " s, "
+                         + shortNumber(result["steps_per_second"]) + " steps/s");
+    row("torn", std::to_string(result["torn"].get<long>()));
+    if (const Json& tears = result["tear_report"]; tears["count"].get<long>() > 0) {
+        const Json& end = tears["front"].back();
+        const Json& first = tears["first"];
+        const std::string kind = first.contains("panel") ? "panel" : "link";
+        row("first tear", shortNumber(first["time"]) + " s, " + kind + ' '
+                              + std::to_string(first[kind].get<long>()));
+        row("tears reach",
+            shortNumber(end["distance"]) + " m from there at " + shortNumber(end["time"]) + " s");
+        row("energy they released", shortNumber(tears["energy"]) + " J");
+    }
+    if (const Json& loads = result["loads"]; loads.is_object() && !loads["run"].empty()) {
+        const Json& worst = loads["run"].front();
+        const std::string kind = worst.contains("panel") ? "panel" : "link";
+        row("worst margin",
+            shortNumber(worst["margin"]) + " of what breaks, " + shortNumber(worst["load"]) + " "
+                + worst["unit"].get<std::string>() + " at " + shortNumber(worst["time"]) + " s, "
+                + kind + ' ' + std::to_string(worst[kind].get<long>()));
+    }
+    if (result.contains("settled")) {
+        const Json& end = result["settled"];
+        row(end["still"].get<bool>() ? "settled after" : "not settled after",
+            shortNumber(end["seconds"]) + " s; the fastest particle has "
+                + shortNumber(end["speed"]) + " m/s");
+    }
+    row("largest strain", shortNumber(result["max_strain"]));
+    const Json& accuracy = result["accuracy"];
+    const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
+    row("error of pulls", percent(accuracy["reached"]) + ", wanted " + percent(accuracy["wanted"])
+                              + "; missed in " + percent(accuracy["missed"]) + " of the steps");
+    row("energy", shortNumber(result["energy"]) + " J");
+    row("hash", result["hash"].get<std::string>());
+    const std::vector<std::string> names = distinctNames(layout.probes);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const double value = result["probes"][names[i]].get<double>();
+        row(names[i],
+            (std::isfinite(value) ? shortNumber(value) : "none") + " " + layout.probes[i].unit);
+    }
+}
+
+} // namespace ripstop

@@ -1,0 +1,19 @@
+// What `ripstop-cli run` says of a run: one JSON object, from which the table is printed too.
+#pragma once
+
+#include "run/simulation.h"
+#include "step/step_times.h"
+#include "terminal/terminal.h"
+
+namespace ripstop {
+
+Json runReport(const Simulation& simulation, double wallSeconds);
+Json settlingOf(const Settling& end);
+
+// Seconds by stage; what is left of the wall time is the watchdog and what is written.
+Json profileOf(const StepTimes& times, double wallSeconds);
+
+void printRunTable(const Json& result, const Layout& layout);
+void printProfile(const Json& result);
+
+} // namespace ripstop

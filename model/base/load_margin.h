@@ -1,0 +1,104 @@
+// What a place of a design bears, and what it could bear. The margin is one over the other:
+//
+//     margin = load / strength,   strength = that of the material x joint efficiency / safety
+//     factor
+//
+// so that a place breaks at 1, and with a safety factor still has that much in hand there. The
+// engine finds loads (measure/margins.h), frames have them.
+#pragma once
+
+#include "base/choice_names.h"
+#include "base/vec3.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace ripstop {
+
+// What is loaded, which says the unit of load and strength.
+enum class LoadKind : std::uint8_t {
+    Line,   // N, pull of a line or along a spar
+    Thread, // N/m, pull of a thread over the width of its strip of fabric
+    Cloth,  // N/m, of the warp or the weft of an elastic panel, whichever is nearer to its strength
+    Spar    // N m, bending moment
+};
+template <>
+inline constexpr std::array<std::string_view, 4> choiceNames<LoadKind>{"line", "thread", "cloth",
+                                                                       "spar"};
+
+constexpr std::string_view unitOf(LoadKind kind)
+{
+    return kind == LoadKind::Line ? "N" : kind == LoadKind::Spar ? "N m" : "N/m";
+}
+
+// The strengths of one material with its joints; 0 where it has none.
+struct Strength
+{
+    double line = 0.0;   // N
+    double warp = 0.0;   // N/m
+    double weft = 0.0;   // N/m
+    double moment = 0.0; // N m
+
+    friend bool operator==(const Strength&, const Strength&) = default;
+};
+
+struct LoadedPlace
+{
+    std::uint32_t element = 0; // id of a link or a panel; of a moment, of a link beside it
+    std::uint32_t whole = 0;   // id of the first link of its line or spar, or that of the element
+    LoadKind kind = LoadKind::Line;
+    double load = 0.0;         // N, N/m or N m, as the kind says
+    double strength = 0.0;     // the same, above 0
+    double time = 0.0;         // s
+    Vec3 place = Vec3::Zero(); // m
+
+    double margin() const { return load / strength; } // 1
+
+    friend bool operator==(const LoadedPlace&, const LoadedPlace&) = default;
+};
+
+// The places that are loaded most for what they bear, the worst first, each with the most that it
+// was seen to bear. A line or spar of many links counts once for its pull and once for its moment,
+// or else one line would fill the list. Takes nothing from the heap.
+class WorstPlaces
+{
+public:
+    static constexpr std::size_t most = 10;
+
+    std::span<const LoadedPlace> all() const { return std::span(m_places).first(m_count); }
+
+    bool wants(double margin) const
+    {
+        return margin > 0.0 && (m_count < most || margin > m_places[m_count - 1].margin());
+    }
+
+    void offer(const LoadedPlace& place)
+    {
+        if (!wants(place.margin()))
+            return;
+        const auto begin = m_places.begin();
+        const auto end = begin + std::ptrdiff_t(m_count);
+        auto at = std::find_if(begin, end, [&](const LoadedPlace& held) {
+            return held.whole == place.whole && held.kind == place.kind;
+        });
+        if (at != end && at->margin() >= place.margin())
+            return;
+        if (at == end)
+            at = m_count < most ? begin + std::ptrdiff_t(m_count++) : end - 1;
+        for (; at != begin && (at - 1)->margin() < place.margin(); --at)
+            *at = *(at - 1);
+        *at = place;
+    }
+
+    void forget() { m_count = 0; }
+
+private:
+    std::array<LoadedPlace, most> m_places;
+    std::size_t m_count = 0;
+};
+
+} // namespace ripstop

@@ -1,0 +1,21 @@
+// The places of a run that are loaded most for what they bear, as a CSV file in SI units, for
+// spreadsheets. The failure says why the file could not be written.
+#pragma once
+
+#include "base/result.h"
+#include "run/frame.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+
+namespace ripstop {
+
+// A table with a row for each place, first those of the last moment, then those of the run, the
+// worst first:
+// "of,rank,time (s),kind,element,part,load,strength,unit,margin,x (m),y (m),z (m)". `of` is moment
+// or run; the element is the id of a link or panel; a part that is no longer in the scene is an
+// empty cell.
+std::optional<Failure> writeLoads(const Scene& scene, const Frame& last,
+                                  const std::filesystem::path& file);
+
+} // namespace ripstop

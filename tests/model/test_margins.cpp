@@ -1,0 +1,307 @@
+// How near to breaking lines, cloth and spars are: margins of loads that are known by hand, with
+// joints and a safety factor; what has no strength; and the worst places of a moment and of a run.
+#include "compile/compile.h"
+#include "measure/margins.h"
+#include "model/systems.h"
+#include "model/tensile_strip.h"
+#include "run/has_margins.h"
+#include "run/simulation.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ripstop;
+
+namespace {
+
+constexpr double g = standardGravity; // m/s^2
+
+// Particles along a way, each linked with the next; the first `pinned` of them hold still.
+struct Chain
+{
+    Scene scene;
+    Id part{};
+    Id material{};
+
+    Chain(const std::vector<Vec3>& places, int pinned, double mass, const Material& made,
+          const Link& like = {})
+    {
+        material = takeId(scene);
+        scene.items.push_back({material, made});
+        part = takeId(scene);
+        Part row;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            row.particles.push_back({.id = takeId(scene),
+                                     .position = places[i],
+                                     .mass = mass,
+                                     .pinned = int(i) < pinned});
+        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+            Link link = like;
+            link.id = takeId(scene);
+            link.from = row.particles[i].id;
+            link.to = row.particles[i + 1].id;
+            link.material = material;
+            link.kind = LinkKind::Rod;
+            link.restLength = (places[i + 1] - places[i]).norm();
+            row.links.push_back(link);
+        }
+        scene.items.push_back({part, row});
+        scene.settings.airDensity = 0.0;
+        scene.settings.viscosity = 20.0;
+    }
+
+    Part& row() { return std::get<Part>(scene.items[1].item); }
+    Material& stuff() { return std::get<Material>(scene.items[0].item); }
+
+    std::shared_ptr<const Frame> after(double seconds) const
+    {
+        const auto system = compile(scene);
+        if (!system)
+            qFatal("%s", system.message().english().c_str());
+        Simulation simulation(*system);
+        simulation.runUntil(seconds);
+        return simulation.frame();
+    }
+};
+
+Material line(std::optional<double> strength)
+{
+    Material material;
+    material.axialStiffness = 1e4;
+    material.dampingTime = 0.02;
+    material.lineStrength = strength;
+    return material;
+}
+
+void compareWithin(double value, double expected, double share)
+{
+    QVERIFY2(std::abs(value - expected) <= share * std::abs(expected),
+             qPrintable(QStringLiteral("%1 instead of %2").arg(value).arg(expected)));
+}
+
+} // namespace
+
+class TestMargins : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    // A line under a weight bears m g of its strength, less what its knots and the safety factor
+    // take of that.
+    void lineUnderAWeight_data()
+    {
+        QTest::addColumn<double>("joints");
+        QTest::addColumn<double>("safety");
+        QTest::newRow("as it is") << 1.0 << 1.0;
+        QTest::newRow("with knots") << 0.6 << 1.0;
+        QTest::newRow("twice as safe") << 1.0 << 2.0;
+        QTest::newRow("both") << 0.5 << 3.0;
+    }
+
+    void lineUnderAWeight()
+    {
+        QFETCH(double, joints);
+        QFETCH(double, safety);
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, line(100.0));
+        chain.stuff().jointEfficiency = joints;
+        chain.scene.settings.safetyFactor = safety;
+        const auto frame = chain.after(2.0);
+        const double bears = 100.0 * joints / safety;
+        QCOMPARE(frame->linkMargin.size(), 1u);
+        compareWithin(frame->linkMargin[0], 2.0 * g / bears, 1e-3);
+        QCOMPARE(frame->worstNow.all().size(), 1u);
+        const LoadedPlace& worst = frame->worstNow.all()[0];
+        QCOMPARE(worst.kind, LoadKind::Line);
+        QCOMPARE(worst.element, std::uint32_t(chain.row().links[0].id));
+        compareWithin(worst.load, 2.0 * g, 1e-3);
+        compareWithin(worst.strength, bears, 1e-12);
+        compareWithin(worst.place.y(), -0.5, 2e-3);
+    }
+
+    // A thread stands for a strip of cloth and has the pull of it; it may be warp or weft.
+    void threadByItsWidth()
+    {
+        Material cloth;
+        cloth.membraneStiffness = 1e5;
+        cloth.dampingTime = 0.02;
+        cloth.warpStrength = 900.0;
+        cloth.weftStrength = 600.0;
+        const Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, cloth,
+                          Link{.role = LinkRole::Thread, .width = 0.05});
+        const auto frame = chain.after(2.0);
+        compareWithin(frame->linkMargin[0], 2.0 * g / 0.05 / 600.0, 1e-3);
+        QCOMPARE(frame->worstNow.all()[0].kind, LoadKind::Thread);
+    }
+
+    // Each panel of a tensile strip bears W / b, whatever the mesh.
+    void clothOfAStrip_data()
+    {
+        QTest::addColumn<double>("grain");
+        QTest::addColumn<int>("along");
+        for (const int along : {4, 8, 16})
+            for (const double grain : {0.0, 90.0})
+                QTest::addRow("%d cells, %s", along, grain == 0.0 ? "warp" : "weft")
+                    << grain << along;
+    }
+
+    void clothOfAStrip()
+    {
+        QFETCH(double, grain);
+        QFETCH(int, along);
+        Strip made = strip({.across = along / 2, .along = along}, grain, 40.0);
+        made.cloth().warpStrength = 400.0;
+        made.cloth().weftStrength = 250.0;
+        made.cloth().jointEfficiency = 0.8;
+        Simulation simulation(*compile(made.scene));
+        QVERIFY(simulation.runUntil(5.0));
+        const auto frame = simulation.frame();
+        const double bears = 0.8 * (grain == 0.0 ? 400.0 : 250.0);
+        QVERIFY(!frame->panelMargin.empty());
+        for (const double margin : frame->panelMargin)
+            compareWithin(margin, 40.0 / width / bears, 0.01);
+        QCOMPARE(frame->worstNow.all()[0].kind, LoadKind::Cloth);
+    }
+
+    // The moment of a cantilever at its clamp is that of the weights on it, F L of a load at its
+    // end, on every mesh.
+    void momentOfACantilever_data()
+    {
+        QTest::addColumn<int>("links");
+        QTest::addRow("5 links") << 5;
+        QTest::addRow("10 links") << 10;
+        QTest::addRow("20 links") << 20;
+    }
+
+    void momentOfACantilever()
+    {
+        QFETCH(int, links);
+        constexpr double reach = 1.0; // m
+        constexpr double load = 0.5;  // kg
+        Material spar;
+        spar.axialStiffness = 1e5;
+        spar.dampingTime = 0.01;
+        spar.flexuralRigidity = 50.0;
+        spar.breakingMoment = 12.0;
+        std::vector<Vec3> places;
+        for (int i = -1; i <= links; ++i)
+            places.push_back({reach * i / links, 0.0, 0.0});
+        Chain chain(places, 2, 1e-3, spar);
+        chain.row().particles.back().mass = load;
+        const auto frame = chain.after(3.0);
+        double moment = 0.0;
+        for (const Particle& particle : chain.row().particles)
+            moment += particle.pinned ? 0.0 : particle.mass * g * particle.position.x();
+        const LoadedPlace& worst = frame->worstNow.all()[0];
+        QCOMPARE(worst.kind, LoadKind::Spar);
+        compareWithin(worst.load, moment, 0.01); // it sags by 3 %, which takes 0.1 % of its reach
+        compareWithin(worst.margin(), moment / 12.0, 0.01);
+        QVERIFY(worst.place.norm() < 1e-9); // the clamp
+        compareWithin(frame->linkMargin[0], worst.margin(), 1e-12);
+        compareWithin(frame->linkMargin[1], worst.margin(), 1e-12);
+    }
+
+    // A line of many links is one place, that where it bears most: at the top, where all hangs. One
+    // that forks is three.
+    void lineOfManyLinksIsOnePlace()
+    {
+        std::vector<Vec3> places;
+        for (int i = 0; i <= 20; ++i)
+            places.push_back({0.0, -0.1 * i, 0.0});
+        Chain chain(places, 1, 0.1, line(100.0));
+        const auto frame = chain.after(2.0);
+        QCOMPARE(frame->worstNow.all().size(), 1u);
+        QCOMPARE(frame->worstNow.all()[0].element, std::uint32_t(chain.row().links[0].id));
+        compareWithin(frame->worstNow.all()[0].load, 20 * 0.1 * g, 1e-3);
+        QCOMPARE(frame->worstOfRun.all().size(), 1u);
+
+        Part& part = chain.row();
+        part.particles.push_back(
+            {.id = takeId(chain.scene), .position = {0.1, -1.0, 0.0}, .mass = 0.1});
+        Link branch = part.links.front();
+        branch.id = takeId(chain.scene);
+        branch.from = part.particles[10].id;
+        branch.to = part.particles.back().id;
+        part.links.push_back(branch);
+        QCOMPARE(chain.after(2.0)->worstNow.all().size(), 3u);
+    }
+
+    // What pushes is not judged.
+    void strutBearsNothing()
+    {
+        const Chain chain({Vec3(0, 0, 0), Vec3(0, 1, 0)}, 1, 2.0, line(100.0));
+        const auto frame = chain.after(1.0);
+        QVERIFY(frame->tension[0] < -0.9 * 2.0 * g);
+        QCOMPARE(frame->linkMargin[0], 0.0);
+        QVERIFY(frame->worstNow.all().empty());
+        QVERIFY(hasMargins(*frame));
+    }
+
+    void withoutStrengthThereIsNone()
+    {
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, line({}));
+        Probe probe;
+        probe.quantity = Quantity::Margin;
+        chain.scene.items.push_back({takeId(chain.scene), probe});
+        const auto bare = chain.after(0.5);
+        QVERIFY(!hasMargins(*bare));
+        QVERIFY(bare->worstNow.all().empty() && bare->worstOfRun.all().empty());
+        QVERIFY(std::isnan(bare->probe[0]));
+        chain.stuff().warpStrength = 400.0; // which is of cloth, and there is none
+        QVERIFY(!hasMargins(*chain.after(0.5)));
+        chain.stuff().lineStrength = 40.0;
+        const auto strong = chain.after(2.0);
+        compareWithin(strong->probe[0], 2.0 * g / 40.0, 1e-3);
+    }
+
+    // A weight that falls into its line: the run knows the jerk, when the moment has long
+    // forgotten it.
+    void runRemembersTheJerk()
+    {
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -0.5, 0)}, 1, 2.0, line(100.0));
+        chain.row().links[0].restLength = 1.0;
+        chain.row().links[0].resists = Resists::Tension;
+        chain.scene.settings.viscosity = 2.0;
+        Simulation simulation(*compile(chain.scene));
+        double most = 0.0;
+        double when = 0.0;
+        while (simulation.state().time < 8.0) {
+            QVERIFY(simulation.step());
+            if (const double now = simulation.frame()->linkMargin[0]; now > most) {
+                most = now;
+                when = simulation.state().time;
+            }
+        }
+        const auto frame = simulation.frame();
+        QVERIFY(most > 2.0 * 2.0 * g / 100.0); // a load that comes at once is felt twice, at least
+        QCOMPARE(frame->worstOfRun.all()[0].margin(), most);
+        QCOMPARE(frame->worstOfRun.all()[0].time, when);
+        compareWithin(frame->worstNow.all()[0].margin(), 2.0 * g / 100.0, 0.01);
+    }
+
+    void worstPlacesAreTheWorst()
+    {
+        WorstPlaces worst;
+        std::map<std::uint32_t, double> most; // of each element
+        std::uint32_t random = 1;
+        for (int i = 0; i < 2000; ++i) {
+            random = 1664525u * random + 1013904223u; // Numerical Recipes
+            const std::uint32_t element = 1 + (random >> 16) % 40;
+            const double load = double((random >> 8) % 1009);
+            most[element] = std::max(most[element], load);
+            worst.offer({element, element, LoadKind::Line, load, 100.0, 0.0, Vec3::Zero()});
+        }
+        std::vector<double> sorted;
+        for (const auto& [element, load] : most)
+            sorted.push_back(load / 100.0);
+        std::ranges::sort(sorted, std::greater());
+        QCOMPARE(worst.all().size(), WorstPlaces::most);
+        for (std::size_t i = 0; i < WorstPlaces::most; ++i) {
+            QCOMPARE(worst.all()[i].margin(), sorted[i]);
+            QCOMPARE(worst.all()[i].load, most[worst.all()[i].element]);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMargins)
+#include "test_margins.moc"

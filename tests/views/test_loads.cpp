@@ -1,0 +1,89 @@
+// The panel of loads: what it says without strengths and before the run, that it lists what hangs
+// on a line, and that a click leads there.
+#include "document/document.h"
+#include "document/player.h"
+#include "document/selection.h"
+#include "loads/load_list.h"
+#include "loads/load_panel.h"
+#include "small_scenes.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace ripstop;
+
+namespace {
+
+// The pair of fallingPair(), one of which holds the other below it: 0.5 kg on the link 4.
+Scene hangingPair(std::optional<double> strength)
+{
+    Scene scene = fallingPair();
+    auto& part = std::get<Part>(*findItem(scene, Id{1}));
+    part.particles[0].pinned = true;
+    part.particles[1].position = Vec3(0, 9, 0);
+    std::get<Material>(*findItem(scene, Id{5})).lineStrength = strength;
+    return scene;
+}
+
+struct Bench
+{
+    Document document;
+    Selection selection{document};
+    Player player{document};
+    LoadPanel panel{document, selection, player};
+
+    explicit Bench(Scene scene)
+    {
+        document.replace(std::move(scene));
+        panel.resize(900, 250);
+        panel.show();
+    }
+};
+
+} // namespace
+
+class TestLoads : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void saysWhatIsMissing()
+    {
+        Bench bench(hangingPair({}));
+        QTRY_VERIFY(bench.panel.said().contains("No material here has a strength"));
+        auto* button = bench.panel.findChild<QPushButton*>();
+        QVERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(bench.selection.ids(), std::vector{Id{5}});
+        bench.document.push(setValue(bench.document.scene(), Id{5}, "lineStrength", 40.0));
+        QTRY_VERIFY(bench.panel.said().contains("Nothing bears a load yet"));
+        QVERIFY(!button->isVisible());
+    }
+
+    void listsAndLeadsThere()
+    {
+        Bench bench(hangingPair(40.0));
+        QTRY_VERIFY(bench.player.frame());
+        bench.player.playUntil(0.1);
+        QTRY_VERIFY(bench.panel.said().isEmpty());
+        QTRY_COMPARE(bench.panel.now().topLevelItemCount(), 1);
+        QTRY_COMPARE(bench.panel.ofRun().topLevelItemCount(), 1);
+        const QTreeWidgetItem& row = *bench.panel.now().topLevelItem(0);
+        // 0.5 kg x 9.80665 m/s^2 / 40 N = 0.123
+        QTRY_COMPARE(row.text(LoadList::Margin), QString("0.123"));
+        QCOMPARE(row.text(LoadList::Load), QString("4.903 N"));
+        QCOMPARE(row.text(LoadList::Strength), QString("40 N"));
+        QVERIFY(row.text(LoadList::Place).contains("4"));
+
+        QSignalSpy chosen(&bench.panel, &LoadPanel::chosen);
+        QTest::mouseClick(bench.panel.now().viewport(), Qt::LeftButton, {},
+                          bench.panel.now().visualItemRect(&row).center());
+        QCOMPARE(bench.selection.ids(), std::vector{Id{4}});
+        QCOMPARE(chosen.size(), 1);
+        QCOMPARE(chosen[0][0].toUInt(), 4U);
+    }
+};
+
+QTEST_MAIN(TestLoads)
+#include "test_loads.moc"

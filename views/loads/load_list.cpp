@@ -1,0 +1,94 @@
+#include "loads/load_list.h"
+
+#include "document/words.h"
+#include "icons/tinted.h"
+#include "scene/scene.h"
+
+#include <QHeaderView>
+
+namespace ripstop {
+namespace {
+
+constexpr double nearBreaking = 0.8; // 1, from where on a margin has a sign
+
+QString amount(double value, LoadKind kind)
+{
+    return QStringLiteral("%1 %2").arg(QLocale().toString(value, 'g', 4),
+                                       QString::fromLatin1(unitOf(kind)));
+}
+
+QString loadWords(LoadKind kind)
+{
+    switch (kind) {
+    case LoadKind::Line:
+        return LoadList::tr("Pull along it");
+    case LoadKind::Thread:
+        return LoadList::tr("Pull of the thread over the width of cloth that it stands for");
+    case LoadKind::Cloth:
+        return LoadList::tr("Pull per width of the threads, warp or weft, that are nearer to their "
+                            "strength");
+    case LoadKind::Spar:
+        return LoadList::tr("Bending moment of the spar beside this link");
+    }
+    return {};
+}
+
+QIcon signOf(double margin)
+{
+    if (margin >= 1.0)
+        return tinted(QStringLiteral("error"), QColor(0xd6, 0x3b, 0x3b));
+    if (margin >= nearBreaking)
+        return tinted(QStringLiteral("warning"), QColor(0xd9, 0x8e, 0x1f));
+    return tinted(QStringLiteral("ok"), QColor(0x3c, 0x9a, 0x5f));
+}
+
+} // namespace
+
+LoadList::LoadList(const QString& title, QWidget* parent)
+    : QTreeWidget(parent)
+{
+    setColumnCount(5);
+    setHeaderLabels({tr("Margin"), title, tr("Load"), tr("Can bear"), tr("Time")});
+    headerItem()->setToolTip(Margin, tr("Load over strength: 1 breaks."));
+    headerItem()->setToolTip(Strength,
+                             tr("Of the material, times its joint efficiency, over the safety "
+                                "factor of the scene."));
+    setAccessibleName(title);
+    setRootIsDecorated(false);
+    setFrameShape(NoFrame);
+    setSelectionMode(SingleSelection);
+    setUniformRowHeights(true);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header()->setSectionResizeMode(Place, QHeaderView::Stretch);
+    const auto choose = [this](const QTreeWidgetItem* item) {
+        emit chosen(item->data(Place, Qt::UserRole).toUInt());
+    };
+    connect(this, &QTreeWidget::itemClicked, this, choose);
+    connect(this, &QTreeWidget::itemActivated, this, choose);
+}
+
+void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> places)
+{
+    while (topLevelItemCount() > int(places.size()))
+        delete takeTopLevelItem(topLevelItemCount() - 1);
+    while (topLevelItemCount() < int(places.size()))
+        new QTreeWidgetItem(this);
+    for (int row = 0; row < int(places.size()); ++row) {
+        const LoadedPlace& place = places[std::size_t(row)];
+        QTreeWidgetItem& item = *topLevelItem(row);
+        item.setText(Margin, QLocale().toString(place.margin(), 'f', 3));
+        item.setIcon(Margin, signOf(place.margin()));
+        item.setText(Place, describe(scene, {Id{place.element}}));
+        item.setData(Place, Qt::UserRole, place.element);
+        item.setToolTip(Place, item.text(Place));
+        item.setText(Load, amount(place.load, place.kind));
+        item.setToolTip(Load, loadWords(place.kind));
+        item.setText(Strength, amount(place.strength, place.kind));
+        item.setText(Time, QStringLiteral("%1 s").arg(QLocale().toString(place.time, 'f', 2)));
+        for (const Column column : {Margin, Load, Strength, Time})
+            item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+}
+
+} // namespace ripstop

@@ -1,0 +1,29 @@
+// One list of loaded places: what it is, what it bears of what it could, and when.
+//
+// Rows are changed where they stand, so that a list that follows a run can be clicked.
+#pragma once
+
+#include "base/load_margin.h"
+
+#include <QTreeWidget>
+
+namespace ripstop {
+
+struct Scene;
+
+class LoadList final : public QTreeWidget
+{
+    Q_OBJECT
+
+public:
+    enum Column { Margin, Place, Load, Strength, Time };
+
+    explicit LoadList(const QString& title, QWidget* parent = nullptr);
+
+    void showPlaces(const Scene& scene, std::span<const LoadedPlace> places);
+
+signals:
+    void chosen(quint32 element);
+};
+
+} // namespace ripstop

@@ -1,0 +1,61 @@
+// What is nearest to breaking: the ten places with the most load for their strength, of the instant
+// that is shown and of the run so far (base/load_margin.h).
+//
+// A click selects a place and asks for it to come to the middle of the view. Without strengths the
+// panel says how to give one. It follows the player a few times a second, and only while it is
+// seen. Belongs to the window's thread.
+#pragma once
+
+#include "run/frame.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QStackedLayout;
+
+namespace ripstop {
+
+class Document;
+class LoadList;
+class Player;
+class Selection;
+
+class LoadPanel final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    LoadPanel(Document& document, Selection& selection, Player& player, QWidget* parent = nullptr);
+
+    const LoadList& now() const { return *m_now; }
+    const LoadList& ofRun() const { return *m_ofRun; }
+    QString said() const; // instead of the lists; empty where these are shown
+
+signals:
+    void chosen(quint32 element); // that the view is to show in its middle
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* emptyPage();
+    QWidget* listPage();
+    void choose(quint32 element);
+    void refresh();
+    void tellWhyNone(const Frame* frame);
+    void selectMaterials();
+
+    Document& m_document;
+    Selection& m_selection;
+    Player& m_player;
+    QTimer m_delay;
+    QStackedLayout* m_pages;
+    QLabel* m_empty;
+    QPushButton* m_materials;
+    LoadList* m_now;
+    LoadList* m_ofRun;
+};
+
+} // namespace ripstop
