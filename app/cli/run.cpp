@@ -20,7 +20,6 @@
 #include "io/recording_file.h"
 #include "io/scene_file.h"
 #include "io/tear_table.h"
-#include "run/has_margins.h"
 #include "run/pose.h"
 #include "run/recorder.h"
 #include "run/settle.h"
@@ -135,8 +134,11 @@ int flyAndReport(Scene scene, Simulation& simulation, const RunOptions& options,
         written.push_back(table->close(*simulation.frame()));
     if (!options.tears.empty())
         written.push_back(writeTears(scene, simulation.frame()->tears, options.tears));
-    if (!options.loads.empty())
+    Json unjudged;
+    if (!options.loads.empty()) {
         written.push_back(writeLoads(scene, *simulation.frame(), options.loads));
+        unjudged = namesWithoutStrength(scene);
+    }
     if (!options.events.empty())
         written.push_back(
             writeEvents(scene, events ? events->all() : eventsOf(recorder), options.events));
@@ -148,10 +150,8 @@ int flyAndReport(Scene scene, Simulation& simulation, const RunOptions& options,
         written.push_back(file->finish());
 
     Json result = runReport(simulation, wallSeconds);
-    if (!options.loads.empty() && !hasMargins(*simulation.frame()))
-        std::cerr << "No material of this scene has a strength (lineStrength, warpStrength, "
-                     "weftStrength, breakingMoment), so that there are no margins: the table of "
-                     "loads has no rows.\n";
+    if (!options.loads.empty())
+        tellUnjudged(std::move(unjudged), result);
     if (settler)
         result["settled"] = settlingOf(settler->progress());
     if (options.profile)

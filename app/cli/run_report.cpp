@@ -7,6 +7,7 @@
 #include "run/end_check.h"
 #include "run/has_margins.h"
 #include "run/tear_report.h"
+#include "scene/strength_gaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +131,24 @@ Json runReport(const Simulation& simulation, double wallSeconds)
     return result;
 }
 
+Json namesWithoutStrength(const Scene& scene)
+{
+    Json names = Json::array();
+    for (const Id id : materialsWithoutStrength(scene))
+        names.push_back(id == noId ? "what has no material" : nameOf(*findItem(scene, id)));
+    return names;
+}
+
+void tellUnjudged(Json names, Json& result)
+{
+    if (!result["loads"].is_null())
+        result["loads"]["without_strength"] = std::move(names);
+    else
+        std::cerr << "No material of this scene has a strength for what it carries (lineStrength "
+                     "of lines, warpStrength and weftStrength of cloth, breakingMoment of spars), "
+                     "so that there are no margins: the table of loads has no rows.\n";
+}
+
 Json settlingOf(const Settling& end)
 {
     return {{"still", end.outcome == Settling::Outcome::Still},
@@ -191,6 +210,13 @@ void printRunTable(const Json& result, const Layout& layout)
             shortNumber(worst["margin"]) + " of what breaks, " + shortNumber(worst["load"]) + " "
                 + worst["unit"].get<std::string>() + " at " + shortNumber(worst["time"]) + " s, "
                 + kind + ' ' + std::to_string(worst[kind].get<long>()));
+    }
+    if (const Json& loads = result["loads"];
+        loads.contains("without_strength") && !loads["without_strength"].empty()) {
+        std::string names;
+        for (const Json& name : loads["without_strength"])
+            names += (names.empty() ? "" : ", ") + name.get<std::string>();
+        row("without a strength", names);
     }
     if (result.contains("settled")) {
         const Json& end = result["settled"];

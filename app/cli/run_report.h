@@ -10,6 +10,12 @@ namespace ripstop {
 Json runReport(const Simulation& simulation, double wallSeconds);
 Json settlingOf(const Settling& end);
 
+// The materials that carry loads and have no strength for them, for a report of loads.
+Json namesWithoutStrength(const Scene& scene);
+
+// Puts them into the report; says it where there is nothing but them.
+void tellUnjudged(Json names, Json& result);
+
 // Seconds by stage; what is left of the wall time is the watchdog and what is written.
 Json profileOf(const StepTimes& times, double wallSeconds);
 

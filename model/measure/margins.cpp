@@ -1,21 +1,21 @@
-// forEachLoad() goes once over links, elastic panels and spars and finds load and strength of each
-// that has one; what it is asked for is kept by those who call it. Links of one material mostly
-// stand beside each other, so that the strength of the last one is mostly that of the next.
+// What has a strength is found first, once for a system. forEachLoad() then goes over it and finds
+// what it bears; what of that is kept is up to those who call it. What a panel bears takes a search
+// where it wrinkles, so that a bound of a few operations passes over the panels that do not matter.
 #include "measure/margins.h"
 
 #include "base/bend.h"
+#include "base/joined_sets.h"
 #include "forces/spring_force.h"
 #include "system/membrane.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <utility>
 
 namespace ripstop {
 namespace {
 
+// Links of one material mostly stand beside each other, so that the last one is looked at first.
 class StrengthOfLinks
 {
 public:
@@ -53,12 +53,10 @@ double pullIn(const System& system, const State& state, const LinkPlace& link)
                          along(state.velocity));
 }
 
-// The strength of a strip of threads, of which it is not known which way they run.
-double weaker(const Strength& strength)
+// The strength of what may run along the warp or across it; one that is 0 is not known.
+double weaker(double warp, double weft)
 {
-    if (strength.warp > 0.0 && strength.weft > 0.0)
-        return std::min(strength.warp, strength.weft);
-    return std::max(strength.warp, strength.weft);
+    return warp > 0.0 && weft > 0.0 ? std::min(warp, weft) : std::max(warp, weft);
 }
 
 // Whose pull or moment it is: one link, two beside a moment, or a panel.
@@ -69,117 +67,59 @@ struct Loaded
     double strength;       // as far as the safety factor goes
     std::array<int, 2> of; // links, or the same panel twice
     bool isPanel = false;
+
+    double margin() const { return load / strength; }
 };
 
-template <typename Visit>
-void forEachLink(const System& system, const State& state, Visit&& visit)
+Loaded loadedPanel(const System& system, const State& state, const Membrane& membrane,
+                   const JudgedPlaces::OfPanel& judged)
 {
-    StrengthOfLinks strengths(system);
-    for (std::size_t i = 0; i < system.links.size(); ++i) {
-        const Strength& strength = strengths.of(i);
-        const LinkStuff stuff = system.linkStuff.empty() ? LinkStuff() : system.linkStuff[i];
-        const bool isThread = stuff.role == LinkRole::Thread && stuff.width > 0.0;
-        const double bears = isThread                       ? weaker(strength)
-                             : stuff.role == LinkRole::Line ? strength.line
-                                                            : 0.0;
-        if (!(bears > 0.0) || isTorn(system.links[i], state))
-            continue;
-        const double pull = std::max(pullIn(system, state, system.links[i]), 0.0);
-        visit(Loaded{isThread ? LoadKind::Thread : LoadKind::Line,
-                     isThread ? pull / stuff.width : pull,
-                     bears / system.safetyFactor,
-                     {int(i), int(i)}});
-    }
+    const PanelPull pull = pullOf(system, membrane, cornersOf(system, membrane, state.position));
+    const double warp = judged.warp > 0.0 ? pull.warp / judged.warp : 0.0;
+    const double weft = judged.weft > 0.0 ? pull.weft / judged.weft : 0.0;
+    const bool isWeft = weft > warp || !(judged.warp > 0.0);
+    return {LoadKind::Cloth,
+            std::max(isWeft ? pull.weft : pull.warp, 0.0),
+            isWeft ? judged.weft : judged.warp,
+            {membrane.panel, membrane.panel},
+            true};
 }
 
-template <typename Visit>
-void forEachElasticPanel(const System& system, const State& state, Visit&& visit)
+// What neither the warp nor the weft of a panel is nearer to its strength than. Where the largest
+// principal strain is e, the strain e in all directions is the strain there and what wrinkles could
+// take up of it, so that the relaxed energy W (base/cloth_law.h) is at most that of a taut cloth
+// strained so, e^2 (warp + 2 coupling + weft) / 2. A tension of the energy W has no component
+// beyond sqrt(2 W stiffness), and its threads no strain beyond sqrt(2 W compliance).
+double mostMargin(const System& system, const State& state, const Membrane& membrane,
+                  const JudgedPlaces::OfPanel& judged)
 {
-    for (const Membrane& membrane : system.membranes) {
-        const auto panel = std::size_t(membrane.panel);
-        const Strength& strength = system.strength[std::size_t(system.panels[panel].air)];
-        if (state.panelGone[panel] || !(weaker(strength) > 0.0))
-            continue;
-        const PanelPull pull =
-            pullOf(system, membrane, cornersOf(system, membrane, state.position));
-        if (!pull.carries)
-            continue;
-        const auto orNever = [](double limit) {
-            return limit > 0.0 ? limit : FabricTear::unbreakable;
-        };
-        const bool isWeft =
-            threadLoad(pull, {TearRule::Tension, orNever(strength.warp), orNever(strength.weft)})
-                    .threads
-                == 1
-            || !(strength.warp > 0.0);
-        visit(Loaded{LoadKind::Cloth,
-                     std::max(isWeft ? pull.weft : pull.warp, 0.0),
-                     (isWeft ? strength.weft : strength.warp) / system.safetyFactor,
-                     {membrane.panel, membrane.panel},
-                     true});
-    }
+    const double e =
+        largestStrain(strainAt(membrane, cornersOf(system, membrane, state.position)));
+    const double pull = e * judged.pullPerStrain * (1.0 + e * judged.stretchPerStrain);
+    return pull / weaker(judged.warp, judged.weft);
 }
 
-template <typename Visit>
-void forEachMoment(const System& system, const State& state, Visit&& visit)
+//   matters  whether a margin of at most so much is of interest
+template <typename Matters, typename Visit>
+void forEachLoad(const System& system, const State& state, const JudgedPlaces& judged,
+                 Matters&& matters, Visit&& visit)
 {
-    StrengthOfLinks strengths(system);
-    for (const Bend& bend : system.of<BendLists>().list) {
-        if (!bend.ofSpar)
-            continue;
-        const double bears = strengths.of(std::size_t(bend.of[0])).moment;
-        if (bears > 0.0)
-            visit(Loaded{LoadKind::Spar, bendingMoment(system, state, bend),
-                         bears / system.safetyFactor, bend.of});
+    for (const auto& [i, kind, width, strength] : judged.links) {
+        const LinkPlace& link = system.links[std::size_t(i)];
+        if (!isTorn(link, state))
+            visit(Loaded{kind, std::max(pullIn(system, state, link), 0.0) / width, strength, {i, i}});
+    }
+    for (const JudgedPlaces::OfPanel& panel : judged.panels) {
+        const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
+        if (!state.panelGone[std::size_t(membrane.panel)]
+            && matters(mostMargin(system, state, membrane, panel)))
+            visit(loadedPanel(system, state, membrane, panel));
+    }
+    for (const auto& [i, strength] : judged.spars) {
+        const Bend& bend = system.of<BendLists>().list[std::size_t(i)];
+        visit(Loaded{LoadKind::Spar, bendingMoment(system, state, bend), strength, bend.of});
     }
 }
-
-template <typename Visit>
-void forEachLoad(const System& system, const State& state, Visit&& visit)
-{
-    if (system.strength.empty())
-        return;
-    forEachLink(system, state, visit);
-    forEachElasticPanel(system, state, visit);
-    forEachMoment(system, state, visit);
-}
-
-// Numbers that are joined two by two into sets, each known by its lowest.
-class Joined
-{
-public:
-    explicit Joined(std::size_t count)
-        : m_above(count)
-    {
-        std::iota(m_above.begin(), m_above.end(), 0);
-    }
-
-    void join(int a, int b)
-    {
-        const auto [low, high] = std::minmax({first(a), first(b)});
-        m_above[std::size_t(high)] = low;
-    }
-
-    std::vector<int> firsts()
-    {
-        for (int i = 0; i < int(m_above.size()); ++i)
-            m_above[std::size_t(i)] = first(i);
-        return std::move(m_above);
-    }
-
-private:
-    int first(int i)
-    {
-        while (m_above[std::size_t(i)] != i) {
-            int& above = m_above[std::size_t(i)];
-            above = m_above[std::size_t(above)]; // half of the way next time
-            i = above;
-        }
-        return i;
-    }
-
-    std::vector<int> m_above;
-};
 
 Vec3 middleOf(const System& system, const State& state, const Loaded& loaded)
 {
@@ -193,6 +133,100 @@ Vec3 middleOf(const System& system, const State& state, const Loaded& loaded)
         return 0.5 * (at(link.a) + at(link.b));
     const LinkPlace& other = system.links[std::size_t(loaded.of[1])];
     return at(link.a == other.a || link.a == other.b ? link.a : link.b);
+}
+
+LinkStuff stuffOf(const System& system, int link)
+{
+    return system.linkStuff.empty() ? LinkStuff() : system.linkStuff[std::size_t(link)];
+}
+
+void judgeLinks(const System& system, JudgedPlaces& judged)
+{
+    StrengthOfLinks strengths(system);
+    for (int i = 0; i < int(system.links.size()); ++i) {
+        const Strength& strength = strengths.of(std::size_t(i));
+        const LinkStuff stuff = stuffOf(system, i);
+        const bool isThread = stuff.role == LinkRole::Thread && stuff.width > 0.0;
+        const double bears = isThread ? weaker(strength.warp, strength.weft)
+                             : stuff.role == LinkRole::Line ? strength.line
+                                                            : 0.0;
+        if (bears > 0.0)
+            judged.links.push_back({i, isThread ? LoadKind::Thread : LoadKind::Line,
+                                    isThread ? stuff.width : 1.0, bears / system.safetyFactor});
+    }
+}
+
+void judgePanels(const System& system, JudgedPlaces& judged)
+{
+    for (int i = 0; i < int(system.membranes.size()); ++i) {
+        const Membrane& membrane = system.membranes[std::size_t(i)];
+        const ClothLaw& law = lawOf(system, membrane);
+        const Strength& strength =
+            system.strength[std::size_t(system.panels[std::size_t(membrane.panel)].air)];
+        if (!law.isElastic() || !(weaker(strength.warp, strength.weft) > 0.0))
+            continue;
+        const double stiffest = std::max(law.warp, law.weft);
+        const double softest = stiffest / (law.warp * law.weft - law.coupling * law.coupling);
+        const double all = law.warp + 2.0 * law.coupling + law.weft;
+        judged.panels.push_back({i, strength.warp / system.safetyFactor,
+                                 strength.weft / system.safetyFactor, std::sqrt(stiffest * all),
+                                 std::sqrt(softest * all)});
+    }
+}
+
+void judgeSpars(const System& system, JudgedPlaces& judged)
+{
+    StrengthOfLinks strengths(system);
+    const std::vector<Bend>& bends = system.of<BendLists>().list;
+    for (int i = 0; i < int(bends.size()); ++i) {
+        const Bend& bend = bends[std::size_t(i)];
+        if (!bend.ofSpar)
+            continue;
+        if (const double bears = strengths.of(std::size_t(bend.of[0])).moment; bears > 0.0)
+            judged.spars.push_back({i, bears / system.safetyFactor});
+    }
+}
+
+void judge(const System& system, JudgedPlaces& judged)
+{
+    judgeLinks(system, judged);
+    judgePanels(system, judged);
+    judgeSpars(system, judged);
+}
+
+// The links of lines that meet at a particle; of more than two, how many there are tells enough.
+struct LineEnds
+{
+    int count = 0;
+    std::array<int, 2> links{};
+};
+
+std::vector<LineEnds> lineEndsOf(const System& system)
+{
+    std::vector<LineEnds> ends(system.start.position.size());
+    for (int i = 0; i < int(system.links.size()); ++i) {
+        if (stuffOf(system, i).role != LinkRole::Line)
+            continue;
+        const LinkPlace& link = system.links[std::size_t(i)];
+        for (const int particle : {link.a, link.b})
+            if (LineEnds& there = ends[std::size_t(particle)]; there.count++ < 2)
+                there.links[std::size_t(there.count - 1)] = i;
+    }
+    return ends;
+}
+
+// Links, by their places in System::links, that are one line or one spar.
+JoinedSets chainsOf(const System& system)
+{
+    JoinedSets chains(system.links.size());
+    for (const auto& [count, links] : lineEndsOf(system))
+        if (count == 2
+            && stuffOf(system, links[0]).material == stuffOf(system, links[1]).material)
+            chains.join(links[0], links[1]);
+    for (const Bend& bend : system.of<BendLists>().list)
+        if (bend.ofSpar)
+            chains.join(bend.of[0], bend.of[1]);
+    return chains;
 }
 
 } // namespace
@@ -215,67 +249,52 @@ double bendingMoment(const System& system, const State& state, const Bend& spar)
            * std::sqrt(1.0 - sine * sine);
 }
 
+JudgedPlaces judgedPlacesOf(const System& system)
+{
+    JudgedPlaces judged;
+    if (system.strength.empty())
+        return judged;
+    judge(system, judged);
+    JoinedSets chains = chainsOf(system);
+    for (int i = 0; i < int(system.links.size()); ++i) {
+        judged.linkName.push_back(system.links[std::size_t(i)].key);
+        judged.lineName.push_back(system.links[std::size_t(chains.of(i))].key);
+    }
+    return judged;
+}
+
 Margins margins(const System& system, const State& state)
 {
     Margins result;
     if (system.strength.empty())
         return result;
+    JudgedPlaces judged; // that need no names
+    judge(system, judged);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     result.link.assign(system.links.size(), none);
     result.panel.assign(system.panels.size(), none);
-    forEachLoad(system, state, [&](const Loaded& loaded) {
+    const auto all = [](double) { return true; };
+    forEachLoad(system, state, judged, all, [&](const Loaded& loaded) {
         for (const int element : loaded.of) {
             double& held = (loaded.isPanel ? result.panel : result.link)[std::size_t(element)];
-            held = std::fmax(held, loaded.load / loaded.strength); // passes over what is no number
+            held = std::fmax(held, loaded.margin()); // passes over what is no number
         }
     });
     return result;
 }
 
-std::vector<int> chainsOf(const System& system)
-{
-    if (system.strength.empty())
-        return {};
-    Joined joined(system.links.size());
-    const auto stuffOf = [&](int link) {
-        return system.linkStuff.empty() ? LinkStuff() : system.linkStuff[std::size_t(link)];
-    };
-    struct Ends
-    {
-        int count = 0;
-        std::array<int, 2> links{};
-    };
-    std::vector<Ends> ends(system.start.position.size());
-    for (int i = 0; i < int(system.links.size()); ++i) {
-        if (stuffOf(i).role != LinkRole::Line)
-            continue;
-        const LinkPlace& link = system.links[std::size_t(i)];
-        for (const int particle : {link.a, link.b})
-            if (Ends& there = ends[std::size_t(particle)]; there.count++ < 2)
-                there.links[std::size_t(there.count - 1)] = i;
-    }
-    for (const Ends& there : ends)
-        if (there.count == 2
-            && stuffOf(there.links[0]).material == stuffOf(there.links[1]).material)
-            joined.join(there.links[0], there.links[1]);
-    for (const Bend& bend : system.of<BendLists>().list)
-        if (bend.ofSpar)
-            joined.join(bend.of[0], bend.of[1]);
-    return joined.firsts();
-}
-
-void offerPlaces(const System& system, const State& state, std::span<const int> lines,
+void offerPlaces(const System& system, const State& state, const JudgedPlaces& judged,
                  WorstPlaces& worst)
 {
-    forEachLoad(system, state, [&](const Loaded& loaded) {
-        if (!worst.wants(loaded.load / loaded.strength))
+    const auto matters = [&](double margin) { return worst.wants(margin); };
+    forEachLoad(system, state, judged, matters, [&](const Loaded& loaded) {
+        if (!matters(loaded.margin()))
             return;
         const auto of = std::size_t(loaded.of[0]);
-        const Key element = loaded.isPanel ? system.panelKey[of] : system.links[of].key;
+        const Key element = loaded.isPanel ? system.panelKey[of] : judged.linkName[of];
         const bool isOfLine = loaded.kind == LoadKind::Line || loaded.kind == LoadKind::Spar;
-        worst.offer({element, isOfLine ? system.links[std::size_t(lines[of])].key : element,
-                     loaded.kind, loaded.load, loaded.strength, state.time,
-                     middleOf(system, state, loaded)});
+        worst.offer({element, isOfLine ? judged.lineName[of] : element, loaded.kind, loaded.load,
+                     loaded.strength, state.time, middleOf(system, state, loaded)});
     });
 }
 

@@ -24,14 +24,45 @@ struct Margins
 
 Margins margins(const System& system, const State& state);
 
-// The first link of the line or spar that each link belongs to, or itself: what is of one material
-// is one line as long as no third line ends at a particle of it, and one spar where it bends.
-//   [links]  indices into System::links; empty where no material has a strength
-std::vector<int> chainsOf(const System& system);
+// What of a system has a strength, found once, so that a look at every step costs little. It holds
+// until the system is another one or is edited.
+struct JudgedPlaces
+{
+    struct OfLink
+    {
+        int link;
+        LoadKind kind;
+        double width;    // m, of the strip that a thread stands for; 1 of a line
+        double strength; // N or N/m
+    };
+    struct OfPanel
+    {
+        int membrane;
+        double warp; // N/m, strength; 0 for none
+        double weft;
+        double pullPerStrain; // N/m and 1, of the bound in margins.cpp
+        double stretchPerStrain;
+    };
+    struct OfSpar
+    {
+        int bend;
+        double strength; // N m
+    };
+
+    std::vector<OfLink> links;
+    std::vector<OfPanel> panels;
+    std::vector<OfSpar> spars;
+
+    // The names of places. What is of one material is one line as long as no third line ends at a
+    // particle of it, and one spar where it bends.
+    std::vector<Key> linkName; // [System::links]
+    std::vector<Key> lineName; // the same, of the first link of the line or spar
+};
+
+JudgedPlaces judgedPlacesOf(const System& system);
 
 // Offers all places, as they are loaded at the time of the state. Takes nothing from the heap.
-//   lines  of this system
-void offerPlaces(const System& system, const State& state, std::span<const int> lines,
+void offerPlaces(const System& system, const State& state, const JudgedPlaces& judged,
                  WorstPlaces& worst);
 
 // N m, the bending moment of a spar at the particle that two links share; 0 where one has torn.

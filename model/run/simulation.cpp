@@ -2,17 +2,16 @@
 // hands each call to its private half.
 #include "run/simulation.h"
 
-#include "assembly/split_system.h"
 #include "compile/patch.h"
 #include "constraints/guides.h"
 #include "contact/obstacle_motion.h"
 #include "forces/wind.h"
 #include "measure/diagnostics.h"
 #include "measure/energy_ledger.h"
-#include "measure/margins.h"
 #include "measure/probe.h"
 #include "run/derived_system.h"
 #include "run/hand_work.h"
+#include "run/load_watch.h"
 #include "run/probe_reader.h"
 #include "run/ramps.h"
 #include "step/stepper.h"
@@ -68,9 +67,7 @@ public:
     Stepper stepper;
     EnergyLedger ledger;
     RunAccuracy accuracy;
-    WorstPlaces worst;      // of the run so far
-    std::vector<int> lines; // of the system with the serial
-    std::uint64_t linesSerial = 0;
+    LoadWatch loads;
     std::optional<Trouble> trouble;
 
 private:
@@ -79,8 +76,6 @@ private:
     std::shared_ptr<const System> endRamps();
     void followRamps(double time);
     void noteAccuracy();
-    void noteWorstPlaces();
-    WorstPlaces worstPlaces();
     void startOver();
     void resetTo(const Patch& patch);
     double substep() const; // s, of the next step
@@ -127,7 +122,7 @@ void Simulation::Private::followRamps(double time)
 void Simulation::Private::startOver()
 {
     accuracy = {};
-    worst.forget();
+    loads.begin();
     run.atStart = true;
     run.now = derived.compiled()->start;
     hands.forget();
@@ -152,6 +147,7 @@ void Simulation::Private::load(std::shared_ptr<const System> system)
 void Simulation::Private::apply(const Patch& patch)
 {
     accuracy = {};
+    loads.edited();
     const bool again = patch.run != derived.compiled()->run;
     const auto noted = numbersBeforeEdit();
     std::shared_ptr<const System> before = endRamps();
@@ -185,7 +181,7 @@ void Simulation::Private::resetTo(const Patch& patch)
 {
     if (!run.atStart)
         return startOver();
-    worst.forget();
+    loads.begin();
     hands.forget();
     const State& start = derived.compiled()->start;
     run.now.gusts = start.gusts;
@@ -199,7 +195,7 @@ void Simulation::Private::resetTo(const Patch& patch)
 void Simulation::Private::resume(const Moment& moment)
 {
     accuracy = {};
-    worst.forget();
+    loads.begin();
     hands.forget();
     run.atStart = false;
     trouble.reset();
@@ -212,7 +208,7 @@ void Simulation::Private::resume(const Moment& moment)
 
 void Simulation::Private::place(State state)
 {
-    worst.forget();
+    loads.begin();
     const bool ramped = hasRamps(run.now) || hasRamps(state);
     endRamps();
     if (ramped)
@@ -247,7 +243,7 @@ bool Simulation::Private::step()
     if (trouble) {
         std::swap(run.now, run.lastGood);
     } else {
-        noteWorstPlaces();
+        loads.look(system(), run.now);
         derived.followTears(tears, run);
     }
     return !trouble;
@@ -270,38 +266,6 @@ void Simulation::Private::noteAccuracy()
         accuracy.worstLink =
             rod < 0 ? 0 : system().links[std::size_t(system().rodLink[std::size_t(rod)])].key;
     }
-}
-
-// A place is among the worst of the run when it is among the worst of a step: whenever it is not,
-// as many others bear more.
-void Simulation::Private::noteWorstPlaces()
-{
-    if (system().strength.empty())
-        return;
-    const WorstPlaces now = worstPlaces();
-    for (const LoadedPlace& place : now.all())
-        worst.offer(place);
-}
-
-// Of this moment, by the ids of the scene.
-WorstPlaces Simulation::Private::worstPlaces()
-{
-    WorstPlaces now;
-    if (linesSerial != system().serial || lines.size() != system().links.size()) {
-        lines = chainsOf(system());
-        linesSerial = system().serial;
-    }
-    offerPlaces(system(), run.now, lines, now);
-    if (run.now.splits.empty())
-        return now;
-    const TwinOrigins origins(run.now.splits);
-    WorstPlaces named;
-    for (LoadedPlace place : now.all()) {
-        place.element = origins.link(place.element);
-        place.whole = origins.link(place.whole);
-        named.offer(place);
-    }
-    return named;
 }
 
 double Simulation::Private::substep() const
@@ -334,8 +298,8 @@ std::shared_ptr<Frame> Simulation::Private::frame()
     frame->probe = probes.read(instant);
     frame->linkMargin = instant.margin().link;
     frame->panelMargin = instant.margin().panel;
-    frame->worstNow = worstPlaces();
-    frame->worstOfRun = worst;
+    frame->worstNow = loads.now(system(), state);
+    frame->worstOfRun = loads.ofRun();
 
     hands.fill(*frame, system(), state, substep());
     if (trouble) {

@@ -1,23 +1,11 @@
-// Kinematics first, that is axes, gradients and strain; then what the law makes of the strain: the
-// tension, the strain that the threads have, the numbers that people read, and what damping takes.
+// Gradients first; then what the law makes of the strain: the tension, the strain that the threads
+// have, the numbers that people read, and what damping takes.
 #include "system/membrane.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ripstop {
-
-ClothAxes axesOf(const Membrane& membrane, const Vec3& ab, const Vec3& ac)
-{
-    const auto& s = membrane.shape;
-    return {Vec3(s[0] * ab + s[2] * ac), Vec3(s[1] * ab + s[3] * ac)};
-}
-
-Vec3 strainOf(const ClothAxes& axes)
-{
-    return {0.5 * (axes[0].squaredNorm() - 1.0), 0.5 * (axes[1].squaredNorm() - 1.0),
-            axes[0].dot(axes[1])};
-}
 
 // d(warp, weft) of the barycentric coordinate of a corner, 1/m.
 std::array<double, 2> gradient(const Membrane& membrane, int corner)
@@ -44,11 +32,6 @@ namespace {
 double stretchOf(double strain) { return std::sqrt(std::max(1.0 + 2.0 * strain, 0.0)); }
 
 } // namespace
-
-Vec3 strainAt(const Membrane& membrane, const Corners& corners)
-{
-    return strainOf(axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]));
-}
 
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
 {

@@ -15,8 +15,18 @@ namespace ripstop {
 // Where the warp and the weft have gone, each 1 long at rest.
 using ClothAxes = std::array<Vec3, 2>;
 
-ClothAxes axesOf(const Membrane& membrane, const Vec3& ab, const Vec3& ac); // m
-Vec3 strainOf(const ClothAxes& axes);                                       // as ClothLaw has it
+//   ab, ac  m
+inline ClothAxes axesOf(const Membrane& membrane, const Vec3& ab, const Vec3& ac)
+{
+    const auto& s = membrane.shape;
+    return {Vec3(s[0] * ab + s[2] * ac), Vec3(s[1] * ab + s[3] * ac)};
+}
+
+inline Vec3 strainOf(const ClothAxes& axes) // as ClothLaw has it
+{
+    return {0.5 * (axes[0].squaredNorm() - 1.0), 0.5 * (axes[1].squaredNorm() - 1.0),
+            axes[0].dot(axes[1])};
+}
 
 // d(warp, weft) of the barycentric coordinate of a corner, 1/m.
 std::array<double, 2> gradient(const Membrane& membrane, int corner);
@@ -32,7 +42,10 @@ Corners cornersOf(const System& system, const Membrane& membrane, const Position
     return {position[std::size_t(a)], position[std::size_t(b)], position[std::size_t(c)]};
 }
 
-Vec3 strainAt(const Membrane& membrane, const Corners& corners);
+inline Vec3 strainAt(const Membrane& membrane, const Corners& corners)
+{
+    return strainOf(axesOf(membrane, corners[1] - corners[0], corners[2] - corners[0]));
+}
 
 // What a panel carries with its corners at these places; without what damping adds.
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners);

@@ -1215,6 +1215,11 @@
     </message>
     <message>
         <location filename="dock_table.cpp"/>
+        <source>Loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="dock_table.cpp"/>
         <source>Measure it</source>
         <translation>Mesurer</translation>
     </message>
@@ -3706,6 +3711,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>1, breaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>Click the colours to type their range. The largest value of the moment stands below; click that to select what has it.</source>
         <translation>Cliquez sur les couleurs pour saisir leur intervalle. La plus grande valeur du moment figure dessous ; cliquez dessus pour sélectionner ce qui la porte.</translation>
     </message>
@@ -3713,6 +3723,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="legend.cpp"/>
         <source>Fabric stress</source>
         <translation>Contrainte du tissu</translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
+        <source>Margin</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -3751,6 +3766,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
+        <source>no strength here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="legend.cpp"/>
         <source>nothing tears here</source>
         <translation>rien ne se déchire ici</translation>
     </message>
@@ -3778,6 +3798,91 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="line_drag.cpp"/>
         <source>line drag</source>
         <translation>la traînée des lignes</translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Bending moment of the spar beside this link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Can bear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Load over strength: 1 breaks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Of the material, times its joint efficiency, over the safety factor of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Pull along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Pull of the thread over the width of cloth that it stands for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Pull per width of the threads, warp or weft, that are nearer to their strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_list.cpp"/>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Click a place to select it and bring it to the middle of the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>No material here has a strength, so that nothing can be said to be near to breaking. Take a material of the library, or type a line strength, a warp and weft strength, or a breaking moment in the inspector.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Nothing bears a load yet: run the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Select the materials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>So that the inspector shows their strengths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>There is no material here whose strength could be compared with a load. Insert a material of the library and give it to lines, cloth or spars.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Worst places now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Worst places of the run</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="main.cpp"/>
@@ -10688,11 +10793,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Load</source>
-        <translation>Charge</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
         <source>Load and lines</source>
         <translation>Charge et suspentes</translation>
     </message>
@@ -12595,11 +12695,6 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Tilt</source>
         <translation>Inclinaison</translation>
-    </message>
-    <message>
-        <location filename="tables"/>
-        <source>Time</source>
-        <translation>Temps</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -14932,6 +15027,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="view_rows.cpp"/>
+        <source>Colour by margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
         <source>Colour by panel loa&amp;d</source>
         <translation>Colorer par c&amp;harge des panneaux</translation>
     </message>
@@ -15044,6 +15144,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="view_rows.cpp"/>
         <source>How much of what it tears at each link bears.</source>
         <translation>Quelle part de sa limite de rupture porte chaque liaison.</translation>
+    </message>
+    <message>
+        <location filename="view_rows.cpp"/>
+        <source>Load over strength of lines, cloth and spars: 1 breaks.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
