@@ -219,8 +219,8 @@ int run(const RunOptions& options)
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
         return loaded.exitCode;
-    const FileNames targets{options.csv, options.finalScene, options.tears, options.loads,
-                            options.events, options.record};
+    const FileNames targets{options.csv,   options.finalScene, options.tears,
+                            options.loads, options.events,     options.record};
     const FileNames inputs = inputsOf(*loaded.scene, options.scene.file, {options.controls});
     if (const int code = refuseTargets(targets, inputs); code != Done) // better than after an hour
         return code;

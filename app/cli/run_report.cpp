@@ -81,6 +81,33 @@ Json loadsOf(const Frame& frame)
     return {{"moment", placesOf(frame.worstNow)}, {"run", placesOf(frame.worstOfRun)}};
 }
 
+void printReportRow(const std::string& label, const std::string& text)
+{
+    std::cout << label << std::string(24 - std::min<std::size_t>(label.size(), 23), ' ') << text
+              << '\n';
+}
+
+void printWorstMargin(const Json& loads)
+{
+    if (loads.is_null())
+        return;
+    if (!loads["run"].empty()) {
+        const Json& worst = loads["run"].front();
+        const std::string kind = worst.contains("panel") ? "panel" : "link";
+        const std::string unit = ' ' + worst["unit"].get<std::string>();
+        printReportRow("worst margin", shortNumber(worst["margin"]) + ": "
+                                           + shortNumber(worst["load"]) + unit + " of "
+                                           + shortNumber(worst["strength"]) + unit + " in " + kind
+                                           + ' ' + std::to_string(worst[kind].get<long>()) + " at "
+                                           + shortNumber(worst["time"]) + " s");
+    }
+    std::string names;
+    for (const Json& name : loads.value("without_strength", Json::array()))
+        names += (names.empty() ? "" : ", ") + name.get<std::string>();
+    if (!names.empty())
+        printReportRow("without a strength", names);
+}
+
 } // namespace
 
 Json runReport(const Simulation& simulation, double wallSeconds)
@@ -184,58 +211,41 @@ void printProfile(const Json& result)
 
 void printRunTable(const Json& result, const Layout& layout)
 {
-    const auto row = [](const std::string& label, const std::string& text) {
-        std::cout << label << std::string(24 - std::min<std::size_t>(label.size(), 23), ' ') << text
-                  << '\n';
-    };
-    row("time", shortNumber(result["time"]) + " s, " + std::to_string(result["steps"].get<long>())
-                    + " steps");
-    row("wall time", shortNumber(result["wall_seconds"]) + " s, "
-                         + shortNumber(result["steps_per_second"]) + " steps/s");
-    row("torn", std::to_string(result["torn"].get<long>()));
+    printReportRow("time", shortNumber(result["time"]) + " s, "
+                               + std::to_string(result["steps"].get<long>()) + " steps");
+    printReportRow("wall time", shortNumber(result["wall_seconds"]) + " s, "
+                                    + shortNumber(result["steps_per_second"]) + " steps/s");
+    printReportRow("torn", std::to_string(result["torn"].get<long>()));
     if (const Json& tears = result["tear_report"]; tears["count"].get<long>() > 0) {
         const Json& end = tears["front"].back();
         const Json& first = tears["first"];
         const std::string kind = first.contains("panel") ? "panel" : "link";
-        row("first tear", shortNumber(first["time"]) + " s, " + kind + ' '
-                              + std::to_string(first[kind].get<long>()));
-        row("tears reach",
-            shortNumber(end["distance"]) + " m from there at " + shortNumber(end["time"]) + " s");
-        row("energy they released", shortNumber(tears["energy"]) + " J");
+        printReportRow("first tear", shortNumber(first["time"]) + " s, " + kind + ' '
+                                         + std::to_string(first[kind].get<long>()));
+        printReportRow("tears reach", shortNumber(end["distance"]) + " m from there at "
+                                          + shortNumber(end["time"]) + " s");
+        printReportRow("energy they released", shortNumber(tears["energy"]) + " J");
     }
-    if (const Json& loads = result["loads"]; loads.is_object() && !loads["run"].empty()) {
-        const Json& worst = loads["run"].front();
-        const std::string kind = worst.contains("panel") ? "panel" : "link";
-        row("worst margin",
-            shortNumber(worst["margin"]) + " of what breaks, " + shortNumber(worst["load"]) + " "
-                + worst["unit"].get<std::string>() + " at " + shortNumber(worst["time"]) + " s, "
-                + kind + ' ' + std::to_string(worst[kind].get<long>()));
-    }
-    if (const Json& loads = result["loads"];
-        loads.contains("without_strength") && !loads["without_strength"].empty()) {
-        std::string names;
-        for (const Json& name : loads["without_strength"])
-            names += (names.empty() ? "" : ", ") + name.get<std::string>();
-        row("without a strength", names);
-    }
+    printWorstMargin(result["loads"]);
     if (result.contains("settled")) {
         const Json& end = result["settled"];
-        row(end["still"].get<bool>() ? "settled after" : "not settled after",
-            shortNumber(end["seconds"]) + " s; the fastest particle has "
-                + shortNumber(end["speed"]) + " m/s");
+        printReportRow(end["still"].get<bool>() ? "settled after" : "not settled after",
+                       shortNumber(end["seconds"]) + " s; the fastest particle has "
+                           + shortNumber(end["speed"]) + " m/s");
     }
-    row("largest strain", shortNumber(result["max_strain"]));
+    printReportRow("largest strain", shortNumber(result["max_strain"]));
     const Json& accuracy = result["accuracy"];
     const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
-    row("error of pulls", percent(accuracy["reached"]) + ", wanted " + percent(accuracy["wanted"])
-                              + "; missed in " + percent(accuracy["missed"]) + " of the steps");
-    row("energy", shortNumber(result["energy"]) + " J");
-    row("hash", result["hash"].get<std::string>());
+    printReportRow("error of pulls", percent(accuracy["reached"]) + ", wanted "
+                                         + percent(accuracy["wanted"]) + "; missed in "
+                                         + percent(accuracy["missed"]) + " of the steps");
+    printReportRow("energy", shortNumber(result["energy"]) + " J");
+    printReportRow("hash", result["hash"].get<std::string>());
     const std::vector<std::string> names = distinctNames(layout.probes);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const double value = result["probes"][names[i]].get<double>();
-        row(names[i],
-            (std::isfinite(value) ? shortNumber(value) : "none") + " " + layout.probes[i].unit);
+        printReportRow(names[i], (std::isfinite(value) ? shortNumber(value) : "none") + " "
+                                     + layout.probes[i].unit);
     }
 }
 

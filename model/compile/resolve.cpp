@@ -272,7 +272,8 @@ Strength strengthOf(const Material& material)
 std::vector<Strength> strengthsOf(const Scene& scene)
 {
     std::vector<Strength> strengths{Strength()};
-    forEachItem<Material>(scene, [&](Id, const Material& m) { strengths.push_back(strengthOf(m)); });
+    forEachItem<Material>(scene,
+                          [&](Id, const Material& m) { strengths.push_back(strengthOf(m)); });
     return hasNone(strengths) ? std::vector<Strength>() : strengths;
 }
 

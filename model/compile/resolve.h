@@ -24,7 +24,7 @@ std::vector<MaterialAir> materialAirOf(const Scene& scene);
 Bending bendingOf(const Material& material);
 std::vector<Bending> bendingsOf(const Scene& scene); // [materialAir], empty when all are limp
 bool isLimp(const std::vector<Bending>& bendings);
-Strength strengthOf(const Material& material); // with its joints
+Strength strengthOf(const Material& material);         // with its joints
 std::vector<Strength> strengthsOf(const Scene& scene); // [materialAir], empty when none has any
 bool hasNone(const std::vector<Strength>& strengths);
 ClothLaw clothOf(const Material& material);

@@ -93,8 +93,7 @@ Loaded loadedPanel(const System& system, const State& state, const Membrane& mem
 double mostMargin(const System& system, const State& state, const Membrane& membrane,
                   const JudgedPlaces::OfPanel& judged)
 {
-    const double e =
-        largestStrain(strainAt(membrane, cornersOf(system, membrane, state.position)));
+    const double e = largestStrain(strainAt(membrane, cornersOf(system, membrane, state.position)));
     const double pull = e * judged.pullPerStrain * (1.0 + e * judged.stretchPerStrain);
     return pull / weaker(judged.warp, judged.weft);
 }
@@ -107,7 +106,8 @@ void forEachLoad(const System& system, const State& state, const JudgedPlaces& j
     for (const auto& [i, kind, width, strength] : judged.links) {
         const LinkPlace& link = system.links[std::size_t(i)];
         if (!isTorn(link, state))
-            visit(Loaded{kind, std::max(pullIn(system, state, link), 0.0) / width, strength, {i, i}});
+            visit(
+                Loaded{kind, std::max(pullIn(system, state, link), 0.0) / width, strength, {i, i}});
     }
     for (const JudgedPlaces::OfPanel& panel : judged.panels) {
         const Membrane& membrane = system.membranes[std::size_t(panel.membrane)];
@@ -147,7 +147,7 @@ void judgeLinks(const System& system, JudgedPlaces& judged)
         const Strength& strength = strengths.of(std::size_t(i));
         const LinkStuff stuff = stuffOf(system, i);
         const bool isThread = stuff.role == LinkRole::Thread && stuff.width > 0.0;
-        const double bears = isThread ? weaker(strength.warp, strength.weft)
+        const double bears = isThread                       ? weaker(strength.warp, strength.weft)
                              : stuff.role == LinkRole::Line ? strength.line
                                                             : 0.0;
         if (bears > 0.0)
@@ -220,8 +220,7 @@ JoinedSets chainsOf(const System& system)
 {
     JoinedSets chains(system.links.size());
     for (const auto& [count, links] : lineEndsOf(system))
-        if (count == 2
-            && stuffOf(system, links[0]).material == stuffOf(system, links[1]).material)
+        if (count == 2 && stuffOf(system, links[0]).material == stuffOf(system, links[1]).material)
             chains.join(links[0], links[1]);
     for (const Bend& bend : system.of<BendLists>().list)
         if (bend.ofSpar)

@@ -1216,7 +1216,7 @@
     <message>
         <location filename="dock_table.cpp"/>
         <source>Loads</source>
-        <translation type="unfinished"></translation>
+        <translation>Charges</translation>
     </message>
     <message>
         <location filename="dock_table.cpp"/>
@@ -3712,7 +3712,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="legend.cpp"/>
         <source>1, breaks</source>
-        <translation type="unfinished"></translation>
+        <translation>1, rupture</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -3727,7 +3727,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="legend.cpp"/>
         <source>Margin</source>
-        <translation type="unfinished"></translation>
+        <translation>Marge</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -3767,7 +3767,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="legend.cpp"/>
         <source>no strength here</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune résistance ici</translation>
     </message>
     <message>
         <location filename="legend.cpp"/>
@@ -3802,12 +3802,12 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_list.cpp"/>
         <source>Bending moment of the spar beside this link</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment de flexion du longeron à côté de cette liaison</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
         <source>Can bear</source>
-        <translation type="unfinished"></translation>
+        <translation>Supporte</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
@@ -3817,27 +3817,27 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_list.cpp"/>
         <source>Load over strength: 1 breaks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Charge sur résistance : rupture à 1.</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
         <source>Of the material, times its joint efficiency, over the safety factor of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>Du matériau, fois sa tenue des coutures et nœuds, sur le coefficient de sécurité de la scène.</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
         <source>Pull along it</source>
-        <translation type="unfinished"></translation>
+        <translation>Traction le long de la liaison</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
         <source>Pull of the thread over the width of cloth that it stands for</source>
-        <translation type="unfinished"></translation>
+        <translation>Traction du fil sur la largeur de toile qu’il représente</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
         <source>Pull per width of the threads, warp or weft, that are nearer to their strength</source>
-        <translation type="unfinished"></translation>
+        <translation>Traction par largeur des fils, de chaîne ou de trame, les plus proches de leur résistance</translation>
     </message>
     <message>
         <location filename="load_list.cpp"/>
@@ -3847,42 +3847,52 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Click a place to select it and bring it to the middle of the view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquer un endroit pour le sélectionner et l’amener au milieu de la vue.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
-        <source>No material here has a strength, so that nothing can be said to be near to breaking. Take a material of the library, or type a line strength, a warp and weft strength, or a breaking moment in the inspector.</source>
-        <translation type="unfinished"></translation>
+        <source>No material here has a strength for what it carries, so that nothing can be said to be near to breaking. Take a material of the library, or type a line strength, a warp and weft strength, or a breaking moment in the inspector.</source>
+        <translation>Aucun matériau n’a ici de résistance pour ce qu’il porte, si bien que rien ne peut être dit près de rompre. Prendre un matériau de la bibliothèque, ou saisir dans l’inspecteur une résistance de la ligne, des résistances en chaîne et en trame, ou un moment de rupture.</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Not judged, without a strength: %1</source>
+        <translation>Non jugés, sans résistance : %1</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Nothing bears a load yet: run the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien ne porte encore de charge : lancer la simulation.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Select the materials</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionner les matériaux</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
-        <source>So that the inspector shows their strengths.</source>
-        <translation type="unfinished"></translation>
+        <source>Select these materials, so that the inspector shows their strengths.</source>
+        <translation>Sélectionner ces matériaux, pour que l’inspecteur montre leurs résistances.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
         <source>There is no material here whose strength could be compared with a load. Insert a material of the library and give it to lines, cloth or spars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a ici aucun matériau dont la résistance puisse être comparée à une charge. Insérer un matériau de la bibliothèque et le donner à des lignes, des toiles ou des longerons.</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Worst places now</source>
-        <translation type="unfinished"></translation>
+        <translation>Pires endroits maintenant</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Worst places of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Pires endroits de la simulation</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>what has no material</source>
+        <translation>ce qui n’a pas de matériau</translation>
     </message>
     <message>
         <location filename="main.cpp"/>
@@ -8223,8 +8233,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 18 N as the canopy opens, 11 N as it sinks, and breaks at 445 N.</source>
-        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 18 N à l’ouverture, 11 N en descente, et rompt à 445 N.</translation>
+        <source>A canopy of 1.1 oz nylon in folds is thrown down at 20 m/s. Air fills it through its mouth and holds it open without a hoop. Tune the line strength of the suspension line: each bears 18 N as the canopy opens, 11 N as it sinks, and breaks at 445 N. The dock Loads lists what is nearest to breaking.</source>
+        <translation>Une voilure pliée en nylon de 1,1 oz est lancée vers le bas à 20 m/s. L’air la remplit par sa bouche et la tient ouverte sans cerceau. Réglez la résistance de ligne des suspentes : chacune porte 18 N à l’ouverture, 11 N en descente, et rompt à 445 N. Le panneau Charges liste ce qui est le plus près de rompre.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -10798,6 +10808,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Load over strength, of the link or panel that is nearest to breaking: 1 breaks. Strength is that of the material times its joint efficiency over the safety factor of the scene.</source>
+        <translation>Charge sur résistance, de la liaison ou du panneau le plus proche de rompre : rupture à 1. La résistance est celle du matériau, fois sa tenue des coutures et nœuds, sur le coefficient de sécurité de la scène.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Log law</source>
         <translation>Loi logarithmique</translation>
     </message>
@@ -10860,6 +10875,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Makes several links of each, with new particles between them. The line stays as long, as stiff and as strong; panels beside it are split too.</source>
         <translation>Fait plusieurs liaisons de chacune, avec de nouvelles particules entre elles. La ligne reste aussi longue, aussi raide et aussi solide ; les panneaux à côté sont divisés aussi.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Margins count every strength as so many times lower, so that with 2 a margin of 1 is half of what breaks; flights and tears do not depend on it.</source>
+        <translation>Les marges comptent chaque résistance tant de fois plus faible : avec 2, une marge de 1 est la moitié de ce qui rompt ; ni le vol ni les déchirures n’en dépendent.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -11990,6 +12010,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
         <location filename="tables"/>
         <source>Rule that turns forces into motion; the automatic one takes bdf2 where all rods stretch, are damped and are solved together, and otherwise semi_implicit_euler; implicit_euler and bdf2 hold springs of any stiffness, and bdf2 keeps swings where large steps damp them, rk4 is the most exact for what has no rods.</source>
         <translation>Règle qui change les forces en mouvement ; l’automatique prend bdf2 là où toutes les tiges s’allongent, sont amorties et sont résolues ensemble, et sinon semi_implicit_euler ; implicit_euler et bdf2 tiennent des ressorts de toute raideur, bdf2 garde les balancements là où de grands pas les amortissent, rk4 est le plus exact pour ce qui n’a pas de tiges.</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
+        <source>Safety factor</source>
+        <translation>Coefficient de sécurité</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -15028,7 +15053,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="view_rows.cpp"/>
         <source>Colour by margin</source>
-        <translation type="unfinished"></translation>
+        <translation>Colorer par marge</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>
@@ -15148,7 +15173,7 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     <message>
         <location filename="view_rows.cpp"/>
         <source>Load over strength of lines, cloth and spars: 1 breaks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Charge sur résistance des lignes, toiles et longerons : rupture à 1.</translation>
     </message>
     <message>
         <location filename="view_rows.cpp"/>

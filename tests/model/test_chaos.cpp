@@ -40,9 +40,10 @@ const std::vector<Work>& works()
     static const std::vector<Work> list{
         {"run",
          {"run", rope, "--seconds", "4", "--threads", "1", "--csv", "probes.csv", "--tears",
-          "tears.csv", "--events", "events.csv", "--final", "end.ripstop.json", "--record",
-          "flight.ripstop-run"},
-         {"probes.csv", "tears.csv", "events.csv", "end.ripstop.json", "flight.ripstop-run"}},
+          "tears.csv", "--loads", "loads.csv", "--events", "events.csv", "--final",
+          "end.ripstop.json", "--record", "flight.ripstop-run"},
+         {"probes.csv", "tears.csv", "loads.csv", "events.csv", "end.ripstop.json",
+          "flight.ripstop-run"}},
         {"sweep",
          {"sweep", rope, "--sweep", "settings.airDensity=1:0.05:1.5", "--seconds", "0.3", "-o",
           "sweep.csv"},

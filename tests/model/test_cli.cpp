@@ -350,11 +350,15 @@ private slots:
         };
         QVERIFY(worst("run") >= worst("moment"));
         QCOMPARE(QString(contentOf(table)).count('\n'), 1 + 10 + 10);
+        const QJsonArray without = loads["without_strength"].toArray();
+        QVERIFY(without.contains("frame")); // which is not of the library
+        QVERIFY(!without.contains("line") && !without.contains("sail"));
 
         const Outcome bare =
             call({"run", scene("paper_kite"), "--seconds", "0.1", "--json", "--loads", table});
         QVERIFY(bare.json()["loads"].isNull());
-        QVERIFY(bare.error.contains("No material of this scene has a strength"));
+        QVERIFY(
+            bare.error.contains("No material of this scene has a strength for what it carries"));
         QCOMPARE(QString(contentOf(table)).count('\n'), 1);
     }
 

@@ -1,15 +1,18 @@
 // How near to breaking lines, cloth and spars are: margins of loads that are known by hand, with
 // joints and a safety factor; what has no strength; and the worst places of a moment and of a run.
 #include "compile/compile.h"
+#include "compile/live_system.h"
 #include "measure/margins.h"
 #include "model/systems.h"
 #include "model/tensile_strip.h"
 #include "run/has_margins.h"
 #include "run/simulation.h"
+#include "scene/strength_gaps.h"
 
 #include <QtTest>
 
 #include <cmath>
+#include <random>
 
 using namespace ripstop;
 
@@ -277,6 +280,107 @@ private slots:
         QCOMPARE(frame->worstOfRun.all()[0].margin(), most);
         QCOMPARE(frame->worstOfRun.all()[0].time, when);
         compareWithin(frame->worstNow.all()[0].margin(), 2.0 * g / 100.0, 0.01);
+    }
+
+    // The list finds the largest of the margins of all panels, however cloth is strained: taut,
+    // wrinkled and slack, with any ratio of warp to weft.
+    void listFindsTheWorstPanel()
+    {
+        std::minstd_rand random(7);
+        const auto between = [&](double low, double high) {
+            return std::uniform_real_distribution(low, high)(random);
+        };
+        for (int i = 0; i < 300; ++i) {
+            Strip made = strip({}, between(0.0, 180.0), 1.0);
+            made.cloth().weftStiffness = stiffness * between(0.3, 3.0);
+            made.cloth().poissonRatio = between(0.0, 0.4);
+            made.cloth().warpStrength = between(100.0, 1000.0);
+            if (i % 3 > 0)
+                made.cloth().weftStrength = between(100.0, 1000.0);
+            Simulation simulation(*compile(made.scene));
+            State state = simulation.state();
+            const double size = std::pow(10.0, between(-5.0, -2.0)); // m
+            for (Vec3& place : state.position)
+                place += Vec3(between(-size, size), between(-size, size), between(-size, size));
+            simulation.place(state);
+            const auto frame = simulation.frame();
+            double most = 0.0;
+            for (const double margin : frame->panelMargin)
+                most = std::max(most, margin);
+            QVERIFY(most > 0.0);
+            QCOMPARE(frame->worstNow.all()[0].margin(), most);
+        }
+    }
+
+    // A margin against a strength that is no more tells nothing: the list of the run begins anew
+    // with a strength, with the joints and with the safety factor, and goes on with other edits. It
+    // names what the scene has.
+    void listFollowsEdits()
+    {
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, line(100.0));
+        Part& part = chain.row();
+        part.particles.push_back(
+            {.id = takeId(chain.scene), .position = {1, 0, 0}, .pinned = true});
+        part.particles.push_back({.id = takeId(chain.scene), .position = {1, -1, 0}, .mass = 1.0});
+        Link other = part.links.front();
+        other.id = takeId(chain.scene);
+        other.from = part.particles[2].id;
+        other.to = part.particles[3].id;
+        part.links.push_back(other);
+        const Id first = part.links.front().id;
+
+        LiveSystem live(chain.scene);
+        const auto take = [&] { return std::get<Update>(live.update(2, 1)); };
+        Simulation simulation(take().system);
+        const auto after = [&](const Edit& edit) {
+            live.apply(edit);
+            simulation.load(take());
+            if (!simulation.step())
+                qFatal("It stopped.");
+            return simulation.frame()->worstOfRun;
+        };
+        const auto setting = [&](Kind kind, const char* key, Id id, double value) {
+            return Edit{Message("Edit"),
+                        {SetValues{findProperty(kind, key), {id}, {Value(value)}}}};
+        };
+        QVERIFY(simulation.runUntil(2.0));
+        const WorstPlaces before = simulation.frame()->worstOfRun;
+        QCOMPARE(before.all().size(), 2u);
+        const double end = simulation.state().time;
+        QVERIFY(before.all()[0].time < end);
+
+        WorstPlaces now = after(setting(Kind::Settings, "airDensity", noId, 0.1));
+        QCOMPARE(now.all()[0], before.all()[0]);
+        now = after(removal(live.scene(), {other.id}));
+        QCOMPARE(now.all().size(), 1u);
+        QCOMPARE(now.all()[0].element, std::uint32_t(first));
+        now = after(setting(Kind::Material, "lineStrength", chain.material, 400.0));
+        QVERIFY(now.all()[0].time > end);
+        compareWithin(now.all()[0].strength, 400.0, 1e-12);
+        now = after(setting(Kind::Material, "jointEfficiency", chain.material, 0.5));
+        compareWithin(now.all()[0].strength, 200.0, 1e-12);
+        now = after(setting(Kind::Settings, "safetyFactor", noId, 4.0));
+        compareWithin(now.all()[0].strength, 50.0, 1e-12);
+    }
+
+    // Materials are named that carry something and have no strength of its kind.
+    void gapsAreNamed()
+    {
+        Chain chain({Vec3(0, 0, 0), Vec3(0, -1, 0)}, 1, 2.0, line(100.0));
+        QVERIFY(materialsWithoutStrength(chain.scene).empty());
+        chain.stuff().lineStrength.reset();
+        QCOMPARE(materialsWithoutStrength(chain.scene), std::vector{chain.material});
+        chain.stuff().warpStrength = 400.0; // which a line has no use for
+        QCOMPARE(materialsWithoutStrength(chain.scene), std::vector{chain.material});
+        chain.stuff().breakingMoment = 12.0;
+        QVERIFY(materialsWithoutStrength(chain.scene).empty());
+        chain.row().links[0].material = noId;
+        QCOMPARE(materialsWithoutStrength(chain.scene), std::vector{noId});
+
+        Strip made = strip({}, 0.0, 1.0);
+        QCOMPARE(materialsWithoutStrength(made.scene), std::vector{made.material});
+        made.cloth().weftStrength = 300.0;
+        QVERIFY(materialsWithoutStrength(made.scene).empty());
     }
 
     void worstPlacesAreTheWorst()

@@ -207,7 +207,8 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments"); // S is the scene, C its controls, M a mesh
         const QStringList run{"run", "S", "--seconds", "0.1"};
-        for (const char* option : {"--csv", "--tears", "--events", "--record", "--final"})
+        for (const char* option :
+             {"--csv", "--tears", "--loads", "--events", "--record", "--final"})
             QTest::newRow(option) << run + QStringList{option, "S"};
         QTest::newRow("by a link") << run + QStringList{"--csv", "L"};
         QTest::newRow("controls") << run + QStringList{"--controls", "C", "--events", "C"};

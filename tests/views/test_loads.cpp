@@ -7,6 +7,7 @@
 #include "loads/load_panel.h"
 #include "small_scenes.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
@@ -72,9 +73,9 @@ private slots:
         const QTreeWidgetItem& row = *bench.panel.now().topLevelItem(0);
         // 0.5 kg x 9.80665 m/s^2 / 40 N = 0.123
         QTRY_COMPARE(row.text(LoadList::Margin), QString("0.123"));
-        QCOMPARE(row.text(LoadList::Load), QString("4.903 N"));
-        QCOMPARE(row.text(LoadList::Strength), QString("40 N"));
-        QVERIFY(row.text(LoadList::Place).contains("4"));
+        QCOMPARE(row.text(LoadList::Load), QString("4.90 N"));
+        QCOMPARE(row.text(LoadList::Strength), QString("40.0 N"));
+        QCOMPARE(row.text(LoadList::Place), QString("dacron, link 4"));
 
         QSignalSpy chosen(&bench.panel, &LoadPanel::chosen);
         QTest::mouseClick(bench.panel.now().viewport(), Qt::LeftButton, {},
@@ -82,6 +83,33 @@ private slots:
         QCOMPARE(bench.selection.ids(), std::vector{Id{4}});
         QCOMPARE(chosen.size(), 1);
         QCOMPARE(chosen[0][0].toUInt(), 4U);
+    }
+
+    // A list that is silent of some elements says so.
+    void namesWhatIsNotJudged()
+    {
+        Scene scene = hangingPair(40.0);
+        Material tail;
+        tail.name = "tail";
+        scene.items.push_back({takeId(scene), tail});
+        const Id material = scene.items.back().id;
+        auto& part = std::get<Part>(*findItem(scene, Id{1}));
+        part.particles.push_back({.id = takeId(scene), .position = Vec3(0, 8, 0), .mass = 0.1});
+        part.links.push_back(rod(takeId(scene), Id{3}, part.particles.back().id, material));
+        Bench bench(std::move(scene));
+        bench.player.playUntil(0.1);
+        const auto notJudged = [&]() -> QLabel* {
+            for (QLabel* label : bench.panel.findChildren<QLabel*>())
+                if (label->isVisible() && label->text().contains("Not judged"))
+                    return label;
+            return nullptr;
+        };
+        QTRY_VERIFY(notJudged());
+        QVERIFY(notJudged()->text().contains("tail") && !notJudged()->text().contains("dacron"));
+        emit notJudged()->linkActivated("#");
+        QCOMPARE(bench.selection.ids(), std::vector{material});
+        bench.document.push(setValue(bench.document.scene(), material, "lineStrength", 20.0));
+        QTRY_VERIFY(!notJudged());
     }
 };
 

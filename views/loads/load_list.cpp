@@ -6,15 +6,45 @@
 
 #include <QHeaderView>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ripstop {
 namespace {
 
 constexpr double nearBreaking = 0.8; // 1, from where on a margin has a sign
 
+// To three digits, which is more than is known of what breaks.
+QString rounded(double value)
+{
+    const int decimals = value > 0.0 ? 2 - int(std::floor(std::log10(value))) : 0;
+    return QLocale().toString(value, 'f', std::clamp(decimals, 0, 9));
+}
+
 QString amount(double value, LoadKind kind)
 {
-    return QStringLiteral("%1 %2").arg(QLocale().toString(value, 'g', 4),
-                                       QString::fromLatin1(unitOf(kind)));
+    return QStringLiteral("%1 %2").arg(rounded(value), QString::fromLatin1(unitOf(kind)));
+}
+
+Id materialOf(const Scene& scene, Id element)
+{
+    Id material = noId;
+    forEachPart(scene, [&](Id, const Part& part) {
+        if (const Link* link = findRow(part.links, element))
+            material = link->material;
+        else if (const Panel* panel = findRow(part.panels, element))
+            material = panel->material;
+    });
+    return material;
+}
+
+// "bridle, link 17": the material tells more of where that is than the part.
+QString placeWords(const Scene& scene, Id element)
+{
+    const Id material = materialOf(scene, element);
+    return material == noId
+               ? describe(scene, {element})
+               : QStringLiteral("%1, %2").arg(nameOf(scene, material), nameOf(scene, element));
 }
 
 QString loadWords(LoadKind kind)
@@ -44,7 +74,7 @@ QIcon signOf(double margin)
 
 } // namespace
 
-LoadList::LoadList(const QString& title, QWidget* parent)
+LoadList::LoadList(const QString& title, const QString& name, QWidget* parent)
     : QTreeWidget(parent)
 {
     setColumnCount(5);
@@ -53,7 +83,7 @@ LoadList::LoadList(const QString& title, QWidget* parent)
     headerItem()->setToolTip(Strength,
                              tr("Of the material, times its joint efficiency, over the safety "
                                 "factor of the scene."));
-    setAccessibleName(title);
+    setAccessibleName(name);
     setRootIsDecorated(false);
     setFrameShape(NoFrame);
     setSelectionMode(SingleSelection);
@@ -77,11 +107,11 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
     for (int row = 0; row < int(places.size()); ++row) {
         const LoadedPlace& place = places[std::size_t(row)];
         QTreeWidgetItem& item = *topLevelItem(row);
-        item.setText(Margin, QLocale().toString(place.margin(), 'f', 3));
+        item.setText(Margin, rounded(place.margin()));
         item.setIcon(Margin, signOf(place.margin()));
-        item.setText(Place, describe(scene, {Id{place.element}}));
+        item.setText(Place, placeWords(scene, Id{place.element}));
         item.setData(Place, Qt::UserRole, place.element);
-        item.setToolTip(Place, item.text(Place));
+        item.setToolTip(Place, describe(scene, {Id{place.element}}));
         item.setText(Load, amount(place.load, place.kind));
         item.setToolTip(Load, loadWords(place.kind));
         item.setText(Strength, amount(place.strength, place.kind));

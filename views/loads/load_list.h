@@ -18,7 +18,8 @@ class LoadList final : public QTreeWidget
 public:
     enum Column { Margin, Place, Load, Strength, Time };
 
-    explicit LoadList(const QString& title, QWidget* parent = nullptr);
+    //   name  of the list, for those who hear it
+    LoadList(const QString& title, const QString& name, QWidget* parent = nullptr);
 
     void showPlaces(const Scene& scene, std::span<const LoadedPlace> places);
 

@@ -7,6 +7,7 @@
 #include "document/selection.h"
 #include "loads/load_list.h"
 #include "run/has_margins.h"
+#include "scene/strength_gaps.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -21,6 +22,11 @@ namespace {
 
 constexpr int pause = 200; // ms, between two looks; more cannot be read
 
+QString helpOfMaterials()
+{
+    return LoadPanel::tr("Select these materials, so that the inspector shows their strengths.");
+}
+
 } // namespace
 
 LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, QWidget* parent)
@@ -31,8 +37,9 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     , m_pages(new QStackedLayout(this))
     , m_empty(new QLabel)
     , m_materials(new QPushButton(tr("Select the materials")))
-    , m_now(new LoadList(tr("Worst places now")))
-    , m_ofRun(new LoadList(tr("Worst places of the run")))
+    , m_now(new LoadList(tr("Worst now"), tr("Worst places now")))
+    , m_ofRun(new LoadList(tr("Worst so far"), tr("Worst places of the run")))
+    , m_unjudged(new QLabel)
 {
     m_pages->addWidget(emptyPage());
     m_pages->addWidget(listPage());
@@ -45,8 +52,14 @@ LoadPanel::LoadPanel(Document& document, Selection& selection, Player& player, Q
     };
     connect(&player, &Player::frameReady, this, soon);
     connect(&player, &Player::stateChanged, this, soon);
-    connect(&document, &Document::replaced, this, soon);
-    connect(m_materials, &QPushButton::clicked, this, &LoadPanel::selectMaterials);
+    const auto edited = [this, soon] {
+        m_isEdited = true;
+        soon();
+    };
+    connect(&document, &Document::replaced, this, edited);
+    connect(&document, &Document::changed, this, edited);
+    connect(m_materials, &QPushButton::clicked, this, &LoadPanel::selectUnjudged);
+    connect(m_unjudged, &QLabel::linkActivated, this, &LoadPanel::selectUnjudged);
     for (LoadList* list : {m_now, m_ofRun})
         connect(list, &LoadList::chosen, this, &LoadPanel::choose);
     refresh();
@@ -57,7 +70,7 @@ QWidget* LoadPanel::emptyPage()
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_empty->setWordWrap(true);
-    m_materials->setToolTip(tr("So that the inspector shows their strengths."));
+    m_materials->setToolTip(helpOfMaterials());
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->addStretch();
@@ -70,13 +83,26 @@ QWidget* LoadPanel::emptyPage()
 QWidget* LoadPanel::listPage()
 {
     const QString help = tr("Click a place to select it and bring it to the middle of the view.");
-    auto* page = new QSplitter;
+    auto* lists = new QSplitter;
     for (LoadList* list : {m_now, m_ofRun}) {
         list->setToolTip(help);
-        page->addWidget(list);
+        lists->addWidget(list);
     }
     m_now->hideColumn(LoadList::Time);
-    page->setChildrenCollapsible(false);
+    lists->setChildrenCollapsible(false);
+    lists->setStretchFactor(0, 5); // it has no times
+    lists->setStretchFactor(1, 6);
+    m_unjudged->setWordWrap(true);
+    m_unjudged->setMargin(4);
+    m_unjudged->setTextFormat(Qt::RichText);
+    m_unjudged->setToolTip(helpOfMaterials());
+    m_unjudged->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(lists, 1);
+    layout->addWidget(m_unjudged);
     return page;
 }
 
@@ -109,6 +135,23 @@ void LoadPanel::refresh()
         return;
     m_now->showPlaces(m_document.scene(), frame->worstNow.all());
     m_ofRun->showPlaces(m_document.scene(), frame->worstOfRun.all());
+    if (m_isEdited)
+        showUnjudged();
+}
+
+// A list says nothing of what it does not judge, and must not seem to.
+void LoadPanel::showUnjudged()
+{
+    m_isEdited = false;
+    const std::vector<Id> without = materialsWithoutStrength(m_document.scene());
+    QStringList names;
+    for (const Id id : without)
+        names << (id == noId ? tr("what has no material")
+                             : QString::fromStdString(nameOf(*findItem(m_document.scene(), id))));
+    m_unjudged->setVisible(!without.empty());
+    m_unjudged->setText(tr("Not judged, without a strength: %1")
+                            .arg(QStringLiteral("<a href=\"#\">%1</a>")
+                                     .arg(names.join(QStringLiteral(", ")).toHtmlEscaped())));
 }
 
 void LoadPanel::tellWhyNone(const Frame* frame)
@@ -121,19 +164,17 @@ void LoadPanel::tellWhyNone(const Frame* frame)
     m_empty->setText(
         !isBare ? tr("Nothing bears a load yet: run the scene.")
         : hasMaterial
-            ? tr("No material here has a strength, so that nothing can be said to be near to "
-                 "breaking. Take a material of the library, or type a line strength, a warp and "
-                 "weft strength, or a breaking moment in the inspector.")
+            ? tr("No material here has a strength for what it carries, so that nothing can be said "
+                 "to be near to breaking. Take a material of the library, or type a line strength, "
+                 "a warp and weft strength, or a breaking moment in the inspector.")
             : tr("There is no material here whose strength could be compared with a load. Insert a "
                  "material of the library and give it to lines, cloth or spars."));
 }
 
-void LoadPanel::selectMaterials()
+void LoadPanel::selectUnjudged()
 {
-    std::vector<Id> materials;
-    for (const Entry& entry : m_document.scene().items)
-        if (std::holds_alternative<Material>(entry.item))
-            materials.push_back(entry.id);
+    std::vector<Id> materials = materialsWithoutStrength(m_document.scene());
+    std::erase(materials, noId);
     m_selection.set(materials);
 }
 

@@ -1,9 +1,10 @@
 // What is nearest to breaking: the ten places with the most load for their strength, of the instant
 // that is shown and of the run so far (base/load_margin.h).
 //
-// A click selects a place and asks for it to come to the middle of the view. Without strengths the
-// panel says how to give one. It follows the player a few times a second, and only while it is
-// seen. Belongs to the window's thread.
+// A click selects a place and asks for it to come to the middle of the view. What carries a load
+// and has no strength is named below the lists; where nothing has one, the panel says how to give
+// one. It follows the player a few times a second, and only while it is seen. Belongs to the
+// window's thread.
 #pragma once
 
 #include "run/frame.h"
@@ -45,7 +46,8 @@ private:
     void choose(quint32 element);
     void refresh();
     void tellWhyNone(const Frame* frame);
-    void selectMaterials();
+    void showUnjudged();
+    void selectUnjudged();
 
     Document& m_document;
     Selection& m_selection;
@@ -56,6 +58,8 @@ private:
     QPushButton* m_materials;
     LoadList* m_now;
     LoadList* m_ofRun;
+    QLabel* m_unjudged;     // materials without a strength, below the lists
+    bool m_isEdited = true; // since those were found
 };
 
 } // namespace ripstop

@@ -65,9 +65,9 @@ private:
     QString m_unit;
     QString m_unknown; // said instead of the peak
     bool m_isKnown = true;
-    bool m_isState = false; // marked by names, without range and peak
+    bool m_isState = false;    // marked by names, without range and peak
     bool m_marksLimit = false; // of margins, at 1
-    double m_shown = 1.0;   // factor from SI units to the unit of the legend
+    double m_shown = 1.0;      // factor from SI units to the unit of the legend
     Peak m_peak;
 };
 

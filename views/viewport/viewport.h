@@ -70,7 +70,7 @@ public:
     void fit();
     void fit(const std::vector<Id>& ids); // these elements or items; everything when there are none
     void centre(const std::vector<Id>& ids); // from as far as it is seen now
-    void look(const Camera& camera);      // shows the view as from there again
+    void look(const Camera& camera);         // shows the view as from there again
     void view(PresetView preset);
     void setFollow(bool follow); // the camera goes with the fabric; on at first
     void setOrthographic(bool orthographic);
