@@ -3881,6 +3881,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
+        <source>Worst now</source>
+        <translation>Pires maintenant</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
         <source>Worst places now</source>
         <translation>Pires endroits maintenant</translation>
     </message>
@@ -3888,6 +3893,11 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <location filename="load_panel.cpp"/>
         <source>Worst places of the run</source>
         <translation>Pires endroits de la simulation</translation>
+    </message>
+    <message>
+        <location filename="load_panel.cpp"/>
+        <source>Worst so far</source>
+        <translation>Pires jusqu’ici</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>

@@ -349,7 +349,7 @@ private slots:
         const double end = simulation.state().time;
         QVERIFY(before.all()[0].time < end);
 
-        WorstPlaces now = after(setting(Kind::Settings, "airDensity", noId, 0.1));
+        WorstPlaces now = after(setting(Kind::Settings, "airDensity", settingsId, 0.1));
         QCOMPARE(now.all()[0], before.all()[0]);
         now = after(removal(live.scene(), {other.id}));
         QCOMPARE(now.all().size(), 1u);
@@ -359,7 +359,7 @@ private slots:
         compareWithin(now.all()[0].strength, 400.0, 1e-12);
         now = after(setting(Kind::Material, "jointEfficiency", chain.material, 0.5));
         compareWithin(now.all()[0].strength, 200.0, 1e-12);
-        now = after(setting(Kind::Settings, "safetyFactor", noId, 4.0));
+        now = after(setting(Kind::Settings, "safetyFactor", settingsId, 4.0));
         compareWithin(now.all()[0].strength, 50.0, 1e-12);
     }
 

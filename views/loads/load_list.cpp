@@ -1,3 +1,4 @@
+// Numbers and words of a row first, then the columns, then the rows as they are filled.
 #include "loads/load_list.h"
 
 #include "document/words.h"
