@@ -3882,7 +3882,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Worst now</source>
-        <translation>Pires maintenant</translation>
+        <translation>À l’instant</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>
@@ -3897,7 +3897,7 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
     <message>
         <location filename="load_panel.cpp"/>
         <source>Worst so far</source>
-        <translation>Pires jusqu’ici</translation>
+        <translation>Jusqu’ici</translation>
     </message>
     <message>
         <location filename="load_panel.cpp"/>

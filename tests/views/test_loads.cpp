@@ -85,6 +85,21 @@ private slots:
         QCOMPARE(chosen[0][0].toUInt(), 4U);
     }
 
+    // Places change their ranks while one looks at them.
+    void markGoesWithThePlace()
+    {
+        const Scene scene = hangingPair(40.0);
+        LoadList list("Places", "Places");
+        const LoadedPlace one{4, 4, LoadKind::Line, 2.0, 10.0},
+            other{5, 5, LoadKind::Line, 1.0, 10.0};
+        list.showPlaces(scene, std::vector{one, other});
+        list.topLevelItem(0)->setSelected(true);
+        list.showPlaces(scene, std::vector{other, one});
+        QVERIFY(!list.topLevelItem(0)->isSelected() && list.topLevelItem(1)->isSelected());
+        list.showPlaces(scene, std::vector{other});
+        QVERIFY(list.selectedItems().isEmpty());
+    }
+
     // A list that is silent of some elements says so.
     void namesWhatIsNotJudged()
     {

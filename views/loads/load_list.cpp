@@ -101,6 +101,8 @@ LoadList::LoadList(const QString& title, const QString& name, QWidget* parent)
 
 void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> places)
 {
+    const QList<QTreeWidgetItem*> marked = selectedItems();
+    const quint32 held = marked.isEmpty() ? 0 : marked[0]->data(Place, Qt::UserRole).toUInt();
     while (topLevelItemCount() > int(places.size()))
         delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < int(places.size()))
@@ -112,6 +114,7 @@ void LoadList::showPlaces(const Scene& scene, std::span<const LoadedPlace> place
         item.setIcon(Margin, signOf(place.margin()));
         item.setText(Place, placeWords(scene, Id{place.element}));
         item.setData(Place, Qt::UserRole, place.element);
+        item.setSelected(held != 0 && place.element == held);
         item.setToolTip(Place, describe(scene, {Id{place.element}}));
         item.setText(Load, amount(place.load, place.kind));
         item.setToolTip(Load, loadWords(place.kind));

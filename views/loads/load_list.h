@@ -1,6 +1,7 @@
 // One list of loaded places: what it is, what it bears of what it could, and when.
 //
-// Rows are changed where they stand, so that a list that follows a run can be clicked.
+// Rows are changed where they stand, so that a list that follows a run can be clicked; what was
+// chosen stays marked where it goes.
 #pragma once
 
 #include "base/load_margin.h"
