@@ -31,6 +31,20 @@ namespace {
 // 1, length over that at rest, of threads of this strain of Green's.
 double stretchOf(double strain) { return std::sqrt(std::max(1.0 + 2.0 * strain, 0.0)); }
 
+// As pullingStrain() of the cloth's law has it, of a tension that is known.
+Vec3 threadStrain(const ClothLaw& law, const Vec3& strain, const ClothTension& now)
+{
+    switch (now.state) {
+    case ClothState::Slack:
+        return Vec3::Zero();
+    case ClothState::Wrinkled:
+        return strainOf(law, now.tension);
+    case ClothState::Taut:
+        break;
+    }
+    return strain;
+}
+
 } // namespace
 
 ClothTension tensionIn(const System& system, const Membrane& membrane, const Corners& corners)
@@ -46,7 +60,7 @@ PanelPull pullOf(const System& system, const Membrane& membrane, const Corners& 
         return {};
     const Vec3 strain = strainAt(membrane, corners);
     const ClothTension now = tensionOf(law, strain);
-    const Vec3 threads = pullingStrain(law, strain);
+    const Vec3 threads = threadStrain(law, strain, now);
     const double warp = stretchOf(threads[0]), weft = stretchOf(threads[1]);
     return {true,
             now.state,
