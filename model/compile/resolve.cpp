@@ -262,7 +262,7 @@ bool isLimp(const std::vector<Bending>& bendings)
 
 Strength strengthOf(const Material& material)
 {
-    const double joints = material.jointEfficiency.value_or(1.0);
+    const double joints = shareLeftByJoints(material);
     return {joints * material.lineStrength.value_or(0.0),
             joints * material.warpStrength.value_or(0.0),
             joints * material.weftStrength.value_or(0.0),

@@ -53,7 +53,6 @@ BendWork workOf(const System& system, const State& state, BendScratch& bends)
 namespace ripstop {
 namespace {
 
-
 // Of the spar `i` that is a force.
 void fillLoads(const System& system, const State& state, BendScratch& bends, std::size_t i)
 {
@@ -196,6 +195,11 @@ bool isCut(const System& system, const State& state, const Bend& spar)
 {
     return isTorn(system.links[std::size_t(spar.of[0])], state)
            || isTorn(system.links[std::size_t(spar.of[1])], state);
+}
+
+double bendingMoment(const System& system, const State& state, const Bend& spar)
+{
+    return isCut(system, state, spar) ? 0.0 : momentOf(spar, waysOf(spar, state));
 }
 
 void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends)

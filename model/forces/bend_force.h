@@ -32,6 +32,9 @@ bool isCut(const System& system, const State& state, const Bend& spar);
 // panel, or a link of the spar, is gone.
 void fillBends(const System& system, const State& state, ThreadPool& pool, BendScratch& bends);
 
+// N m, of a spar at the particle that its two links share; 0 where one of them has torn.
+double bendingMoment(const System& system, const State& state, const Bend& spar);
+
 double bendingEnergy(const System& system, const State& state); // J, of all bends
 
 } // namespace ripstop

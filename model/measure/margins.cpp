@@ -5,6 +5,7 @@
 
 #include "base/bend.h"
 #include "base/joined_sets.h"
+#include "forces/bend_force.h"
 #include "forces/spring_force.h"
 #include "system/membrane.h"
 
@@ -229,24 +230,6 @@ JoinedSets chainsOf(const System& system)
 }
 
 } // namespace
-
-double bendingMoment(const System& system, const State& state, const Bend& spar)
-{
-    for (const int link : spar.of)
-        if (isTorn(system.links[std::size_t(link)], state))
-            return 0.0;
-    const Vec3& at = state.position[std::size_t(spar.corner[0])];
-    const Vec3 turn = turnOf(spar, {Vec3(state.position[std::size_t(spar.corner[1])] - at),
-                                    Vec3(state.position[std::size_t(spar.corner[2])] - at)})
-                          .turn;
-    // The turn is 2 L sin(angle / 2), and the energy half of the stiffness times its square. L is
-    // what turns: less at a clamp, where half of it is held.
-    const double length = spar.weight[1] * spar.length[0];
-    const double size = turn.norm();
-    const double sine = std::min(size / (2.0 * length), 1.0);
-    return std::abs(spar.stiffness * (size - spar.restTurn)) * length
-           * std::sqrt(1.0 - sine * sine);
-}
 
 JudgedPlaces judgedPlacesOf(const System& system)
 {

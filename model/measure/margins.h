@@ -65,7 +65,4 @@ JudgedPlaces judgedPlacesOf(const System& system);
 void offerPlaces(const System& system, const State& state, const JudgedPlaces& judged,
                  WorstPlaces& worst);
 
-// N m, the bending moment of a spar at the particle that two links share; 0 where one has torn.
-double bendingMoment(const System& system, const State& state, const Bend& spar);
-
 } // namespace ripstop

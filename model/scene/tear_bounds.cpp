@@ -7,10 +7,15 @@ TearLimit never(std::optional<double> own) { return {TearRule::Never, own.value_
 
 double joined(const Material& material, double strength)
 {
-    return material.jointEfficiency.value_or(1.0) * strength;
+    return shareLeftByJoints(material) * strength;
 }
 
 } // namespace
+
+double shareLeftByJoints(const Material& material)
+{
+    return material.jointEfficiency.value_or(1.0);
+}
 
 TearLimit linkTearOf(const Material& material, LinkRole role, double width,
                      std::optional<double> own)

@@ -28,6 +28,8 @@ TearLimit linkTearOf(const Material& material, LinkRole role, double width,
 
 FabricTear fabricTearOf(const Material& material);
 
+double shareLeftByJoints(const Material& material); // 1, of all its strengths
+
 double snapMomentOf(const Material& material); // N m, or 0 for never
 
 } // namespace ripstop

@@ -10,11 +10,6 @@ namespace {
 
 bool isAt(const Bend& spar, int link) { return spar.of[0] == link || spar.of[1] == link; }
 
-double momentIn(const System& system, const State& state, const Bend& spar) // N m
-{
-    return isCut(system, state, spar) ? 0.0 : momentOf(spar, waysOf(spar, state));
-}
-
 // N m, at the other ends of a link of the spar; less than none where the link is clamped.
 double momentBeyond(const System& system, const State& state, const Bend& spar, int link)
 {
@@ -25,7 +20,7 @@ double momentBeyond(const System& system, const State& state, const Bend& spar, 
     double most = 0.0;
     for (const Bend& other : system.of<BendLists>().ofSpars())
         if (isAt(other, link) && &other != &spar)
-            most = std::max(most, momentIn(system, state, other));
+            most = std::max(most, bendingMoment(system, state, other));
     return most;
 }
 
@@ -33,14 +28,14 @@ double momentBeyond(const System& system, const State& state, const Bend& spar, 
 
 double snapRatio(const System& system, const State& state, const Bend& spar)
 {
-    return spar.breaking > 0.0 ? momentIn(system, state, spar) / spar.breaking : 0.0;
+    return spar.breaking > 0.0 ? bendingMoment(system, state, spar) / spar.breaking : 0.0;
 }
 
 bool snap(const System& system, State& state, const Bend& spar)
 {
     if (isCut(system, state, spar))
         return false;
-    const double moment = momentIn(system, state, spar);
+    const double moment = bendingMoment(system, state, spar);
     const bool isSecond = momentBeyond(system, state, spar, spar.of[1])
                           > momentBeyond(system, state, spar, spar.of[0]);
     const int link = spar.of[isSecond ? 1 : 0];

@@ -206,7 +206,8 @@ void takeHeldPanelsOut(const System& system, State& state, std::vector<Overload>
     auto next = std::ranges::find(overloads, Overload::Of::Panel, &Overload::of);
     for (std::size_t i = 0; i < system.membranes.size(); ++i) {
         double& hold = state.panelHold[std::size_t(system.membranes[i].panel)];
-        const bool isAbove = next != overloads.end() && next->of == Overload::Of::Panel && next->element == int(i);
+        const bool isAbove =
+            next != overloads.end() && next->of == Overload::Of::Panel && next->element == int(i);
         if (hold > 0.0 && !isAbove)
             hold = 0.0;
         else if (hold > 0.0 && !(next->ratio > farAbove * hold))
@@ -223,8 +224,8 @@ void takeHeldOut(const System& system, State& state, std::vector<Overload>& over
     const auto find = [&](int link) {
         const auto found =
             std::lower_bound(overloads.begin(), overloads.end(), Overload{link, 0.0}, inOrder);
-        const bool isThere = found != overloads.end() && found->of == Overload::Of::Link
-                             && found->element == link;
+        const bool isThere =
+            found != overloads.end() && found->of == Overload::Of::Link && found->element == link;
         return isThere ? found : overloads.end();
     };
     std::erase_if(state.tearHolds,
