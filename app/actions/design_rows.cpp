@@ -26,7 +26,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int messageTime = 8000; // ms
 constexpr std::array<std::array<const char*, 3>, 3> alignIds{
     {{"alignLeastX", "alignMiddleX", "alignMostX"},
      {"alignLeastY", "alignMiddleY", "alignMostY"},

@@ -16,8 +16,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int messageTime = 8000; // ms
-
 std::function<void()> drawing(const Workbench& bench, DrawTool::Shape shape)
 {
     return [&bench, shape] {

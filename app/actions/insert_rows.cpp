@@ -23,11 +23,6 @@
 namespace ripstop {
 namespace {
 
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
-}
-
 // "insert delta_kite", which lives as long as the program.
 const char* idOf(std::size_t builder)
 {

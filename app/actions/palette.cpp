@@ -19,7 +19,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int actionRole = Qt::UserRole;
+constexpr int commandRole = Qt::UserRole;
 
 QString plain(QString text)
 {
@@ -78,7 +78,7 @@ Palette::Palette(const QMenuBar& menus, QWidget* parent)
 QAction* Palette::chosen() const
 {
     const QTreeWidgetItem* row = m_list->currentItem();
-    auto* action = row ? row->data(0, actionRole).value<QAction*>() : nullptr;
+    auto* action = row ? row->data(0, commandRole).value<QAction*>() : nullptr;
     return action && action->isEnabled() ? action : nullptr;
 }
 
@@ -133,7 +133,7 @@ void Palette::fill()
                                          action.shortcut().toString(QKeySequence::NativeText)});
         row->setIcon(0, action.icon());
         row->setToolTip(0, action.statusTip());
-        row->setData(0, actionRole, QVariant::fromValue(entry->action));
+        row->setData(0, commandRole, QVariant::fromValue(entry->action));
         row->setForeground(1, palette().placeholderText());
         if (!action.isEnabled())
             row->setForeground(0, palette().brush(QPalette::Disabled, QPalette::Text));

@@ -24,8 +24,6 @@
 namespace ripstop {
 namespace {
 
-constexpr int messageTime = 8000; // ms
-
 void say(const Workbench& bench, const QString& text)
 {
     bench.window.statusBar()->showMessage(text, messageTime);

@@ -23,6 +23,8 @@ class RunFiles;
 class Selection;
 class Viewport;
 
+inline constexpr int messageTime = 8000; // ms, that the status bar shows what an action says
+
 struct Workbench
 {
     QMainWindow& window;

@@ -16,7 +16,7 @@
 namespace ripstop {
 namespace {
 
-struct Options
+struct BundleOptions
 {
     SceneInput scene;
     std::string output;
@@ -35,7 +35,8 @@ int tell(const BundleWritten& written)
                 written.failure->message);
 }
 
-int bundleRecording(const Options& options, const BundleOrder& order, const Progress& progress)
+int bundleRecording(const BundleOptions& options, const BundleOrder& order,
+                    const Progress& progress)
 {
     if (!options.scene.assignments.empty() || !options.controls.empty() || options.seconds)
         return fail(WrongUsage, "A recording is bundled as it was flown: --seconds, --set and "
@@ -46,7 +47,7 @@ int bundleRecording(const Options& options, const BundleOrder& order, const Prog
     return tell(writeBundle(opened.recording, order, options.output, progress));
 }
 
-int bundle(const Options& options)
+int bundle(const BundleOptions& options)
 {
     BundleOrder order;
     order.threads = options.threads;
@@ -104,7 +105,7 @@ void addBundle(CLI::App& app, Command& chosen)
     CLI::App* command = app.add_subcommand(
         "bundle", "Put a run, all that it was made of and all that came of it into one folder or "
                   "zip.");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BundleOptions>();
     command
         ->add_option("SCENE", options->scene.file,
                      "Scene file, which is flown, or a recording (*.ripstop-run)")

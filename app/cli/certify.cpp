@@ -20,7 +20,7 @@
 namespace ripstop {
 namespace {
 
-struct Options
+struct CertifyOptions
 {
     SceneInput scene;
     double seconds = 0.0; // s
@@ -31,7 +31,7 @@ struct Options
     bool json = false;
 };
 
-int certify(const Options& options)
+int certify(const CertifyOptions& options)
 {
     SceneOutcome loaded = loadScene(options.scene);
     if (!loaded.scene)
@@ -90,7 +90,7 @@ void addCertify(CLI::App& app, Command& chosen)
 {
     CLI::App* command = app.add_subcommand(
         "certify", "Tell which digits of the probes hold, by flying a scene three times.");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CertifyOptions>();
     addSceneOption(*command, options->scene);
     addSetOption(*command, options->scene.assignments);
     command->add_option("--seconds", options->seconds, "Simulated time, s")

@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-struct Options
+struct CompareOptions
 {
     std::string a;
     std::string b;
@@ -43,7 +43,7 @@ Json jsonOf(const std::vector<RunDistance>& list)
     return rows;
 }
 
-int compare(const Options& options)
+int compare(const CompareOptions& options)
 {
     const auto a = openOrSay(options.a).recording;
     const auto b = a ? openOrSay(options.b).recording : nullptr;
@@ -73,7 +73,7 @@ void addCompare(CLI::App& app, Command& chosen)
 {
     CLI::App* command = app.add_subcommand(
         "compare", "Tell how far the particles of two recordings are apart, over time.");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CompareOptions>();
     command->add_option("FIRST", options->a, "Recording, *.ripstop-run")->required();
     command->add_option("SECOND", options->b, "Another one, of the same particles")->required();
     command->add_option("--interval", options->interval, "Between rows, s; 0 is every frame")

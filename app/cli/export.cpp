@@ -24,7 +24,7 @@ namespace {
 
 constexpr double seriesSeconds = 10.0; // s, of a series or table that is flown without --to
 
-struct Options
+struct ExportOptions
 {
     SceneInput scene;
     std::string output;
@@ -43,7 +43,7 @@ bool isOneMoment(const std::filesystem::path& target)
 }
 
 // The range that was asked for, in the time of the source.
-ExportRange rangeOf(const Options& options, const FrameSource& source)
+ExportRange rangeOf(const ExportOptions& options, const FrameSource& source)
 {
     const double from = options.from.value_or(source.begin());
     const double all =
@@ -51,7 +51,7 @@ ExportRange rangeOf(const Options& options, const FrameSource& source)
     return {from, options.to.value_or(isOneMoment(options.output) ? from : all), options.fps};
 }
 
-std::optional<Failure> write(FrameSource& source, const Scene& scene, const Options& options)
+std::optional<Failure> write(FrameSource& source, const Scene& scene, const ExportOptions& options)
 {
     ProgressLine progress(options.output);
     return exportRun(source, MeshAppearance(scene), rangeOf(options, source), options.output,
@@ -61,7 +61,7 @@ std::optional<Failure> write(FrameSource& source, const Scene& scene, const Opti
                      });
 }
 
-int exportRecording(const Options& options)
+int exportRecording(const ExportOptions& options)
 {
     if (!options.scene.assignments.empty() || !options.controls.empty())
         return fail(WrongUsage, "A recording is exported as it was flown: --set and --controls go "
@@ -84,7 +84,7 @@ bool isFilm(const std::filesystem::path& target)
     return std::ranges::find(films, target.extension().string()) != films.end();
 }
 
-int exportScene(const Options& options)
+int exportScene(const ExportOptions& options)
 {
     if (isFilm(options.output))
         return fail(BadInput, options.output
@@ -140,7 +140,7 @@ void addExport(CLI::App& app, Command& chosen)
 {
     CLI::App* command = app.add_subcommand(
         "export", "Write meshes, an animation or a table of a flight for other programs.");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ExportOptions>();
     command
         ->add_option(
             "SCENE", options->scene.file,

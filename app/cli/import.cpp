@@ -125,8 +125,6 @@ std::string sizeText(const Vec3& size)
            + " m";
 }
 
-Json jsonOf(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
 std::string_view gravityName(MeshGravity gravity)
 {
     constexpr std::array<std::string_view, 3> names{"note", "repaired", "warning"};
@@ -139,7 +137,7 @@ Json jsonOf(const std::string& file, const PreparedMesh& mesh, const MeshImport&
     for (const MeshFinding& finding : mesh.report.findings()) {
         Json places = Json::array();
         for (const Vec3& place : finding.places)
-            places.push_back(jsonOf(place));
+            places.push_back(numbersOf(place));
         report.push_back({{"fault", meshFaultName(finding.fault)},
                           {"count", finding.count},
                           {"gravity", gravityName(gravityOf(finding.fault))},
@@ -147,7 +145,7 @@ Json jsonOf(const std::string& file, const PreparedMesh& mesh, const MeshImport&
                           {"places", std::move(places)}});
     }
     return {{"file", file},
-            {"size", jsonOf(mesh.size)},
+            {"size", numbersOf(mesh.size)},
             {"weld_tolerance", mesh.weldTolerance},
             {"parts", made.parts.size()},
             {"particles", made.particles},

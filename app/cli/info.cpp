@@ -19,8 +19,6 @@
 namespace ripstop {
 namespace {
 
-Json jsonOf(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
 struct Sums
 {
     std::size_t particles = 0;
@@ -88,9 +86,10 @@ Json describe(const Scene& scene)
 
     Json info = {{"title", scene.settings.title}};
     info.update(jsonOf(all));
-    info["center_of_gravity"] = all.mass > 0.0 ? jsonOf(all.moment / all.mass) : Json();
-    info["bounds"] =
-        all.particles > 0 ? Json{{"low", jsonOf(all.low)}, {"high", jsonOf(all.high)}} : Json();
+    info["center_of_gravity"] = all.mass > 0.0 ? numbersOf(all.moment / all.mass) : Json();
+    info["bounds"] = all.particles > 0
+                         ? Json{{"low", numbersOf(all.low)}, {"high", numbersOf(all.high)}}
+                         : Json();
     info["time_step"] = scene.settings.timeStep;
     info["substeps"] = scene.settings.substeps;
     info["solver"] = choiceNames<Solver>[std::size_t(scene.settings.solver)];
@@ -158,13 +157,13 @@ void printTable(const Json& info)
         row(problem["severity"].get<std::string>(), problem["message"].get<std::string>());
 }
 
-struct Options
+struct InfoOptions
 {
     SceneInput scene;
     bool json = false;
 };
 
-int info(const Options& options)
+int info(const InfoOptions& options)
 {
     if (options.scene.file.ends_with(recordingExtension))
         return describeRecording(options.scene.file, options.json);
@@ -185,7 +184,7 @@ void addInfo(CLI::App& app, Command& chosen)
 {
     CLI::App* command = app.add_subcommand(
         "info", "Count, weigh and check a scene: particles, links, panels, mass, problems.");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<InfoOptions>();
     addSceneOption(*command, options->scene);
     addSetOption(*command, options->scene.assignments);
     command->add_flag("--json", options->json, "Print one JSON object");

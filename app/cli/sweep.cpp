@@ -37,7 +37,7 @@ namespace {
 
 constexpr double mostRuns = 1e6;
 
-struct Options
+struct SweepOptions
 {
     std::vector<std::string> scenes;
     std::vector<std::string> sweeps; // "PATH=VALUES"
@@ -92,7 +92,7 @@ struct Row
 
 struct Sweep
 {
-    const Options& options;
+    const SweepOptions& options;
     std::vector<SweepAxis> axes;
     std::vector<Scene> scenes; // as loaded, with --set
     std::vector<ControlTrack> controls;
@@ -304,7 +304,7 @@ private:
 };
 
 // Refuses what can be refused before the first run. Returns the exit code.
-int prepare(const Options& options, Sweep& sweep)
+int prepare(const SweepOptions& options, Sweep& sweep)
 {
     for (const std::string& text : options.sweeps) {
         auto axis = sweepAxis(text);
@@ -349,7 +349,7 @@ std::string countOf(std::size_t some, std::size_t all)
     return std::to_string(some) + " of " + std::to_string(all) + " runs";
 }
 
-int sweep(const Options& options)
+int sweep(const SweepOptions& options)
 {
     Sweep sweep{options, {}, {}, {}, {}};
     if (const int code = prepare(options, sweep); code != Done)
@@ -387,7 +387,7 @@ void addSweep(CLI::App& app, Command& chosen)
 {
     CLI::App* command = app.add_subcommand(
         "sweep", "Fly many scenes, or one with many values of its properties, into one table.");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SweepOptions>();
     command->add_option("SCENES", options->scenes, "Scene files, *.ripstop.json")->required();
     command
         ->add_option("--sweep", options->sweeps,

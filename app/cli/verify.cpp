@@ -24,16 +24,16 @@ struct VerifyOptions
     bool json = false;
 };
 
-using Row = std::vector<std::string>;
+using TextRow = std::vector<std::string>;
 
 // Pads all columns but the last one to the width of their widest cell.
-void printTable(const std::vector<Row>& rows)
+void printTable(const std::vector<TextRow>& rows)
 {
     std::vector<std::size_t> width(rows.front().size(), 0);
-    for (const Row& row : rows)
+    for (const TextRow& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i)
             width[i] = std::max(width[i], row[i].size());
-    for (const Row& row : rows) {
+    for (const TextRow& row : rows) {
         if (row.size() == 1) { // the title of a section
             std::cout << '\n' << row[0] << '\n';
             continue;
@@ -48,7 +48,7 @@ void printTable(const std::vector<Row>& rows)
 
 void printResults(const std::vector<CaseResult>& results)
 {
-    std::vector<Row> rows{
+    std::vector<TextRow> rows{
         {"holds", "id", "case", "expected", "got", "unit", "tolerance", "source"}};
     std::string section;
     for (const CaseResult& result : results) {
@@ -92,7 +92,7 @@ void printJson(const std::vector<CaseResult>& results, std::size_t failed, doubl
 
 void listCases(const std::vector<Case>& cases)
 {
-    std::vector<Row> rows{{"id", "case", "expected", "unit", "tolerance", "source"}};
+    std::vector<TextRow> rows{{"id", "case", "expected", "unit", "tolerance", "source"}};
     for (const Case& one : cases)
         rows.push_back({one.id, one.title, digits(one.expected), one.unit,
                         textOf(one.tolerance, one.unit), one.source});
@@ -131,7 +131,7 @@ int nothingHas(const std::string& filter)
 
 void printReferences(const std::vector<ReferenceResult>& results)
 {
-    std::vector<Row> rows{
+    std::vector<TextRow> rows{
         {"comparison", "published", "got", "unit", "ratio", "published by", "simulated as"}};
     std::string section;
     for (const ReferenceResult& result : results) {
@@ -154,7 +154,7 @@ Json jsonOf(const ReferenceResult& result)
 
 void listReferences(const std::vector<Reference>& references)
 {
-    std::vector<Row> rows{{"comparison", "published", "unit", "published by", "simulated as"}};
+    std::vector<TextRow> rows{{"comparison", "published", "unit", "published by", "simulated as"}};
     for (const Reference& one : references)
         rows.push_back(
             {one.title, publishedText(one.low, one.high), one.unit, one.source, one.note});

@@ -7,6 +7,7 @@
 // when it is dismissed.
 #include "dialogs/builder_dialog.h"
 
+#include "dialogs/beside.h"
 #include "dialogs/figures_text.h"
 #include "dialogs/place_form.h"
 #include "document/document.h"
@@ -33,12 +34,6 @@ namespace {
 constexpr int patience = 120;            // ms after the last change
 constexpr std::size_t mostShown = 20000; // particles that are shown while one types
 constexpr int formWidth = 440;           // pixels
-constexpr int margin = 24;               // pixels, below the tool bar
-
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
-}
 
 } // namespace
 
@@ -110,8 +105,8 @@ BuilderDialog::BuilderDialog(const QString& builder, std::optional<OpenDesign> o
     showParameters();
     if (part)
         showValuesOf(*part);
-    if (m_open && parent) // beside the design, not on it
-        move(parent->geometry().right() - width(), parent->geometry().top() + 3 * margin);
+    if (m_open)
+        moveBesideDesign(*this, parent);
 }
 
 BuilderDialog::~BuilderDialog()

@@ -2,13 +2,10 @@
 
 #include "document/words.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 namespace ripstop {
 namespace {
-
-QString words(const char* text) { return QCoreApplication::translate("DesignFigures", text); }
 
 QString quantity(double value, const char* unit)
 {

@@ -6,6 +6,7 @@
 
 #include "author/element_counts.h"
 #include "author/movable.h"
+#include "dialogs/beside.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
@@ -22,9 +23,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int patience = 150;            // ms after the last change
-constexpr std::size_t mostShown = 20000; // particles that are selected
-constexpr int margin = 24;               // pixels, from the edge of the window
+constexpr int previewDelay = 150;           // ms after the last change
+constexpr std::size_t mostSelected = 20000; // particles that are selected
 
 // What the particles whose mass the edit sets weigh afterwards and before.
 QString weightOf(const Scene& before, const Edit& edit)
@@ -84,15 +84,14 @@ OperationDialog::OperationDialog(const Operation& operation, Document& document,
     setWindowTitle(translated(operation.label));
     layOut();
     m_pause.setSingleShot(true);
-    m_pause.setInterval(patience);
+    m_pause.setInterval(previewDelay);
     connect(&m_pause, &QTimer::timeout, this, &OperationDialog::preview);
     connect(m_preview, &QCheckBox::toggled, this, &OperationDialog::preview);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     preview();
     adjustSize();
-    if (parent) // beside the design, not on it
-        move(parent->geometry().right() - width() - margin, parent->geometry().top() + 4 * margin);
+    moveBesideDesign(*this, parent);
 }
 
 void OperationDialog::layOut()
@@ -102,7 +101,7 @@ void OperationDialog::layOut()
     help->setForegroundRole(QPalette::PlaceholderText);
     connect(m_form, &ParameterForm::changed, this, &OperationDialog::soon);
     // a large design takes too long to be shown at each key
-    m_preview->setChecked(particlesOf(m_document.scene(), m_ids).size() <= mostShown);
+    m_preview->setChecked(particlesOf(m_document.scene(), m_ids).size() <= mostSelected);
     m_preview->setToolTip(tr("The design shows the outcome while this dialog is open."));
     m_outcome->setObjectName(QStringLiteral("outcome"));
     m_outcome->setWordWrap(true);

@@ -5,6 +5,7 @@
 // again. An edit waits for a pause before it is looked at.
 #include "dialogs/rigidity_dialog.h"
 
+#include "dialogs/beside.h"
 #include "document/document.h"
 #include "document/selection.h"
 #include "document/words.h"
@@ -29,8 +30,7 @@ namespace ripstop {
 namespace {
 
 constexpr int frameTime = 33;      // ms
-constexpr int margin = 24;         // pixels, from the edge of the window
-constexpr int patience = 200;      // ms after the last change of the design
+constexpr int lookDelay = 200;     // ms after the last change of the design
 constexpr double swingTime = 1.6;  // s, there and back
 constexpr double swingSize = 0.12; // of the size of what moves
 constexpr double moving = 0.05;    // of the largest displacement: what moves less stands still
@@ -76,7 +76,7 @@ RigidityDialog::RigidityDialog(Document& document, Selection& selection, Viewpor
     m_clock.setInterval(frameTime);
     connect(&m_clock, &QTimer::timeout, this, &RigidityDialog::swing);
     m_soon.setSingleShot(true);
-    m_soon.setInterval(patience);
+    m_soon.setInterval(lookDelay);
     connect(&m_soon, &QTimer::timeout, this, &RigidityDialog::lookAgain);
     const auto soon = [this] {
         if (isVisible())
@@ -130,8 +130,7 @@ void RigidityDialog::layOut()
     layout->addWidget(m_add, 0, Qt::AlignRight);
     layout->addWidget(buttons);
     resize(400, 560);
-    if (const QWidget* window = parentWidget()) // beside the design, not on it
-        move(window->geometry().right() - width() - margin, window->geometry().top() + 4 * margin);
+    moveBesideDesign(*this, parentWidget());
 }
 
 void RigidityDialog::look()

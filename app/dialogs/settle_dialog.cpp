@@ -5,6 +5,7 @@
 // locked while it runs.
 #include "dialogs/settle_dialog.h"
 
+#include "dialogs/beside.h"
 #include "document/player.h"
 #include "run/settle.h"
 #include "start/parameter_field.h"
@@ -26,7 +27,6 @@ namespace ripstop {
 namespace {
 
 constexpr double forgetting = 0.97; // share of the speed shown that is left a frame later
-constexpr int margin = 24;          // pixels, from the edge of the window
 constexpr int wholeBar = 1000;
 
 const Parameter speedParameter{
@@ -87,8 +87,7 @@ SettleDialog::SettleDialog(Player& player, std::function<void()> adopt, QWidget*
     say(tr("The wind blows on meanwhile: what flies never settles, what hangs or stands does."));
     refresh();
     adjustSize();
-    if (parent) // beside the design, not on it
-        move(parent->geometry().right() - width() - margin, parent->geometry().top() + 4 * margin);
+    moveBesideDesign(*this, parent);
 }
 
 void SettleDialog::layOut()

@@ -21,8 +21,6 @@
 namespace ripstop {
 namespace {
 
-QString words(const std::string& text) { return QString::fromStdString(text); }
-
 ResultTable tableOfCases()
 {
     const auto tr = [](const char* text) { return VerificationDialog::tr(text); };
@@ -34,11 +32,11 @@ ResultTable tableOfCases()
     for (const Case& one : *cases)
         table.rows.push_back(
             {translated(one.section),
-             {QString(), words(one.id), words(one.title), words(digits(one.expected)), QString(),
-              words(one.unit), words(textOf(one.tolerance, one.unit)), words(one.source)}});
+             {QString(), text(one.id), text(one.title), text(digits(one.expected)), QString(),
+              text(one.unit), text(textOf(one.tolerance, one.unit)), text(one.source)}});
     table.compute = [cases](int row) -> ResultTable::Outcome {
         const CaseResult result = run((*cases)[std::size_t(row)]);
-        return {{{}, {}, {}, {}, words(digits(result.got))}, result.holds};
+        return {{{}, {}, {}, {}, text(digits(result.got))}, result.holds};
     };
     return table;
 }
@@ -55,12 +53,12 @@ ResultTable tableOfReferences()
     const auto references = std::make_shared<const std::vector<Reference>>(allReferences());
     for (const Reference& one : *references) {
         table.rows.push_back({translated(one.section),
-                              {words(one.title), words(publishedText(one.low, one.high)), QString(),
-                               words(one.unit), QString(), words(one.source), words(one.note)}});
+                              {text(one.title), text(publishedText(one.low, one.high)), QString(),
+                               text(one.unit), QString(), text(one.source), text(one.note)}});
     }
     table.compute = [references](int row) -> ResultTable::Outcome {
         const ReferenceResult result = run((*references)[std::size_t(row)]);
-        return {{{}, {}, words(gotText(result)), {}, words(ratioText(result))}, {}};
+        return {{{}, {}, text(gotText(result)), {}, text(ratioText(result))}, {}};
     };
     return table;
 }

@@ -10,9 +10,9 @@
 namespace ripstop {
 namespace {
 
-constexpr int patience = 400; // ms, before the bar shows
-constexpr int lookEvery = 30; // ms
-constexpr int full = 1000;    // of the bar
+constexpr int showDelay = 400; // ms, before the bar shows
+constexpr int lookEvery = 30;  // ms
+constexpr int full = 1000;     // of the bar
 
 } // namespace
 
@@ -32,7 +32,7 @@ void workWithProgress(QWidget* parent, const QString& title,
 
     QProgressDialog bar(title, QObject::tr("Cancel"), 0, full, parent);
     bar.setWindowModality(Qt::WindowModal);
-    bar.setMinimumDuration(patience);
+    bar.setMinimumDuration(showDelay);
     bar.setAutoClose(false);
     bar.setAutoReset(false);
     QObject::connect(&bar, &QProgressDialog::canceled, &bar, [&] { cancelled = true; });

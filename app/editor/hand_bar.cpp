@@ -6,6 +6,7 @@
 #include "editor/hand_bar.h"
 
 #include "actions/actions.h"
+#include "base/angle.h"
 #include "document/document.h"
 #include "document/player.h"
 #include "document/words.h"
@@ -27,7 +28,6 @@ namespace ripstop {
 namespace {
 
 constexpr int fieldMargins = 18; // pixels, of a field beside its text
-constexpr double degree = std::numbers::pi / 180.0;
 
 QString shortText(double value) { return compactNumber(QString::number(value, 'g', 4).toDouble()); }
 
@@ -90,12 +90,12 @@ void HandBar::addFields()
              tr("Of the air in the nozzle; it slows down as the jet widens."));
     addField(tr("Spread"),
              {fan, nullptr, nullptr, QStringLiteral("\u00b0"),
-              std::atan(HandSettings::narrowestFan) / degree,
-              std::atan(HandSettings::widestFan) / degree,
-              [this] { return std::atan(m_settings.fanWidening) / degree; }, [] { return true; },
+              std::atan(HandSettings::narrowestFan) / degrees,
+              std::atan(HandSettings::widestFan) / degrees,
+              [this] { return std::atan(m_settings.fanWidening) / degrees; }, [] { return true; },
               [this](std::optional<double> value) {
                   m_settings.fanWidening =
-                      value ? std::tan(*value * degree) : HandSettings().fanWidening;
+                      value ? std::tan(*value * degrees) : HandSettings().fanWidening;
               }},
              tr("Half the angle of the jet. A narrow one reaches farther."));
 }

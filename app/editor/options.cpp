@@ -4,16 +4,14 @@
 // makes no sense is refused with a sentence.
 #include "editor/options.h"
 
+#include "document/words.h"
 #include "import/import_dialog.h"
 
 #include <QCommandLineParser>
-#include <QCoreApplication>
 #include <QRegularExpression>
 
 namespace ripstop {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
 
 const QStringList appearances{"desktop", "light", "dark"}; // in the order of ThemeChoice
 
@@ -39,43 +37,46 @@ std::optional<QSize> sizeFrom(const QString& text)
 std::optional<Options> readOptions(const QStringList& arguments, QString& error)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        tr("Ripstop, an editor and simulator for fabric that flies.\n\nripstop-cli does the same "
-           "work without a window."));
+    parser.setApplicationDescription(words(
+        "Ripstop, an editor and simulator for fabric that flies.\n\nripstop-cli does the same "
+        "work without a window."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(
         "scene",
-        tr("Scene file to open (*.ripstop.json), or a mesh to import (*.obj, *.stl, ...)."),
+        words("Scene file to open (*.ripstop.json), or a mesh to import (*.obj, *.stl, ...)."),
         "[SCENE]");
-    const QCommandLineOption play("play", tr("Start the simulation at once."));
+    const QCommandLineOption play("play", words("Start the simulation at once."));
     const QCommandLineOption screenshot(
-        "screenshot", tr("Save a picture of the window as FILE (PNG) and quit."), "FILE");
+        "screenshot", words("Save a picture of the window as FILE (PNG) and quit."), "FILE");
     const QCommandLineOption after(
-        "after", tr("Take the picture after this much simulated time (0)."), "SECONDS", "0");
+        "after", words("Take the picture after this much simulated time (0)."), "SECONDS", "0");
     const QCommandLineOption frames(
         "frames",
-        tr("Take N pictures at equal steps up to that time; %1 in FILE becomes the number."), "N",
-        "1");
+        words("Take N pictures at equal steps up to that time; %1 in FILE becomes the number."),
+        "N", "1");
     const QCommandLineOption viewOnly("view-only",
-                                      tr("Only the 3D view, without legend and compass."));
-    const QCommandLineOption size("size", tr("Size of the window (1280x800)."), "WxH");
-    const QCommandLineOption theme("theme", tr("Colours: desktop, light or dark."), "NAME",
+                                      words("Only the 3D view, without legend and compass."));
+    const QCommandLineOption size("size", words("Size of the window (1280x800)."), "WxH");
+    const QCommandLineOption theme("theme", words("Colours: desktop, light or dark."), "NAME",
                                    "desktop");
     const QCommandLineOption language(
-        "language", tr("Language of the window: system, en or fr; as chosen in the View menu."),
+        "language", words("Language of the window: system, en or fr; as chosen in the View menu."),
         "CODE");
     const QCommandLineOption colorBy(
-        "color-by", tr("Colour by one of %1.").arg(colors().join(", ")), "NAME", "material");
+        "color-by", words("Colour by one of %1.").arg(colors().join(", ")), "NAME", "material");
     const QCommandLineOption select(
-        "select", tr("Select the item of this name, or what meets this condition: \"mass < 1 g\"."),
+        "select",
+        words("Select the item of this name, or what meets this condition: \"mass < 1 g\"."),
         "WHAT");
-    const QCommandLineOption fit("fit", tr("Fill the picture with the item of this name."), "NAME");
+    const QCommandLineOption fit("fit", words("Fill the picture with the item of this name."),
+                                 "NAME");
     const QCommandLineOption dock(
-        "dock", tr("Bring a panel to the front: tuning, table, problems, ...; more than once."),
+        "dock", words("Bring a panel to the front: tuning, table, problems, ...; more than once."),
         "NAME");
     const QCommandLineOption action(
-        "action", tr("Do this as from a menu, once the window is there: \"insert bridle\"."), "ID");
+        "action", words("Do this as from a menu, once the window is there: \"insert bridle\"."),
+        "ID");
     parser.addOptions({action, play, screenshot, after, frames, viewOnly, size, theme, language,
                        colorBy, select, fit, dock});
     parser.process(arguments);
@@ -83,7 +84,7 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     Options options;
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1) {
-        error = tr("one scene at a time; \"%1\" is one too many").arg(files[1]);
+        error = words("one scene at a time; \"%1\" is one too many").arg(files[1]);
         return std::nullopt;
     }
     const bool isMesh = ImportDialog::isMesh(files.value(0));
@@ -99,30 +100,30 @@ std::optional<Options> readOptions(const QStringList& arguments, QString& error)
     bool isNumber = false;
     options.after = parser.value(after).toDouble(&isNumber);
     if (!isNumber || !(options.after >= 0.0) || options.after > 1e6) {
-        error = tr("--after needs a time in seconds, not \"%1\"").arg(parser.value(after));
+        error = words("--after needs a time in seconds, not \"%1\"").arg(parser.value(after));
         return std::nullopt;
     }
     options.frames = parser.value(frames).toInt(&isNumber);
     if (!isNumber || options.frames < 1 || options.frames > 100000) {
-        error = tr("--frames needs a number of pictures, not \"%1\"").arg(parser.value(frames));
+        error = words("--frames needs a number of pictures, not \"%1\"").arg(parser.value(frames));
         return std::nullopt;
     }
     if (parser.isSet(size) && !(options.size = sizeFrom(parser.value(size)))) {
-        error = tr("--size needs a size like 1280x800, not \"%1\"").arg(parser.value(size));
+        error = words("--size needs a size like 1280x800, not \"%1\"").arg(parser.value(size));
         return std::nullopt;
     }
     if (parser.isSet(language) && !(options.language = languageFromCode(parser.value(language)))) {
-        error = tr("--language is system, en or fr, not \"%1\"").arg(parser.value(language));
+        error = words("--language is system, en or fr, not \"%1\"").arg(parser.value(language));
         return std::nullopt;
     }
     const auto appearance = appearances.indexOf(parser.value(theme));
     const auto quantity = colors().indexOf(parser.value(colorBy));
     if (appearance < 0) {
-        error = tr("--theme is one of %1").arg(appearances.join(", "));
+        error = words("--theme is one of %1").arg(appearances.join(", "));
         return std::nullopt;
     }
     if (quantity < 0) {
-        error = tr("--color-by is one of %1").arg(colors().join(", "));
+        error = words("--color-by is one of %1").arg(colors().join(", "));
         return std::nullopt;
     }
     options.appearance = ThemeChoice(appearance);

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int gap = 10; // pixels, from the lower edge of the view
+constexpr int fromLowerEdge = 10; // pixels, from the lower edge of the view
 
 } // namespace
 
@@ -30,7 +30,8 @@ void ViewBar::settle()
 {
     layout()->activate();
     adjustSize();
-    move(std::max((m_viewport.width() - width()) / 2, 0), m_viewport.height() - height() - gap);
+    move(std::max((m_viewport.width() - width()) / 2, 0),
+         m_viewport.height() - height() - fromLowerEdge);
     raise();
 }
 

@@ -2,20 +2,18 @@
 
 #include "docks/docks.h"
 #include "document/document.h"
+#include "document/words.h"
 #include "editor/tour.h"
 #include "files/files.h"
 #include "start/samples.h"
 #include "viewport/viewport.h"
 
-#include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
 
 namespace ripstop {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("WindowTour", text); }
 
 void addDocks(std::vector<TourStop>& stops, const Docks& docks, Qt::DockWidgetAreas areas)
 {
@@ -29,19 +27,22 @@ std::vector<TourStop> stopsOf(const TouredWindow& toured)
     const Qt::DockWidgetAreas beside = Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea;
     std::vector<TourStop> stops;
     stops.push_back(
-        {&toured.viewport, tr("The design, and its flight"),
-         tr("Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are at "
-            "the upper left. Keys G, R and S move, turn and scale what is selected.")});
+        {&toured.viewport, words("The design, and its flight"),
+         words("Drag to turn, wheel to zoom, middle drag to move. Click selects; box and lasso are "
+               "at "
+               "the upper left. Keys G, R and S move, turn and scale what is selected.")});
     addDocks(stops, toured.docks, beside);
-    stops.push_back({&toured.transport, tr("Fly it"),
-                     tr("Space plays and pauses, the full stop does one step, Ctrl+R goes back to "
-                        "the design. Keys of the controls steer; they stand under Controls.")});
+    stops.push_back(
+        {&toured.transport, words("Fly it"),
+         words("Space plays and pauses, the full stop does one step, Ctrl+R goes back to "
+               "the design. Keys of the controls steer; they stand under Controls.")});
     addDocks(stops, toured.docks, ~beside);
     stops.push_back(
-        {toured.window.menuBar(), tr("Everything else"),
-         tr("New from builder begins with a whole kite, glider or parachute; Import makes fabric "
-            "of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the "
-            "keys.")});
+        {toured.window.menuBar(), words("Everything else"),
+         words(
+             "New from builder begins with a whole kite, glider or parachute; Import makes fabric "
+             "of a mesh; Export is for Blender and ParaView. F3 finds any action, F1 shows the "
+             "keys.")});
     return stops;
 }
 

@@ -53,6 +53,8 @@ int fail(ExitCode code, std::string_view message)
 
 int fail(ExitCode code, const Message& message) { return fail(code, message.english()); }
 
+Json numbersOf(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
 // dump() writes control characters below a blank as \u001b; those that terminals know beyond it,
 // too, are two bytes.
 void print(const Json& object)

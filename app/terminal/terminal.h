@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/message.h"
+#include "base/vec3.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,8 @@ enum ExitCode {
 
 // Keys in the order in which they were added.
 using Json = nlohmann::ordered_json;
+
+Json numbersOf(const Vec3& vector); // [x, y, z]
 
 // Prints the message on standard error and returns the code; Interrupted with its signal.
 int fail(ExitCode code, std::string_view message);

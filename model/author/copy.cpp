@@ -50,7 +50,7 @@ bool hasRows(const Part& part)
     return !part.particles.empty() || !part.links.empty() || !part.panels.empty();
 }
 
-enum class Winding { Kept, Turned };
+enum class PanelWinding { Kept, Turned };
 
 // Makes the rows and items of one copy after another, under fresh ids.
 class Copier
@@ -99,7 +99,7 @@ public:
     }
 
     // Copies of all rows but of what is shared entirely.
-    AddRows rowsOf(const Part& part, const Motion& motion, Winding winding)
+    AddRows rowsOf(const Part& part, const Motion& motion, PanelWinding winding)
     {
         AddRows rows{};
         const Eigen::Matrix3d linear = motion.map.linear();
@@ -129,8 +129,8 @@ public:
             Panel copy = row;
             copy.id = take(row.id);
             copy.a = (*this)(row.a);
-            copy.b = (*this)(winding == Winding::Turned ? row.c : row.b);
-            copy.c = (*this)(winding == Winding::Turned ? row.b : row.c);
+            copy.b = (*this)(winding == PanelWinding::Turned ? row.c : row.b);
+            copy.c = (*this)(winding == PanelWinding::Turned ? row.b : row.c);
             copy.material = (*this)(row.material);
             rows.panels.push_back(copy);
         }
@@ -184,7 +184,7 @@ void note(Copies& copies, const AddRows& rows)
         copies.ids.push_back(row.id);
 }
 
-Entry wholePart(Copier& copier, const Entry& original, const Motion& motion, Winding winding)
+Entry wholePart(Copier& copier, const Entry& original, const Motion& motion, PanelWinding winding)
 {
     Entry entry{copier.take(original.id), original.item};
     Part& part = std::get<Part>(entry.item);
@@ -197,7 +197,7 @@ Entry wholePart(Copier& copier, const Entry& original, const Motion& motion, Win
 
 // One copy of what is selected. `end` is where new items go.
 void addCopy(Copies& copies, Copier& copier, const Scene& scene, const std::vector<Id>& ids,
-             const std::vector<Id>& particles, const Motion& motion, Winding winding,
+             const std::vector<Id>& particles, const Motion& motion, PanelWinding winding,
              std::size_t& end)
 {
     const auto add = [&](Entry entry) {
@@ -249,7 +249,7 @@ Copies duplicated(const Scene& scene, const std::vector<Id>& selected,
     std::size_t end = scene.items.size();
     for (const Motion& motion : motions) {
         copier.begin();
-        addCopy(copies, copier, scene, ids, particles, motion, Winding::Kept, end);
+        addCopy(copies, copier, scene, ids, particles, motion, PanelWinding::Kept, end);
     }
     std::sort(copies.ids.begin(), copies.ids.end());
     return copies;
@@ -309,7 +309,7 @@ Copies mirrored(const Scene& scene, const std::vector<Id>& selected, const Vec3&
         return item && !std::get_if<Collider>(item);
     });
     std::size_t end = scene.items.size();
-    addCopy(copies, copier, scene, plain, particles, motion, Winding::Turned, end);
+    addCopy(copies, copier, scene, plain, particles, motion, PanelWinding::Turned, end);
     for (const Entry& entry : scene.items)
         if (const Group* group = std::get_if<Group>(&entry.item)) {
             std::vector<Id> members = group->members;
@@ -406,7 +406,7 @@ Copies pasted(const Scene& scene, const Scene& fragment)
     }
     for (const Entry& entry : fragment.items)
         if (std::get_if<Part>(&entry.item)) {
-            add(wholePart(copier, entry, {}, Winding::Kept));
+            add(wholePart(copier, entry, {}, PanelWinding::Kept));
             copies.ids.push_back(copier(entry.id));
         }
     for (const Entry& entry : fragment.items)

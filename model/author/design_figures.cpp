@@ -1,6 +1,7 @@
 #include "author/design_figures.h"
 
 #include "author/insert.h"
+#include "author/net.h"
 #include "scene/cloth_area.h"
 
 #include <algorithm>
@@ -9,18 +10,14 @@
 namespace ripstop {
 namespace {
 
-using NetSide = std::pair<Id, Id>;
-
-NetSide side(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
-
-std::vector<NetSide> sidesOf(const Part& part)
+std::vector<SideIds> sidesOf(const Part& part)
 {
-    std::vector<NetSide> sides;
+    std::vector<SideIds> sides;
     sides.reserve(3 * part.panels.size());
     for (const Panel& panel : part.panels) {
-        sides.push_back(side(panel.a, panel.b));
-        sides.push_back(side(panel.b, panel.c));
-        sides.push_back(side(panel.c, panel.a));
+        sides.push_back(sideOf(panel.a, panel.b));
+        sides.push_back(sideOf(panel.b, panel.c));
+        sides.push_back(sideOf(panel.c, panel.a));
     }
     std::sort(sides.begin(), sides.end());
     return sides;
@@ -29,7 +26,7 @@ std::vector<NetSide> sidesOf(const Part& part)
 double lineLength(const Scene& scene, const Part& part)
 {
     double length = 0.0;
-    std::vector<NetSide> sides;
+    std::vector<SideIds> sides;
     Id looked = noId;
     bool isShown = true;
     for (const Link& link : part.links) {
@@ -42,7 +39,7 @@ double lineLength(const Scene& scene, const Part& part)
             isShown = !material || material->shown;
             looked = link.material;
         }
-        if (isShown && !std::binary_search(sides.begin(), sides.end(), side(link.from, link.to)))
+        if (isShown && !std::binary_search(sides.begin(), sides.end(), sideOf(link.from, link.to)))
             length += link.restLength;
     }
     return length;

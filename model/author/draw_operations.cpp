@@ -51,8 +51,6 @@ constexpr std::array rigidityParameters{
 };
 // clang-format on
 
-int whole(const Parameters& values, const char* key) { return int(values.at(key)); }
-
 LinkStroke strokeOf(int kind)
 {
     switch (kind) {

@@ -3,7 +3,7 @@
 //    or whole triangles; sides are sorted so that an edge is found once.
 // 2. Particles, threads along edges, diagonals of cells and links across pairs of triangles
 //    follow, each with the width of its strip; two points are tied only once.
-// 3. Bend links join ends of edges that go on into each other, the straightest pairs first.
+// 3. Bend links join ends of edges that go on into each other, the straightestBend pairs first.
 // 4. Panels and the mass of the fabric come last. A cancelled import stops between stages.
 #include "author/mesh_network.h"
 
@@ -17,8 +17,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double straightest = 0.70710678; // cosine of the turn over which a bend link goes
-constexpr std::size_t mostEdges = 64;      // of a particle whose edges are looked at in pairs
+constexpr double straightestBend = 0.70710678; // cosine of the turn over which a bend link goes
+constexpr std::size_t mostEdges = 64;          // of a particle whose edges are looked at in pairs
 constexpr int betweenReports = 8192;
 
 struct Thread
@@ -209,7 +209,7 @@ private:
             for (std::size_t k = i + 1; k < ends.size(); ++k) {
                 const Vec3 in = (at(middle) - at(ends[i])).normalized();
                 const Vec3 out = (at(ends[k]) - at(middle)).normalized();
-                if (in.dot(out) > straightest)
+                if (in.dot(out) > straightestBend)
                     pairs.push_back({in.dot(out), i, k});
             }
         std::ranges::stable_sort(pairs, std::greater(), &Pair::cosine);

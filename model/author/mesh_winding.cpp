@@ -1,5 +1,6 @@
 // Winds faces alike, piece by piece:
-// 1. Neighbours lists the faces beside each face over edges of exactly two, and whether they are
+// 1. FaceNeighbours lists the faces beside each face over edges of exactly two, and whether they
+// are
 //    wound against each other.
 // 2. A walk over each piece notes which faces to turn; the smaller part by area is turned, and a
 //    closed piece that can be oriented is turned outwards by the sign of its volume.
@@ -26,16 +27,16 @@ bool goesAlong(std::span<const int> corners, int a, int b)
 }
 
 // The faces beside each face, over edges of exactly two.
-class Neighbours
+class FaceNeighbours
 {
 public:
-    struct NetSide
+    struct Neighbour
     {
         int face;
         bool isAgainst; // wound against each other
     };
 
-    Neighbours(const PolygonMesh& mesh, const std::vector<MeshEdge>& edges)
+    FaceNeighbours(const PolygonMesh& mesh, const std::vector<MeshEdge>& edges)
         : m_begin(mesh.faceCount() + 1)
     {
         for (const MeshEdge& edge : edges)
@@ -56,7 +57,7 @@ public:
         }
     }
 
-    std::span<const NetSide> of(int face) const
+    std::span<const Neighbour> of(int face) const
     {
         const auto begin = std::size_t(m_begin[std::size_t(face)]);
         return std::span(m_sides).subspan(begin,
@@ -65,7 +66,7 @@ public:
 
 private:
     std::vector<int> m_begin; // [faces + 1]
-    std::vector<NetSide> m_sides;
+    std::vector<Neighbour> m_sides;
 };
 
 Vec3 middleOf(const PolygonMesh& mesh, const MeshEdge& edge)
@@ -123,7 +124,7 @@ private:
         m_turned[std::size_t(start)] = 0;
         bool isOriented = true;
         for (std::size_t i = 0; i < faces.size(); ++i)
-            for (const Neighbours::NetSide& side : m_neighbours.of(faces[i])) {
+            for (const FaceNeighbours::Neighbour& side : m_neighbours.of(faces[i])) {
                 const std::uint8_t wanted = m_turned[std::size_t(faces[i])] ^ int(side.isAgainst);
                 std::uint8_t& turned = m_turned[std::size_t(side.face)];
                 if (turned == unseen) {
@@ -179,7 +180,7 @@ private:
     PolygonMesh& m_mesh;
     const std::vector<MeshEdge>& m_edges;
     MeshReport& m_report;
-    Neighbours m_neighbours;
+    FaceNeighbours m_neighbours;
     std::vector<std::uint8_t> m_turned; // [faces]
     std::vector<std::uint8_t> m_isOpen; // [faces] has an edge that is not of two faces
 };
@@ -222,13 +223,13 @@ void reportPieces(const PolygonMesh& mesh, MeshReport& report)
 
 std::vector<MeshEdge> edgesOf(const PolygonMesh& mesh)
 {
-    struct NetSide
+    struct FaceSide
     {
         int a;
         int b;
         int face;
     };
-    std::vector<NetSide> sides;
+    std::vector<FaceSide> sides;
     sides.reserve(mesh.corners.size());
     for (std::size_t i = 0; i < mesh.faceCount(); ++i) {
         const std::span<const int> corners = mesh.face(i);
@@ -238,11 +239,11 @@ std::vector<MeshEdge> edgesOf(const PolygonMesh& mesh)
             sides.push_back({std::min(a, b), std::max(a, b), int(i)});
         }
     }
-    std::ranges::sort(sides, [](const NetSide& s, const NetSide& t) {
+    std::ranges::sort(sides, [](const FaceSide& s, const FaceSide& t) {
         return std::tie(s.a, s.b, s.face) < std::tie(t.a, t.b, t.face);
     });
     std::vector<MeshEdge> edges;
-    for (const NetSide& side : sides) {
+    for (const FaceSide& side : sides) {
         if (edges.empty() || edges.back().a != side.a || edges.back().b != side.b)
             edges.push_back({side.a, side.b, {-1, -1}, 0});
         MeshEdge& edge = edges.back();

@@ -16,7 +16,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int whole = 1; // in an index: the thing itself is meant
+constexpr int itself = 1; // in an index: the thing itself is meant
 
 // The principal axes of the places of all particles about their middle; eigenvalues ascend.
 Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(const Movable& movable)
@@ -46,7 +46,7 @@ std::vector<Id> particlesOf(const Scene& scene, const std::vector<Id>& ids)
     std::vector<Id> found;
     KeyIndex seen(std::size_t(scene.nextId));
     const auto add = [&](Id id) {
-        if (seen.add(std::uint32_t(id), whole))
+        if (seen.add(std::uint32_t(id), itself))
             found.push_back(id);
     };
     for (const Part* part : parts)
@@ -74,7 +74,7 @@ Movable movableOf(const Scene& scene, const std::vector<Id>& ids, Ties ties)
     const std::vector<Id> wanted = particlesOf(scene, ids);
     KeyIndex wantedIndex(std::size_t(scene.nextId));
     for (const Id id : wanted)
-        wantedIndex.add(std::uint32_t(id), whole);
+        wantedIndex.add(std::uint32_t(id), itself);
     KeyIndex place(std::size_t(scene.nextId));
     KeyIndex everyPlace(std::size_t(scene.nextId)); // of all particles, in the order of the scene
     std::vector<Vec3> everyPosition;

@@ -7,8 +7,10 @@
 #include "author/elements.h"
 #include "base/key_index.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace ripstop {
 
@@ -45,6 +47,10 @@ struct NetSide
 
     friend bool operator==(const NetSide&, const NetSide&) = default;
 };
+
+// The same of ids.
+using SideIds = std::pair<Id, Id>; // the lower first
+inline SideIds sideOf(Id a, Id b) { return std::minmax(a, b); }
 
 // Ordered by `low`, then by `high`. Only panels whose mark is set count; all do when there are no
 // marks.

@@ -29,8 +29,8 @@ constexpr std::array<std::string_view, 4> planePlaces{"origin", "least_side", "m
 constexpr Choices axes{"x", "y", "z"};
 constexpr std::array<std::string_view, 4> centres{"origin", "centre_of_mass", "median",
                                                   "middle_of_the_box"};
-constexpr std::array<std::string_view, 4> holds{"along_a_line", "in_a_plane", "in_place",
-                                                "not_at_all"};
+constexpr std::array<std::string_view, 4> waysToHold{"along_a_line", "in_a_plane", "in_place",
+                                                     "not_at_all"};
 constexpr std::array<std::string_view, 4> guideAxes{"x", "y", "z", "through_what_is_selected"};
 constexpr std::array<std::string_view, 2> smoothings{"laplacian", "taubin"};
 constexpr std::array<std::string_view, 2> borders{"stays", "along_itself"};
@@ -70,7 +70,7 @@ const std::array massParameters{
     Parameter{"amount", "", 0.1, 0, 1e6, false, "Mass in the unit that the line above says. It takes the place of the mass that is there."},
 };
 const std::array guideParameters{
-    Parameter{"held", "", 0, 0, 3, true, "How each particle is held: free along a line or in a plane through its place, without friction; in its place; or not at all.", {}, holds},
+    Parameter{"held", "", 0, 0, 3, true, "How each particle is held: free along a line or in a plane through its place, without friction; in its place; or not at all.", {}, waysToHold},
     Parameter{"axis", "", 0, 0, 3, true, "Direction of the line, or across the plane: an axis of the world, or the line or plane that fits what is selected best, as through two or three particles.", {}, guideAxes},
 };
 const std::array smoothParameters{
@@ -85,8 +85,6 @@ const std::array splitParameters{
     Parameter{"mass",  "kg", 0.001, 0, 1e3, false, "Mass of each new particle, where the linear density of the material does not say it."},
 };
 // clang-format on
-
-int whole(const Parameters& values, const char* key) { return int(values.at(key)); }
 
 std::optional<Failure> nothingToMove(const Scene& scene, const std::vector<Id>& ids)
 {

@@ -31,4 +31,7 @@ struct Operation
 std::span<const Operation> allOperations();
 const Operation* findOperation(std::string_view name); // null when there is none
 
+// A parameter that is a number of things or the place of a choice.
+inline int whole(const Parameters& values, const char* key) { return int(values.at(key)); }
+
 } // namespace ripstop

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double passBand = 0.1; // Taubin's k_PB: 1 / factor + 1 / back = k_PB
 
-using Neighbours = std::vector<std::vector<int>>; // [particles of the net]
+using NeighbourLists = std::vector<std::vector<int>>; // [particles of the net]
 
-void join(Neighbours& neighbours, int a, int b)
+void join(NeighbourLists& neighbours, int a, int b)
 {
     neighbours[std::size_t(a)].push_back(b);
     neighbours[std::size_t(b)].push_back(a);
@@ -29,10 +29,10 @@ void dropRepeats(std::vector<int>& list)
 }
 
 // The particles that each particle is drawn to; none for one that stays.
-Neighbours neighboursOf(const Net& net, Border border)
+NeighbourLists neighboursOf(const Net& net, Border border)
 {
     const std::size_t count = net.all.particles.size();
-    Neighbours neighbours(count), along(count); // along: of borders
+    NeighbourLists neighbours(count), along(count); // along: of borders
     for (const NetSide& side : sidesOf(net)) {
         join(neighbours, side.low, side.high);
         if (side.panels == 1)
@@ -56,7 +56,7 @@ Neighbours neighboursOf(const Net& net, Border border)
     return neighbours;
 }
 
-void pass(const Neighbours& neighbours, const std::vector<int>& moving, double share,
+void pass(const NeighbourLists& neighbours, const std::vector<int>& moving, double share,
           std::vector<Vec3>& place, std::vector<Vec3>& next)
 {
     for (const int i : moving) {
@@ -78,7 +78,7 @@ Edit smoothed(const Scene& scene, const std::vector<Id>& ids, const SmoothHow& h
 {
     const Movable movable = movableOf(scene, ids);
     const Net net(scene);
-    const Neighbours neighbours = neighboursOf(net, how.border);
+    const NeighbourLists neighbours = neighboursOf(net, how.border);
     std::vector<Vec3> place;
     std::vector<int> moving; // particles of the net
     for (std::size_t i = 0; i < net.all.particles.size(); ++i) {

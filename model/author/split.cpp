@@ -5,6 +5,7 @@
 #include "author/split.h"
 
 #include "author/elements.h"
+#include "author/net.h"
 #include "scene/references.h"
 
 #include <algorithm>
@@ -14,10 +15,6 @@
 
 namespace ripstop {
 namespace {
-
-using NetSide = std::pair<Id, Id>; // the lower id first
-
-NetSide sideOf(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
 class Splitter
 {
@@ -203,7 +200,7 @@ private:
     int m_count;
     double m_mass; // kg
     LinksSplit m_split;
-    std::map<NetSide, std::vector<Id>> m_between; // the chain that a side became, from the lower id
+    std::map<SideIds, std::vector<Id>> m_between; // the chain that a side became, from the lower id
     std::map<Id, std::vector<Id>> m_pieces;       // of links and panels
     std::map<Id, double> m_endMass;               // kg
     std::vector<AddRows> m_added;

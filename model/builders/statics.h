@@ -6,6 +6,7 @@
 // and the vortex law (base/vortex_wing.h).
 #pragma once
 
+#include "base/angle.h"
 #include "scene/scene.h"
 
 #include <Eigen/Geometry>
@@ -46,7 +47,6 @@ double root(const Function& function, double low, double high)
     return 0.5 * (low + high);
 }
 
-inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double degrees = pi / 180.0; // rad
+inline constexpr double pi = std::numbers::pi;
 
 } // namespace ripstop

@@ -89,10 +89,10 @@ void write(std::ostream& out, BlockKind kind, std::string_view content)
     out.write(content.data(), std::streamsize(content.size()));
 }
 
-class Writer
+class RecordingWriter
 {
 public:
-    Writer(const Recording& recording, fs::path folder, std::ostream& out)
+    RecordingWriter(const Recording& recording, fs::path folder, std::ostream& out)
         : m_recording(recording)
         , m_folder(std::move(folder))
         , m_out(out)
@@ -191,10 +191,11 @@ private:
     std::ifstream m_in;
 };
 
-class Reader
+class RecordingReader
 {
 public:
-    Reader(std::shared_ptr<RunFile> file, int version, std::uint64_t size, const fs::path& path)
+    RecordingReader(std::shared_ptr<RunFile> file, int version, std::uint64_t size,
+                    const fs::path& path)
         : m_file(std::move(file))
         , m_version(version)
         , m_size(size)
@@ -344,9 +345,10 @@ private:
 std::optional<Failure> saveRecording(const Recording& recording, const fs::path& file,
                                      const Progress& progress)
 {
-    return replaceFile(file, WriteInto([&](std::ostream& out) {
-                           return Writer(recording, file.parent_path(), out).write(progress);
-                       }));
+    return replaceFile(
+        file, WriteInto([&](std::ostream& out) {
+            return RecordingWriter(recording, file.parent_path(), out).write(progress);
+        }));
 }
 
 // --- growing -------------------------------------------------------------------------------------
@@ -444,7 +446,7 @@ Result<OpenedRecording> openRecording(const fs::path& file, const Progress& prog
     }
 
     const int version = int(line - firstLines.begin()) + 1;
-    Reader reader(open, version, size, file);
+    RecordingReader reader(open, version, size, file);
     OpenedRecording opened;
     std::optional<Message> wrong;
     while (!reader.atEnd() && !wrong) {

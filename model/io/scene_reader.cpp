@@ -31,10 +31,10 @@ void sortById(std::vector<Row>& rows)
 // The keys of a file and of an item that are not rows of the property table.
 enum class Slot { Property, Id, Type, Parameters, Table, Format, Version, NextId, Settings, Items };
 
-class Reader
+class SceneReader
 {
 public:
-    explicit Reader(std::string_view text)
+    explicit SceneReader(std::string_view text)
         : m_text(text)
     {
         for (int i = 0; i < kindCount; ++i)
@@ -415,6 +415,6 @@ private:
 
 } // namespace
 
-SceneDraft readDraft(std::string_view text) { return Reader(text).read(); }
+SceneDraft readDraft(std::string_view text) { return SceneReader(text).read(); }
 
 } // namespace ripstop

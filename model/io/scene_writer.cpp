@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::string_view itemIndent = "\n      ";
 
-class Writer
+class SceneWriter
 {
 public:
-    explicit Writer(const Scene& scene, std::optional<std::filesystem::path> folder = {})
+    explicit SceneWriter(const Scene& scene, std::optional<std::filesystem::path> folder = {})
         : m_scene(scene)
         , m_folder(std::move(folder))
     {
@@ -163,11 +163,11 @@ private:
 
 } // namespace
 
-std::string sceneText(const Scene& scene) { return Writer(scene).text(); }
+std::string sceneText(const Scene& scene) { return SceneWriter(scene).text(); }
 
 std::string sceneText(const Scene& scene, const std::filesystem::path& folder)
 {
-    return Writer(scene, folder).text();
+    return SceneWriter(scene, folder).text();
 }
 
 } // namespace ripstop

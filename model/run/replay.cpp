@@ -16,13 +16,13 @@ namespace {
 
 // A frame keeps the way since the last exact state in single precision; a second is the longest,
 // and a margin stands for what the speed does in it.
-double roundOff(const Vec3& velocity) { return 1e-6 * velocity.norm() + 1e-8; } // m
+double roundOffOf(const Vec3& velocity) { return 1e-6 * velocity.norm() + 1e-8; } // m
 
 std::optional<ReplayDifference::Seen> firstApart(const Frame& kept, const State& state)
 {
     for (std::size_t i = 0; i < kept.position.size() && i < state.position.size(); ++i) {
         const double distance = (kept.position[i] - state.position[i]).norm();
-        if (!(distance <= roundOff(kept.velocity[i])))
+        if (!(distance <= roundOffOf(kept.velocity[i])))
             return ReplayDifference::Seen{kept.layout->particleId[i], kept.step, distance};
     }
     return std::nullopt;

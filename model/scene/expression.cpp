@@ -1,7 +1,7 @@
 // Reads a quantity in these stages:
 // 1. The tokenizer takes blanks, numbers, signs and words from the front; signs have several
 //    spellings, and a power behind a unit is written out. The first fault ends it.
-// 2. Formula writes the tokens in the language of muParser, with a variable for each number and
+// 2. ParserText writes the tokens in the language of muParser, with a variable for each number and
 //    unit, so that both can be changed between evaluations.
 // 3. evaluate() computes the value, and where there is a unit, the dimension: one evaluation for
 //    each basic unit made smaller by a factor e, whose logarithm is the power.
@@ -203,10 +203,10 @@ enum class Binding { Loose, Tight };
 
 // The tokens in the language of muParser, with products written out and a variable for each number
 // and unit.
-class Formula
+class ParserText
 {
 public:
-    Formula(const std::vector<Token>& tokens, Binding binding)
+    ParserText(const std::vector<Token>& tokens, Binding binding)
         : m_tokens(tokens)
         , m_values(tokens.size())
     {
@@ -288,7 +288,7 @@ private:
 };
 
 // The dimension of the value; nothing when unlike things are added.
-std::optional<Dimension> dimensionOf(Formula& formula)
+std::optional<Dimension> dimensionOf(ParserText& formula)
 {
     constexpr double finer = std::numbers::e; // no power of it is a number that people type
     const double whole = formula.value({1.0, 1.0, 1.0, 1.0}, true);
@@ -304,10 +304,10 @@ std::optional<Dimension> dimensionOf(Formula& formula)
     return dimension;
 }
 
-Expression evaluate(const Tokens& tokens, Binding binding)
+Expression evaluateBound(const Tokens& tokens, Binding binding)
 {
     try {
-        Formula formula(tokens.list, binding);
+        ParserText formula(tokens.list, binding);
         const double value = formula.value({1.0, 1.0, 1.0, 1.0}, false);
         const auto firstUnit = std::ranges::find(tokens.list, Measure, &Token::sort);
         const bool hasUnit = firstUnit != tokens.list.end();
@@ -330,13 +330,13 @@ Expression evaluate(std::string_view text, const Dimension& wanted)
         return {std::nullopt, *tokens.fault};
     if (tokens.list.size() == 1 && tokens.list[0].sort == Number)
         return {Measured{tokens.list[0].number, {}, false}, {}};
-    const Expression loose = evaluate(tokens, Binding::Loose);
+    const Expression loose = evaluateBound(tokens, Binding::Loose);
     const auto fits = [&](const Expression& read) {
         return read.quantity && (!read.quantity->hasUnit || read.quantity->dimension == wanted);
     };
     if (fits(loose))
         return loose;
-    const Expression tight = evaluate(tokens, Binding::Tight);
+    const Expression tight = evaluateBound(tokens, Binding::Tight);
     return fits(tight) || !loose.quantity ? tight : loose;
 }
 

@@ -1,5 +1,7 @@
 #include "scene/flat_panel.h"
 
+#include "base/angle.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 namespace ripstop {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double thinnest = 1e-9; // of the square of the longest side, four times the area
 
 } // namespace
@@ -30,8 +31,8 @@ std::optional<FlatPanel> flatPanel(const Panel& panel, const Vec3& a, const Vec3
     if (!(square > 0.0) || !(2.0 * ab * std::sqrt(square) > thinnest * longest * longest))
         return std::nullopt;
     const double across = std::sqrt(square);
-    const double cosine = std::cos(panel.grain * degree);
-    const double sine = std::sin(panel.grain * degree);
+    const double cosine = std::cos(panel.grain * degrees);
+    const double sine = std::sin(panel.grain * degrees);
     return FlatPanel{{ab * cosine, -ab * sine},
                      {along * cosine + across * sine, across * cosine - along * sine}};
 }
@@ -46,7 +47,7 @@ void layFlat(Panel& panel, const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     const double x = warp.dot(along);
     const double y = warp.dot(across);
     const bool lies = std::hypot(x, y) > 1e-6 * warp.norm();
-    const double angle = lies ? std::atan2(y, x) / degree : 0.0;
+    const double angle = lies ? std::atan2(y, x) / degrees : 0.0;
     panel.grain = angle < 0.0 ? angle + 180.0 : angle; // a warp runs both ways
 }
 

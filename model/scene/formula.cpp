@@ -8,6 +8,7 @@
 //    read to those behind it, so that there are no circles.
 #include "scene/formula.h"
 
+#include "base/angle.h"
 #include "base/quantity.h"
 #include "scene/expression.h"
 
@@ -21,7 +22,7 @@
 namespace ripstop {
 namespace {
 
-constexpr std::size_t angle = 3; // among the powers of a dimension
+constexpr std::size_t powerOfAngle = 3; // among the powers of a dimension
 
 // Units for results, in the order of preference.
 constexpr std::array resultUnits{"m",       "m/s",        "m/s\u00b2", "N",   "J",
@@ -90,7 +91,7 @@ public:
             scale[k] = finer;
             const double power = std::log(probed(scale) / whole);
             const bool isPower = std::abs(power - std::rint(power)) < 1e-9;
-            if (!isPower && k != angle)
+            if (!isPower && k != powerOfAngle)
                 return std::nullopt;
             found[k] = isPower ? int(std::lround(power)) : 0;
         }
@@ -106,10 +107,9 @@ public:
 
     void setUnit(const Dimension& dimension)
     {
-        constexpr double degree = std::numbers::pi / 180.0;
         const bool isAngle = dimension == Dimension{0, 0, 0, 1};
         m_unit = isAngle ? "deg" : unitOf({dimension[0], dimension[1], dimension[2], 0});
-        m_factor = isAngle ? 1.0 / degree : 1.0;
+        m_factor = isAngle ? 1.0 / degrees : 1.0;
     }
 
     const std::string& unit() const { return m_unit; }

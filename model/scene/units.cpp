@@ -1,5 +1,6 @@
 #include "scene/units.h"
 
+#include "base/angle.h"
 #include "scene/expression.h"
 
 #include <algorithm>
@@ -13,10 +14,9 @@ constexpr Dimension one{}, length{1}, mass{0, 1}, time{0, 0, 1}, force{1, 1, -2}
     volume{3};
 
 // Pound, ounce, inch, mile and knot are exact by definition.
-constexpr double pound = 0.45359237;                // kg
-constexpr double gravity = 9.80665;                 // m/s^2, of kgf and lbf
-constexpr double yard = 0.9144;                     // m
-constexpr double degree = std::numbers::pi / 180.0; // rad
+constexpr double pound = 0.45359237; // kg
+constexpr double gravity = 9.80665;  // m/s^2, of kgf and lbf
+constexpr double yard = 0.9144;      // m
 
 // clang-format off
 constexpr std::array units{
@@ -37,8 +37,8 @@ constexpr std::array units{
     Unit{"mbar", 1e2, pressure},
     Unit{"J", 1.0, energy},         Unit{"kJ", 1e3, energy},    Unit{"W", 1.0, power},
     Unit{"l", 1e-3, volume},        Unit{"Hz", 1.0, rate},
-    Unit{"rad", 1.0, angle},        Unit{"deg", degree, angle}, Unit{"degrees", degree, angle},
-    Unit{"degree", degree, angle},  Unit{"\u00b0", degree, angle},
+    Unit{"rad", 1.0, angle},        Unit{"deg", degrees, angle}, Unit{"degrees", degrees, angle},
+    Unit{"degree", degrees, angle}, Unit{"\u00b0", degrees, angle},
     Unit{"%", 0.01, one},           Unit{"\u2030", 0.001, one},
 };
 

@@ -5,6 +5,7 @@
 // many winds; the blend and the table at all angles of a plate; porous cloth, at rest and
 // descending; and lines across the wind.
 #include "assembly/finish.h"
+#include "base/angle.h"
 #include "compile/resolve.h"
 #include "forces/line_drag.h"
 #include "forces/panel_load.h"
@@ -18,8 +19,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 1.225;                    // kg/m^3
-constexpr double degrees = std::numbers::pi / 180.0; // rad
+constexpr double density = 1.225; // kg/m^3
 
 Material materialOf(AirLaw law, double coefficient, double friction = 0.0)
 {

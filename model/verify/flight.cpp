@@ -3,6 +3,7 @@
 // First plates by themselves, whose polars and glides follow from the law of the air; then a kite,
 // a glider and a parachute of the builders in trim, whose forces must balance.
 #include "assembly/finish.h"
+#include "base/angle.h"
 #include "builders/builder.h"
 #include "compile/compile.h"
 #include "forces/panel_load.h"
@@ -18,8 +19,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double density = 1.225;                    // kg/m^3
-constexpr double degrees = std::numbers::pi / 180.0; // rad
+constexpr double density = 1.225; // kg/m^3
 
 // --- plates
 // ---------------------------------------------------------------------------------------

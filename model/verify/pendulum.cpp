@@ -4,6 +4,7 @@
 // elliptic integral; the period of many swings; and the decay that projection causes, which is that
 // of implicit Euler.
 #include "assembly/finish.h"
+#include "base/angle.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
 
@@ -11,8 +12,6 @@
 
 namespace ripstop {
 namespace {
-
-constexpr double degrees = std::numbers::pi / 180.0; // rad
 
 System pendulum(double angle, double timeStep)
 {

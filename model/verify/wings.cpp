@@ -4,6 +4,7 @@
 // Wings are panels of fixed shape whose places and velocities are given; nothing is stepped, so
 // that only the law of the air is judged.
 #include "assembly/finish.h"
+#include "base/angle.h"
 #include "measure/diagnostics.h"
 #include "verify/sections.h"
 #include "verify/small_systems.h"
@@ -18,8 +19,7 @@ namespace {
 
 constexpr double density = 1.225; // kg/m^3
 constexpr double pi = std::numbers::pi;
-constexpr double degrees = pi / 180.0; // rad
-constexpr double speed = 10.0;         // m/s
+constexpr double speed = 10.0; // m/s
 
 // A wing in calm air, nose to -x, span along z, at rest unless said.
 struct Sail

@@ -1,18 +1,14 @@
 #include "document/shape_file.h"
 
 #include "document/document.h"
+#include "document/words.h"
 #include "scene/collider_shape.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 
 namespace ripstop {
-namespace {
-
-QString words(const char* text) { return QCoreApplication::translate("ShapeFile", text); }
-
-} // namespace
+namespace {} // namespace
 
 QString askShapeFile(QWidget* parent, const Document& document, ColliderShape shape)
 {

@@ -49,6 +49,13 @@ QString translated(const char* context, const char* text)
 
 } // namespace
 
+QString text(std::string_view utf8)
+{
+    return QString::fromUtf8(utf8.data(), qsizetype(utf8.size()));
+}
+
+QString words(const char* english) { return QCoreApplication::translate("Window", english); }
+
 QString translated(std::string_view english)
 {
     return english.empty() ? QString()

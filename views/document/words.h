@@ -11,6 +11,11 @@
 
 namespace ripstop {
 
+QString text(std::string_view utf8);
+
+// A text of the window in its language, for sources without a class whose tr() would say it.
+QString words(const char* english);
+
 // A text of the model, which is written in English, in the language of the window.
 QString translated(std::string_view english);
 QString translated(const Message& message);

@@ -25,8 +25,6 @@ namespace {
 
 constexpr const char* firstPreset = "ripstop_075"; // the default of ripstop-cli import, too
 
-QString words(const std::string& text) { return QString::fromStdString(text); }
-
 QString unitLabel(std::string_view name)
 {
     return name == "mm"   ? ImportForm::tr("Millimetres")
@@ -213,7 +211,7 @@ void ImportForm::fillMaterials(const Scene& scene)
     for (const Entry& entry : scene.items)
         if (const Material* material = std::get_if<Material>(&entry.item)) {
             m_choices.push_back({entry.id, *material});
-            m_material->addItem(tr("%1 (of this scene)").arg(words(material->name)));
+            m_material->addItem(tr("%1 (of this scene)").arg(text(material->name)));
         }
     if (!m_choices.empty())
         m_material->insertSeparator(m_material->count());
@@ -225,7 +223,7 @@ void ImportForm::fillMaterials(const Scene& scene)
             continue;
         if (preset.name == firstPreset)
             chosen = m_material->count();
-        m_material->addItem(preset.own ? tr("%1 (own)").arg(words(preset.label))
+        m_material->addItem(preset.own ? tr("%1 (own)").arg(text(preset.label))
                                        : translated(preset.label));
         m_material->setItemData(m_material->count() - 1, QString::fromStdString(sourcesOf(preset)),
                                 Qt::ToolTipRole);

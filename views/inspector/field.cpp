@@ -16,7 +16,6 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeySequence>
 #include <QPlainTextEdit>
@@ -25,8 +24,6 @@
 
 namespace ripstop {
 namespace {
-
-QString words(const char* text) { return QCoreApplication::translate("Field", text); }
 
 QString textOf(const Value& value)
 {

@@ -10,7 +10,6 @@
 #include "inspector/field.h"
 #include "inspector/value_edit.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
@@ -19,8 +18,6 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t mostShown = 40; // ids of a list; a longer one is only counted
-
-QString words(const char* text) { return QCoreApplication::translate("Field", text); }
 
 bool isList(const Property& property)
 {

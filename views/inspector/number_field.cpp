@@ -12,7 +12,6 @@
 #include "inspector/value_edit.h"
 
 #include <QBoxLayout>
-#include <QCoreApplication>
 #include <QLabel>
 #include <QResizeEvent>
 #include <QSlider>
@@ -24,19 +23,12 @@ namespace {
 
 constexpr int rowWidth = 330; // px, from here on the axes of a vector stand in one row
 
-QString words(const char* text) { return QCoreApplication::translate("Field", text); }
-
 // The unit of the first thing: a tear limit has the unit of its material's rule.
 std::string_view unitNow(const FieldPlace& place)
 {
     const std::vector<ConstRef> refs = place.subject.refs();
     return refs.empty() ? place.property.unit
                         : unitOf(place.subject.document().scene(), place.property, refs.front());
-}
-
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
 }
 
 // Says why what was typed is refused, as a sentence; empty when it is fine.

@@ -12,13 +12,10 @@
 
 #include <Eigen/Geometry>
 
-#include <QCoreApplication>
 #include <QLocale>
 
 namespace ripstop {
 namespace {
-
-QString words(const char* text) { return QCoreApplication::translate("Totals", text); }
 
 QString quantity(double value, const char* unit)
 {

@@ -11,7 +11,6 @@
 #include "document/document.h"
 #include "document/words.h"
 
-#include <QCoreApplication>
 #include <QSignalBlocker>
 #include <QSlider>
 
@@ -40,8 +39,6 @@ double rounded(double value)
 
 // Removes the dust of binary sums, so that 0.1 + 0.2 is 0.3.
 double exact(double value) { return QString::number(value, 'g', 12).toDouble(); }
-
-QString words(const char* text) { return QCoreApplication::translate("Field", text); }
 
 Transform toMagnitude(const Property& property, double size)
 {

@@ -8,8 +8,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double lineWidth = 1.6; // pixels
-constexpr double headShare = 0.2; // of an arrow
+constexpr double shaftWidth = 1.6; // pixels
+constexpr double headShare = 0.2;  // of an arrow
 
 } // namespace
 
@@ -27,7 +27,7 @@ ArrowSet::ArrowSet()
 
 void ArrowSet::style(const QColor& color, double pixelRatio)
 {
-    m_actor->GetProperty()->SetLineWidth(float(pixelRatio * lineWidth));
+    m_actor->GetProperty()->SetLineWidth(float(pixelRatio * shaftWidth));
     m_actor->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
 }
 

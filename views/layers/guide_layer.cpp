@@ -6,10 +6,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double reach = 0.03;    // of the diagonal of what is shown, from the particle to an end
-constexpr double stop = 0.25;     // of the reach, half of the stop at the end of a line
-constexpr double square = 0.6;    // of the reach, half a side
-constexpr double lineWidth = 2.5; // pixels
+constexpr double reach = 0.03;     // of the diagonal of what is shown, from the particle to an end
+constexpr double stop = 0.25;      // of the reach, half of the stop at the end of a line
+constexpr double square = 0.6;     // of the reach, half a side
+constexpr double guideWidth = 2.5; // pixels
 
 // Two unit directions across the axis and across each other.
 std::pair<Vec3, Vec3> across(const Vec3& axis)
@@ -72,7 +72,7 @@ void GuideLayer::rebuild(const Picture& picture)
     }
     m_data->SetLines(cellsOf<2>(strokes));
     m_points->SetNumberOfPoints(vtkIdType(6 * m_marks.size()));
-    m_actor->GetProperty()->SetLineWidth(float(picture.pixelRatio * lineWidth));
+    m_actor->GetProperty()->SetLineWidth(float(picture.pixelRatio * guideWidth));
     setColor(*m_actor->GetProperty(), picture.theme.pin);
 }
 

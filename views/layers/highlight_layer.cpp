@@ -9,8 +9,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double ringSize = 15.0; // pixels
-constexpr double lineWidth = 4.0; // pixels
+constexpr double ringSize = 15.0;    // pixels
+constexpr double outlineWidth = 4.0; // pixels
 
 constexpr const char* ring = R"(//VTK::Light::Impl
   float reach = 2.0 * length(gl_PointCoord - vec2(0.5));
@@ -81,7 +81,7 @@ void HighlightLayer::rebuild(const Picture& picture)
     m_rings.actor->GetProperty()->SetPointSize(
         float(picture.pixelRatio * (many ? 0.5 : 1.0) * ringSize));
     m_lines.actor->GetProperty()->SetLineWidth(
-        float(picture.pixelRatio * (many ? 0.5 : 1.0) * lineWidth));
+        float(picture.pixelRatio * (many ? 0.5 : 1.0) * outlineWidth));
     for (Overlay* overlay : {&m_veil, &m_lines, &m_rings})
         setColor(*overlay->actor->GetProperty(), picture.theme.accent);
 }

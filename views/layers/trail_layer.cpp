@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double lineWidth = 2.5; // pixels
+constexpr double trailWidth = 2.5; // pixels
 
 } // namespace
 
@@ -36,7 +36,7 @@ void TrailLayer::setShown(bool shown)
 
 void TrailLayer::rebuild(const Picture& picture)
 {
-    m_actor->GetProperty()->SetLineWidth(float(lineWidth * picture.pixelRatio));
+    m_actor->GetProperty()->SetLineWidth(float(trailWidth * picture.pixelRatio));
 }
 
 void TrailLayer::update(const Picture& picture)

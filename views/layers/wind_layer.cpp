@@ -11,8 +11,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int arrowsAcross = 2;  // to either side of the middle
-constexpr double longest = 0.85; // of the step between arrows
+constexpr int arrowsAcross = 2;       // to either side of the middle
+constexpr double longestArrow = 0.85; // of the step between arrows
 
 // Step of the grid, m, for the size of what is shown.
 double stepOf(const Eigen::AlignedBox3d& bounds)
@@ -65,7 +65,7 @@ void WindLayer::update(const Picture& picture)
     double fastest = 0.0;
     for (const WindArrow& arrow : arrows)
         fastest = std::max(fastest, arrow.velocity.norm());
-    const double scale = longest * stepOf(picture.bounds) / fastest;
+    const double scale = longestArrow * stepOf(picture.bounds) / fastest;
     m_arrows.clear();
     for (const WindArrow& arrow : arrows)
         m_arrows.add(arrow.place - 0.5 * scale * arrow.velocity, scale * arrow.velocity);

@@ -3,15 +3,12 @@
 #include "author/rows_among.h"
 #include "document/words.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
 
 namespace ripstop {
 namespace {
-
-QString words(const char* text) { return QCoreApplication::translate("Outline", text); }
 
 template <typename Visit>
 auto withTable(const Part& part, Kind table, Visit visit)

@@ -11,7 +11,7 @@ namespace ripstop {
 namespace {
 
 constexpr double offset = 18.0; // pixels, from the cursor
-constexpr double inset = 6.0;   // pixels, of the text on its card
+constexpr double cardInset = 6.0; // pixels, of the text on its card
 constexpr double coil = 5.0;    // pixels, half the width of the spring
 constexpr int turns = 12;
 
@@ -20,8 +20,8 @@ constexpr int turns = 12;
 void paintCaption(QPainter& painter, const Theme& theme, QPointF place, const QString& text)
 {
     const QRectF words = painter.fontMetrics().boundingRect(text);
-    QRectF card(place.x() + offset, place.y() + offset, words.width() + 2.0 * inset,
-                words.height() + 2.0 * inset);
+    QRectF card(place.x() + offset, place.y() + offset, words.width() + 2.0 * cardInset,
+                words.height() + 2.0 * cardInset);
     const QRectF picture = QRectF(painter.window()).adjusted(4.0, 4.0, -4.0, -4.0);
     if (card.right() > picture.right())
         card.moveRight(place.x() - offset);

@@ -12,7 +12,7 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t mostValues = 2'400'000; // of all probes: 60 of them over 10 min at 60 Hz
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 void dropEverySecond(std::vector<double>& values)
 {
@@ -56,7 +56,7 @@ void History::take(std::uint64_t run, const std::shared_ptr<const Layout>& layou
     else
         m_time.push_back(time);
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        m_columns[i].values.resize(m_time.size(), nothing);
+        m_columns[i].values.resize(m_time.size(), missing);
         m_columns[i].values.back() = probe[i];
     }
     if (m_time.size() >= m_most || m_time.size() * m_columns.size() >= mostValues)
@@ -122,7 +122,7 @@ void History::matchColumns(const Layout& layout)
         if (old != m_columns.end())
             columns.push_back(std::move(*old));
         else
-            columns.push_back({probe.id, probe.unit, std::vector<double>(m_time.size(), nothing)});
+            columns.push_back({probe.id, probe.unit, std::vector<double>(m_time.size(), missing)});
     }
     m_columns = std::move(columns);
     ++m_revision;

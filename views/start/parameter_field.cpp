@@ -67,11 +67,6 @@ double rounded(const Parameter& parameter, double value)
     return std::round(value / step) * step;
 }
 
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
-}
-
 QString range(const Parameter& parameter)
 {
     const QString unit = parameter.unit.empty() ? QString() : QChar(' ') + text(parameter.unit);

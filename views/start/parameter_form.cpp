@@ -10,11 +10,6 @@
 namespace ripstop {
 namespace {
 
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
-}
-
 QLabel* headingOf(std::string_view words)
 {
     auto* heading = new QLabel(translated(words));

@@ -18,11 +18,6 @@
 namespace ripstop {
 namespace {
 
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
-}
-
 bool isSwitch(const SheetColumn& column)
 {
     return column.property && std::holds_alternative<bool>(column.property->initial);

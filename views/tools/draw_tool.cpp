@@ -46,8 +46,6 @@ QString placeText(const Vec3& place)
         .arg(number(place.x()), number(place.y()), number(place.z()));
 }
 
-QString tr(const char* text) { return QCoreApplication::translate("DrawTool", text); }
-
 } // namespace
 
 DrawTool::DrawTool(Shape shape, Document& document, DrawSettings& settings,
@@ -69,7 +67,7 @@ bool DrawTool::press(const QMouseEvent& event, const CameraView& view)
     if (m_spot)
         click(*m_spot);
     else
-        m_drawn(tr("The plane is seen on edge here: turn the view, or choose another plane."));
+        m_drawn(words("The plane is seen on edge here: turn the view, or choose another plane."));
     return true;
 }
 
@@ -169,7 +167,7 @@ Id DrawTool::particleFor(const Spot& spot, Drawing& drawing)
         const Particle* last =
             m_chain.empty() ? nullptr : particleOf(m_document.scene(), m_chain.back());
         m_settings.part =
-            last ? drawing.partOf(last->id) : drawing.part(tr("drawing").toStdString());
+            last ? drawing.partOf(last->id) : drawing.part(words("drawing").toStdString());
     }
     const bool isRope = m_shape == Shape::Links && m_settings.segments > 1;
     return drawing.particle(m_settings.part, spot.place, isRope ? 0.0 : m_settings.mass);
@@ -179,7 +177,7 @@ Id DrawTool::materialFor(Drawing& drawing) const
 {
     if (!findItem<Material>(m_document.scene(), m_settings.material))
         m_settings.material = drawing.materialNamed(
-            (m_shape == Shape::Panels ? tr("cloth") : tr("cord")).toStdString());
+            (m_shape == Shape::Panels ? words("cloth") : words("cord")).toStdString());
     return m_settings.material;
 }
 
@@ -195,14 +193,14 @@ void DrawTool::click(const Spot& spot)
     Drawing drawing(m_document.scene());
     if (m_shape == Shape::Particles) {
         if (spot.particle != noId)
-            return m_drawn(tr("There is a particle here already."));
+            return m_drawn(words("There is a particle here already."));
         particleFor(spot, drawing);
-        push(drawing, tr("Draw a particle"));
-        return m_drawn(tr("A particle at %1.").arg(placeText(spot.place)));
+        push(drawing, words("Draw a particle"));
+        return m_drawn(words("A particle at %1.").arg(placeText(spot.place)));
     }
     if (!m_chain.empty() && spot.particle == m_chain.back()) { // a double click, too
         m_chain.clear();
-        return m_drawn(tr("Ended."));
+        return m_drawn(words("Ended."));
     }
     const Id particle = particleFor(spot, drawing);
     if (m_shape == Shape::Links && !m_chain.empty()) {
@@ -216,26 +214,26 @@ void DrawTool::click(const Spot& spot)
     m_chain.push_back(particle);
     if (m_shape == Shape::Panels && m_chain.size() == 3) {
         drawing.panel(m_chain[0], m_chain[1], m_chain[2], materialFor(drawing));
-        push(drawing, tr("Draw a panel"));
+        push(drawing, words("Draw a panel"));
         m_chain.clear();
-        return m_drawn(tr("A panel. The next one begins with the next click."));
+        return m_drawn(words("A panel. The next one begins with the next click."));
     }
-    push(drawing,
-         m_shape == Shape::Links && m_chain.size() > 1 ? tr("Draw a link") : tr("Draw a particle"));
+    push(drawing, m_shape == Shape::Links && m_chain.size() > 1 ? words("Draw a link")
+                                                                : words("Draw a particle"));
     if (m_shape == Shape::Links)
         m_chain.erase(m_chain.begin(), m_chain.end() - 1);
     m_drawn(m_shape == Shape::Links
-                ? tr("Click where the link ends; click the last particle again to stop.")
-                : tr("Click the other corners of the panel."));
+                ? words("Click where the link ends; click the last particle again to stop.")
+                : words("Click the other corners of the panel."));
 }
 
 QString DrawTool::told(const Spot& spot) const
 {
-    QString text = spot.particle != noId ? tr("on a particle") : placeText(spot.place);
+    QString text = spot.particle != noId ? words("on a particle") : placeText(spot.place);
     const Particle* last =
         m_chain.empty() ? nullptr : particleOf(m_document.scene(), m_chain.back());
     if (last)
-        text += tr("\n%1 m long").arg(compactNumber((spot.place - last->position).norm()));
+        text += words("\n%1 m long").arg(compactNumber((spot.place - last->position).norm()));
     return text;
 }
 

@@ -7,9 +7,9 @@
 #include "tools/fan_tool.h"
 
 #include "document/player.h"
+#include "document/words.h"
 #include "overlays/caption.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
@@ -27,8 +27,6 @@ namespace {
 constexpr double nozzle = 0.1;    // of half the height of the picture, radius
 constexpr double standOff = 4.0;  // radii, from the nozzle to what it blows at
 constexpr double perNotch = 1.15; // times as fast or wide
-
-QString translated(const char* text) { return QCoreApplication::translate("FanTool", text); }
 
 // Any two directions across an axis.
 std::pair<Vec3, Vec3> across(const Vec3& axis)
@@ -170,7 +168,7 @@ void FanTool::paint(QPainter& painter, const Theme& theme, const CameraView& vie
     }
     const QLocale locale;
     paintCaption(painter, theme, m_cursor,
-                 translated("%1 m/s · wheel: strength · Ctrl + wheel: spread %2°")
+                 words("%1 m/s · wheel: strength · Ctrl + wheel: spread %2°")
                      .arg(locale.toString(m_settings.fanSpeed, 'f', 1))
                      .arg(qRound(std::atan(m_settings.fanWidening) * 180.0 / M_PI)));
 }

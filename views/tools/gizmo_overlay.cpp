@@ -1,6 +1,6 @@
-// Drawing paints one gizmo: the far halves of the rings first and faintly, then each handle that
-// can be seen, in the colour of its axis or, when it is held or under the cursor, in a colour of
-// its own. Axes and rings have a rim, so that they can be seen before any ground; arrows end in
+// GizmoDrawing paints one gizmo: the far halves of the rings first and faintly, then each handle
+// that can be seen, in the colour of its axis or, when it is held or under the cursor, in a colour
+// of its own. Axes and rings have a rim, so that they can be seen before any ground; arrows end in
 // heads, scale handles in boxes.
 //
 // label() writes what the drag comes to on a card beside the centre. paintEvent() asks the tool for
@@ -26,10 +26,10 @@ QPointF unitOf(QPointF way)
     return length > 0.0 ? way / length : QPointF(1.0, 0.0);
 }
 
-class Drawing
+class GizmoDrawing
 {
 public:
-    Drawing(QPainter& painter, const Gizmo& gizmo, const Theme& theme, Handle active)
+    GizmoDrawing(QPainter& painter, const Gizmo& gizmo, const Theme& theme, Handle active)
         : m_painter(painter)
         , m_gizmo(gizmo)
         , m_theme(theme)
@@ -171,7 +171,7 @@ void GizmoOverlay::paintEvent(QPaintEvent*)
         return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    Drawing(painter, *gizmo, m_theme, m_tool.active()).draw();
+    GizmoDrawing(painter, *gizmo, m_theme, m_tool.active()).draw();
     if (const QString told = m_tool.told(); !told.isEmpty())
         label(painter, m_theme, *centre, told, rect());
 }

@@ -12,6 +12,7 @@
 
 #include "document/document.h"
 #include "document/player.h"
+#include "document/words.h"
 #include "overlays/caption.h"
 
 #include <QApplication>
@@ -31,8 +32,6 @@ namespace ripstop {
 namespace {
 
 constexpr double depthPerNotch = 0.04; // of the distance to the eye
-
-QString translated(const char* text) { return QCoreApplication::translate("GrabTool", text); }
 
 // Shares of the three corners in a place of their plane (barycentric coordinates, none below 0);
 // equal shares for corners in one line.
@@ -266,18 +265,18 @@ void GrabTool::paintPull(QPainter& painter, const Theme& theme, const CameraView
         return;
     paintSpring(painter, theme, {from.x, from.y}, {to.x, to.y});
     const bool pinned = isPinned(grip);
-    QStringList words;
+    QStringList said;
     if (now) {
-        words << translated("%1 N").arg(QLocale().toString(now->force, 'g', 3));
+        said << words("%1 N").arg(QLocale().toString(now->force, 'g', 3));
         const double asked = m_settings.stiffnessIn(m_document.scene());
         if (now->force >= 0.999 * m_settings.mostIn(m_document.scene()))
-            words << translated("the most it may");
+            said << words("the most it may");
         else if (now->stiffness < 0.999 * asked)
-            words << translated("%1 N/m, all that the time step allows")
-                         .arg(QLocale().toString(now->stiffness, 'g', 3));
+            said << words("%1 N/m, all that the time step allows")
+                        .arg(QLocale().toString(now->stiffness, 'g', 3));
     }
-    words << (pinned ? translated("pinned, P lets go") : translated("P pins"));
-    paintCaption(painter, theme, {to.x, to.y}, words.join(QStringLiteral(" · ")));
+    said << (pinned ? words("pinned, P lets go") : words("P pins"));
+    paintCaption(painter, theme, {to.x, to.y}, said.join(QStringLiteral(" · ")));
 }
 
 void GrabTool::paintCarry(QPainter& painter, const Theme& theme, const CameraView& view) const
@@ -292,10 +291,10 @@ void GrabTool::paintCarry(QPainter& painter, const Theme& theme, const CameraVie
     painter.setPen(QPen(theme.accent, 2.0, Qt::DashLine, Qt::RoundCap));
     painter.drawLine(QPointF(from.x, from.y), QPointF(to.x, to.y));
     const double way = (m_held->to - m_held->place).norm();
-    QString words = translated("%1 m").arg(QLocale().toString(way, 'f', 2));
+    QString said = words("%1 m").arg(QLocale().toString(way, 'f', 2));
     if (!m_player.isPlaying())
-        words = translated("%1, when it runs").arg(words);
-    paintCaption(painter, theme, {to.x, to.y}, words);
+        said = words("%1, when it runs").arg(said);
+    paintCaption(painter, theme, {to.x, to.y}, said);
 }
 
 } // namespace ripstop

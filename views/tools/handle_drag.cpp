@@ -6,7 +6,8 @@
 // The step of the grid is a round number that is at least twelve pixels long in the picture.
 #include "tools/handle_drag.h"
 
-#include <QCoreApplication>
+#include "document/words.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -30,8 +31,6 @@ double gridStep(const Gizmo& gizmo)
     const double ratio = least / decade;
     return decade * (ratio > 5.0 ? 10.0 : ratio > 2.0 ? 5.0 : 2.0);
 }
-
-QString translated(const char* text) { return QCoreApplication::translate("Pull", text); }
 
 } // namespace
 
@@ -145,20 +144,19 @@ QString HandleDrag::told(const Vec3& numbers) const
     const auto text = [](double value, int digits) {
         return QLocale().toString(value, 'f', digits).replace('-', QChar(0x2212));
     };
-    QStringList words;
+    QStringList said;
     if (start.shaping == Shaping::Turn)
-        words << translated("%1\u00b0").arg(text(numbers[handle.axis], 1));
+        said << words("%1\u00b0").arg(text(numbers[handle.axis], 1));
     else if (start.shaping == Shaping::Scale && handle.sort == Handle::Sort::Free)
-        words << translated("\u00d7%1").arg(text(numbers[0], 3));
+        said << words("\u00d7%1").arg(text(numbers[0], 3));
     else
         for (int i = 0; i < 3; ++i)
             if (handle.axes()[std::size_t(i)])
-                words << (start.shaping == Shaping::Move ? translated("%1 %2 m")
-                                                         : translated("%1 \u00d7%2"))
-                             .arg(QChar('x' + i), text(numbers[i], 3));
+                said << (start.shaping == Shaping::Move ? words("%1 %2 m") : words("%1 \u00d7%2"))
+                            .arg(QChar('x' + i), text(numbers[i], 3));
     if (!typed.isEmpty())
-        words << translated("typed: %1").arg(typed);
-    return words.join(QStringLiteral("   "));
+        said << words("typed: %1").arg(typed);
+    return said.join(QStringLiteral("   "));
 }
 
 } // namespace ripstop

@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double stride = 2.0; // pixels, between corners of a lasso
+constexpr double lassoStride = 2.0; // pixels, between corners of a lasso
 
 } // namespace
 
@@ -43,7 +43,7 @@ void RegionTool::follow(const QMouseEvent& event)
     if (m_shape == Shape::Box) {
         m_path.resize(1);
         m_path.push_back(place);
-    } else if ((place - m_path.back()).manhattanLength() >= stride) {
+    } else if ((place - m_path.back()).manhattanLength() >= lassoStride) {
         m_path.push_back(place);
     }
 }

@@ -27,7 +27,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double particleReach = 14.0; // pixels
+constexpr double pivotReach = 14.0; // pixels
 
 Message labelOf(Shaping shaping)
 {
@@ -182,7 +182,7 @@ std::optional<TransformTool::Under>
 TransformTool::particleUnder(QPointF cursor, const std::vector<Id>& without) const
 {
     std::optional<Under> found;
-    double nearest = particleReach;
+    double nearest = pivotReach;
     const CameraProjection projection(m_camera, m_view.width(), m_view.height());
     forEachPart(m_document.scene(), [&](Id, const Part& part) {
         for (const Particle& row : part.particles) {
