@@ -379,7 +379,7 @@ public:
     fs::path target;
     NewFile file;
     std::shared_ptr<Recording> recording;
-    std::optional<Writer> writer;
+    std::optional<RecordingWriter> writer;
     std::size_t next = 0; // stretch
     std::optional<Failure> failure;
 };

@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-QString joined(const QStringList& words)
+QString joinedLinks(const QStringList& words)
 {
     //: between two things that one may do: "Do this or do that"
     return words.join(QCoreApplication::translate("Remedies", " or "));
@@ -24,7 +24,7 @@ QString remedyLinks(const Remedies& remedies)
         links << QStringLiteral("<a href='%1'>%2</a>")
                      .arg(i)
                      .arg(translated(remedies[i]->label).toHtmlEscaped());
-    return joined(links);
+    return joinedLinks(links);
 }
 
 QString remedyWords(const Remedies& remedies)
@@ -32,7 +32,7 @@ QString remedyWords(const Remedies& remedies)
     QStringList words;
     for (const Remedy* remedy : remedies)
         words << translated(remedy->label);
-    return joined(words);
+    return joinedLinks(words);
 }
 
 QString performRemedy(const Remedy& remedy, const Property& property, Subject& subject)
