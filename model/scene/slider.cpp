@@ -124,7 +124,8 @@ bool canBeTuned(const Property& property)
 
 SliderRange rangeAround(const Property& property, double value)
 {
-    if (const auto range = property.usual; range && value <= range->high)
+    if (const auto range = property.usual;
+        range && value <= range->high && (value >= range->low || range->logarithmic))
         return *range;
     const Range& allowed = property.range;
     const bool isWhole = std::holds_alternative<int>(property.initial);
