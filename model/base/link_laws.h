@@ -33,11 +33,17 @@ constexpr bool isSlack(Resists resists, double stretch)
 }
 
 // Tension is per width of fabric, N/m; Strength takes its limits from the strengths of the
-// material.
-enum class TearRule { Never, Length, Strain, Force, Tension, Strength };
+// material; Energy does too, and where fabric has a notch or has torn already, a tear goes on when
+// that lets go of more energy than the tear strength says.
+enum class TearRule { Never, Length, Strain, Force, Tension, Strength, Energy };
 template <>
-inline constexpr std::array<std::string_view, 6> choiceNames<TearRule>{
-    "never", "length", "strain", "force", "tension", "strength"};
+inline constexpr std::array<std::string_view, 7> choiceNames<TearRule>{
+    "never", "length", "strain", "force", "tension", "strength", "energy"};
+
+constexpr bool isByStrength(TearRule rule)
+{
+    return rule == TearRule::Strength || rule == TearRule::Energy;
+}
 
 enum class TearMesh { Vanish, Split }; // what panels do beside a link that tears
 template <>

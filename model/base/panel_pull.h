@@ -23,7 +23,8 @@ struct PanelPull
     friend bool operator==(const PanelPull&, const PanelPull&) = default;
 };
 
-// The threads of a panel that are nearest to breaking; of equals, the warp.
+// The threads of a panel that are nearest to breaking; of equals those that pull more, and then the
+// warp.
 struct ThreadLoad
 {
     int threads = 0;    // 0 the warp, 1 the weft
@@ -40,7 +41,8 @@ inline ThreadLoad threadLoad(const PanelPull& pull, const FabricTear& tear)
     const bool byStrain = tear.rule == TearRule::Strain;
     const double warp = over(byStrain ? pull.warpStrain : pull.warp, tear.warp);
     const double weft = over(byStrain ? pull.weftStrain : pull.weft, tear.weft);
-    return weft > warp ? ThreadLoad{1, weft} : ThreadLoad{0, warp};
+    const bool isWeft = weft != warp ? weft > warp : pull.weft > pull.warp;
+    return isWeft ? ThreadLoad{1, weft} : ThreadLoad{0, warp};
 }
 
 } // namespace ripstop

@@ -18,8 +18,9 @@ struct TearLimit
     friend bool operator==(const TearLimit&, const TearLimit&) = default;
 };
 
-// When a panel that carries the pull of a fabric tears: above either limit. The rule is Never,
-// Tension or Strain.
+// When a panel that carries the pull of a fabric tears: above either limit, or where a tear ends
+// that is driven on by more than the energy (tearing/tear_tips.h). The rule is Never, Tension or
+// Strain.
 struct FabricTear
 {
     static constexpr double unbreakable = std::numeric_limits<double>::infinity();
@@ -27,6 +28,7 @@ struct FabricTear
     TearRule rule = TearRule::Never;
     double warp = unbreakable; // N/m or 1, of the warp threads
     double weft = unbreakable;
+    double energy = 0.0; // J/m, of a tear that goes on; 0 where that is not looked at
 
     friend bool operator==(const FabricTear&, const FabricTear&) = default;
 };

@@ -40,6 +40,12 @@ void checkTear(const Part& part, Id id, const Material& material, const AddFindi
                          "and has no weft strength: type it.",
                          part.name, material.name));
         break;
+    case TearRule::Energy:
+        if (!material.tearStrength)
+            warn(Message("Tears in panels of %1 go on by its strengths: %2 tears by energy and has "
+                         "no tear strength. Type it, or choose strength.",
+                         part.name, material.name));
+        break;
     case TearRule::Never:
     case TearRule::Strain:
     case TearRule::Tension:

@@ -143,7 +143,7 @@ struct Material
     double diameter = 0.0;                      // m, of links as lines in the wind
     double dragCoefficient = 1.1;               // 1, of lines across the wind
     // At what load it breaks, for margins (base/load_margin.h). A run depends on it where the tear
-    // rule is strength (scene/tear_bounds.h), and on the tear strength never.
+    // rule is strength or energy (scene/tear_bounds.h).
     std::optional<double> warpStrength;    // N/m, of fabric pulled along its warp
     std::optional<double> weftStrength;    // N/m, of fabric pulled across it
     std::optional<double> tearStrength;    // N, that a tear in the fabric needs to go on

@@ -102,7 +102,7 @@ inline constexpr Need isAbstract = need([](const Material& m, const Around& a) {
     return physical < a.made.links();
 }, idle::physicalCounts);
 inline constexpr Need tears = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Never; }, idle::neverTears);
-inline constexpr Need hasTearLimit = need([](const Material& m, const Around&) { return m.tearRule != TearRule::Strength; }, "its strengths are the limits");
+inline constexpr Need hasTearLimit = need([](const Material& m, const Around&) { return !isByStrength(m.tearRule); }, "its strengths are the limits");
 inline constexpr Need givesTearLimit = need([](const Around& a) { return a.made.ownTearLimit < a.made.links() || a.made.elasticPanels > 0; }, idle::ownOfLinks);
 inline constexpr Need hasDiameter = need([](const Material& m, const Around&) { return m.diameter != 0.0; }, "the line diameter is 0");
 

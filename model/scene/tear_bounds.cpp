@@ -31,6 +31,7 @@ TearLimit linkTearOf(const Material& material, LinkRole role, double width,
             return never(own);
         return {TearRule::Force, own.value_or(material.tearLimit * width)};
     case TearRule::Strength:
+    case TearRule::Energy:
         if (!own && (role != LinkRole::Line || !material.lineStrength))
             return never(own);
         return {TearRule::Force, own ? *own : joined(material, *material.lineStrength)};
@@ -50,6 +51,10 @@ FabricTear fabricTearOf(const Material& material)
             return {};
         return {TearRule::Tension, joined(material, material.warpStrength.value_or(unbreakable)),
                 joined(material, material.weftStrength.value_or(unbreakable))};
+    case TearRule::Energy:
+        return {TearRule::Tension, joined(material, material.warpStrength.value_or(unbreakable)),
+                joined(material, material.weftStrength.value_or(unbreakable)),
+                tearEnergyOf(material)};
     case TearRule::Never:
     case TearRule::Length:
     case TearRule::Force:
@@ -58,11 +63,12 @@ FabricTear fabricTearOf(const Material& material)
     return {};
 }
 
+double tearEnergyOf(const Material& material) { return 2.0 * material.tearStrength.value_or(0.0); }
+
 double snapMomentOf(const Material& material)
 {
-    return material.tearRule == TearRule::Strength
-               ? joined(material, material.breakingMoment.value_or(0.0))
-               : 0.0;
+    return isByStrength(material.tearRule) ? joined(material, material.breakingMoment.value_or(0.0))
+                                           : 0.0;
 }
 
 } // namespace ripstop

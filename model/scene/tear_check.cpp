@@ -18,7 +18,7 @@ bool cannotTear(const Link& link, const Material& material)
 // Links that bend are spars, and snap when they are bent too far.
 bool isSpar(const Material& material)
 {
-    return material.tearRule == TearRule::Strength
+    return isByStrength(material.tearRule)
            && (material.flexuralRigidity > 0.0 || material.breakingMoment);
 }
 
@@ -35,7 +35,7 @@ Message unsnappable(const Part& part, const Material& material)
 
 Message unbreakable(const Part& part, const Material& material, bool isLine)
 {
-    if (material.tearRule == TearRule::Strength)
+    if (isByStrength(material.tearRule))
         return isLine ? Message("Lines of %1 do not tear: %2 tears by strength and has no line "
                                 "strength. Type it, or choose another rule.",
                                 part.name, material.name)
@@ -60,8 +60,7 @@ void checkTearing(const Scene& scene, const AddFinding& add)
         for (const Link& link : part.links) {
             const Material* material = findItem<Material>(scene, link.material);
             if (!material
-                || (material->tearRule != TearRule::Tension
-                    && material->tearRule != TearRule::Strength))
+                || (material->tearRule != TearRule::Tension && !isByStrength(material->tearRule)))
                 continue;
             const bool isLine = link.role == LinkRole::Line;
             if (isSpar(*material) && isLine) {

@@ -275,6 +275,7 @@ std::string_view unitOf(const Scene& scene, const Property& property, const Cons
     case TearRule::Tension:
         return isOfLink ? "N" : "N/m";
     case TearRule::Strength: // a material has its strengths for it
+    case TearRule::Energy:
         return isOfLink ? "N" : "";
     case TearRule::Never:
     case TearRule::Strain:

@@ -100,8 +100,9 @@ void Stepper::prepare(const System& system, State& state)
     m_scratch.resize(state.position.size());
     m_restLength.resize(system.rods.size());
     m_rodLength.resize(system.rods.size());
-    m_overloads.reserve(system.tearableSprings.size() + system.tearableRods.size()
-                        + system.membranes.size() + system.of<BendLists>().ofSpars().size());
+    m_tearing.overloads.reserve(system.tearableSprings.size() + system.tearableRods.size()
+                                + system.membranes.size()
+                                + system.of<BendLists>().ofSpars().size());
     m_lanes.reserve(m_forces.size());
     for (const auto& force : m_forces)
         force->prepare(system, state);
@@ -240,7 +241,7 @@ void Stepper::substep(RodTask& task, State& state, double h)
     m_clock.lap(StepStage::Contact);
     if (m_judgesTears)
         tearOverloaded(system, state, {m_rodLength, m_forces.ofSprings(), m_restLength, m_tears},
-                       m_overloads);
+                       m_tearing);
     m_clock.lap(StepStage::Tearing);
     const bool waits = isBdf2 && state.driftSubstep < 0.0; // for motion from after an impact alone
     state.driftSubstep = impact ? -h : looksBack(m_integrator) && !waits ? h : 0.0;

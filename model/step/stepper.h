@@ -110,7 +110,7 @@ private:
     std::vector<double> m_rodLength;        // [rods] m, before projection
     mutable Damping m_damping;              // of forces
     std::vector<PaddedVec3> m_implicit;     // [particles] m/s^2, of dampImplicitly(), or empty
-    std::vector<Overload> m_overloads;      // scratch, with room for all that may tear
+    TearScratch m_tearing;                  // with room for all that may tear
     int m_refinement = 1;
     std::size_t m_tears = 0;    // before this time step
     std::uint64_t m_serial = 0; // of the system that m_restLength is of

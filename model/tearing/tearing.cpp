@@ -38,6 +38,7 @@ double measured(const Load& load, TearRule rule)
     case TearRule::Never:
     case TearRule::Tension: // of fabric; links have a force instead
     case TearRule::Strength:
+    case TearRule::Energy:
         break;
     }
     return -std::numeric_limits<double>::infinity();
@@ -127,6 +128,7 @@ bool isSafe(const Spring& spring, const State& state, const Vec3& force)
     case TearRule::Never:
     case TearRule::Tension:
     case TearRule::Strength:
+    case TearRule::Energy:
         break;
     }
     return true;
@@ -139,14 +141,15 @@ void judge(const Load& load, const TearLimit& tear, int link, std::vector<Overlo
         overloads.push_back({link, value / tear.limit});
 }
 
-void findPanelOverloads(const System& system, const State& state, std::vector<Overload>& overloads)
+void findPanelOverloads(const System& system, const State& state, const TearTips& tips,
+                        std::vector<Overload>& overloads)
 {
     const auto tears = [](const FabricTear& tear) { return tear.rule != TearRule::Never; };
     if (std::ranges::none_of(system.clothTear, tears))
         return;
     for (std::size_t i = 0; i < system.membranes.size(); ++i)
         if (const Membrane& membrane = system.membranes[i];
-            !state.panelGone[std::size_t(membrane.panel)])
+            !state.panelGone[std::size_t(membrane.panel)] && !tips.isNear(system, membrane.panel))
             if (const double ratio = judge(system, state, membrane).worst.ratio; ratio > 1.0)
                 overloads.push_back({int(i), ratio, Overload::Of::Panel});
 }
@@ -161,7 +164,7 @@ void findSparOverloads(const System& system, const State& state, std::vector<Ove
 
 // Springs and rods are gone through as they lie in memory; the links that they are tell the order.
 void findOverloads(const System& system, const State& state, const TearLoads& loads,
-                   std::vector<Overload>& overloads)
+                   const TearTips& tips, std::vector<Overload>& overloads)
 {
     overloads.clear();
     for (const int tearable : system.tearableSprings) {
@@ -176,7 +179,7 @@ void findOverloads(const System& system, const State& state, const TearLoads& lo
         if (!state.rodTorn[i])
             judge(loadOfRod(state, loads, i), system.rods[i].tear, system.rodLink[i], overloads);
     }
-    findPanelOverloads(system, state, overloads);
+    findPanelOverloads(system, state, tips, overloads);
     findSparOverloads(system, state, overloads);
 }
 
@@ -287,7 +290,7 @@ void tearApart(const System& system, State& state, const TearLoads& loads,
 } // namespace
 
 void tearOverloaded(const System& system, State& state, const TearLoads& loads,
-                    std::vector<Overload>& scratch)
+                    TearScratch& scratch)
 {
     const bool splits = system.tearMesh == TearMesh::Split;
     const bool limited = system.tearsPerStep > 0;
@@ -296,18 +299,22 @@ void tearOverloaded(const System& system, State& state, const TearLoads& loads,
         return;
     const std::size_t most = limited ? std::size_t(system.tearsPerStep) - before
                                      : std::numeric_limits<std::size_t>::max();
-    findOverloads(system, state, loads, scratch);
+    std::vector<Overload>& overloads = scratch.overloads;
+    scratch.tips.look(system, state);
+    findOverloads(system, state, loads, scratch.tips, overloads);
     if (splits)
-        takeHeldOut(system, state, scratch);
+        takeHeldOut(system, state, overloads);
+    for (const auto& [membrane, ratio] : scratch.tips.overdriven(system, state))
+        overloads.push_back({membrane, ratio, Overload::Of::Panel});
     if (limited || splits)
-        std::sort(scratch.begin(), scratch.end(), worstFirst);
+        std::sort(overloads.begin(), overloads.end(), worstFirst);
     else
-        std::sort(scratch.begin(), scratch.end(), inOrder);
+        std::sort(overloads.begin(), overloads.end(), inOrder);
     if (splits)
-        return tearApart(system, state, loads, scratch, most);
+        return tearApart(system, state, loads, overloads, most);
     std::size_t torn = 0;
-    for (std::size_t i = 0; i < scratch.size() && torn < most; ++i) {
-        const Overload& overload = scratch[i];
+    for (std::size_t i = 0; i < overloads.size() && torn < most; ++i) {
+        const Overload& overload = overloads[i];
         switch (overload.of) {
         case Overload::Of::Link:
             tear(system, state, loads, overload.element);

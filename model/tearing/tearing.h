@@ -7,6 +7,7 @@
 #pragma once
 
 #include "system/system.h"
+#include "tearing/tear_tips.h"
 
 #include <span>
 
@@ -31,6 +32,13 @@ struct Overload
     Of of = Of::Link;
 };
 
+// What a run keeps from one call to the next, so that little is found twice.
+struct TearScratch
+{
+    std::vector<Overload> overloads;
+    TearTips tips;
+};
+
 // Breaks links and panels above their limit (above, not at) and notes the events. A rod is judged
 // by its length before projection, since none is ever long afterwards, or by its multiplier.
 //
@@ -45,11 +53,14 @@ struct Overload
 // State::panelHold, for openTears() to part the mesh there (tear_opening.h). What is held is let be
 // until it has been below its limit, or is a quarter farther above it than what tore there was.
 //
+// Fabric with a tear energy is judged by it at the tips of tears and notches, of tips with a panel
+// in common one at a time, and around them by nothing else; such a panel does not wait.
+//
 // A break releases what the link held: k s^2 / 2 of a spring stretched by s, T^2 alpha / 2 of a rod
 // of compliance alpha under the tension T, nothing of a stiff rod; and what the panels that go held
 // of their own.
 void tearOverloaded(const System& system, State& state, const TearLoads& loads,
-                    std::vector<Overload>& scratch);
+                    TearScratch& scratch);
 
 // Breaks a link between two steps, whatever its limit: by a cut, or as it has lost its panels.
 void breakLink(const System& system, State& state, int link);

@@ -1707,6 +1707,11 @@
     </message>
     <message>
         <location filename="elastic_check.cpp"/>
+        <source>Tears in panels of %1 go on by its strengths: %2 tears by energy and has no tear strength. Type it, or choose strength.</source>
+        <translation>Les déchirures des panneaux de %1 avancent selon ses résistances : %2 cède par énergie et n’a pas de résistance à la déchirure. Saisissez-la, ou choisissez strength.</translation>
+    </message>
+    <message>
+        <location filename="elastic_check.cpp"/>
         <source>no material</source>
         <translation>aucune matière</translation>
     </message>
@@ -9618,6 +9623,11 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
+        <source>Energy</source>
+        <translation>Énergie</translation>
+    </message>
+    <message>
+        <location filename="tables"/>
         <source>Energy balance</source>
         <translation>Bilan d’énergie</translation>
     </message>
@@ -9808,8 +9818,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>Force that makes a tear in the fabric go on, as the tongue test has it; noted, so that a run does not depend on it.</source>
-        <translation>Force qui fait avancer une déchirure du tissu, selon l’essai de languette ; notée, une simulation n’en dépend pas.</translation>
+        <source>Force that makes a tear in the fabric go on, as the tongue test has it; tears in elastic panels go on by it where the material tears by energy, and else it is noted.</source>
+        <translation>Force qui fait avancer une déchirure du tissu, selon l’essai de languette ; les déchirures des panneaux élastiques avancent par elle si le matériau cède par énergie, sinon elle est notée.</translation>
     </message>
     <message>
         <location filename="tables"/>
@@ -12943,8 +12953,8 @@ Les liaisons comptent comme si elles résistaient dans les deux sens, et pour de
     </message>
     <message>
         <location filename="tables"/>
-        <source>What breaks a link: its length (m), its strain, or the force in it (N); what tears an elastic panel: the strain of its threads; or, of fabric, the tension of its threads per width (N/m); or what the strengths below say of panels and lines; or nothing.</source>
-        <translation>Ce qui rompt une liaison : sa longueur (m), sa déformation ou la force en elle (N) ; ce qui déchire un panneau élastique : la déformation de ses fils ; ou, d’un tissu, la tension de ses fils par largeur (N/m) ; ou ce que les résistances ci-dessous disent des panneaux et des lignes ; ou rien.</translation>
+        <source>What breaks a link: its length (m), its strain, or the force in it (N); what tears an elastic panel: the strain of its threads; or, of fabric, the tension of its threads per width (N/m); or what the strengths below say of panels and lines; or the same, and for a tear in panels that goes on the energy that its tear strength tells; or nothing.</source>
+        <translation>Ce qui rompt une liaison : sa longueur (m), sa déformation ou la force en elle (N) ; ce qui déchire un panneau élastique : la déformation de ses fils ; ou, d’un tissu, la tension de ses fils par largeur (N/m) ; ou ce que les résistances ci-dessous disent des panneaux et des lignes ; ou de même, et pour une déchirure de panneaux qui avance l’énergie que dit sa résistance à la déchirure ; ou rien.</translation>
     </message>
     <message>
         <location filename="tables"/>

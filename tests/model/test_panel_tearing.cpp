@@ -60,7 +60,7 @@ private slots:
             made.cloth().tearLimit = limit;
             const auto system = *compile(made.scene);
             State state = stretched(*system, across, stretch);
-            std::vector<Overload> scratch;
+            TearScratch scratch;
             tearOverloaded(*system, state, {}, scratch);
             if (limit > pull) {
                 QVERIFY(state.tears.empty());
@@ -94,7 +94,7 @@ private slots:
                 made.cloth().tearLimit = limit;
                 const auto system = *compile(made.scene);
                 State state = stretched(*system, 1.0, 1.05);
-                std::vector<Overload> scratch;
+                TearScratch scratch;
                 tearOverloaded(*system, state, {}, scratch);
                 QCOMPARE(state.tears.empty(), limit > 0.05);
             }
@@ -110,7 +110,7 @@ private slots:
             made.cloth().tearLimit = 0.0;
             const auto system = *compile(made.scene);
             State state = stretched(*system, 1.0, 1.5);
-            std::vector<Overload> scratch;
+            TearScratch scratch;
             tearOverloaded(*system, state, {}, scratch);
             QVERIFY(state.tears.empty());
         }
@@ -128,7 +128,7 @@ private slots:
         State state = stretched(*system, 1.0, 1.05);
         for (std::size_t i = 0; i < 3; ++i) // the upper row is pulled farther
             state.position[i].y() += 0.01;
-        std::vector<Overload> scratch;
+        TearScratch scratch;
         tearOverloaded(*system, state, {}, scratch);
         QCOMPARE(state.tears.size(), std::size_t(2));
         for (const State::Tear& tear : state.tears) {
@@ -164,7 +164,7 @@ private slots:
         made.cloth().tearLimit = 300.0;
         const auto system = *compile(made.scene);
         State state = stretched(*system, 1.0, 1.05);
-        std::vector<Overload> scratch;
+        TearScratch scratch;
         tearOverloaded(*system, state, {}, scratch);
         QCOMPARE(state.tears.size(), std::size_t(1));
         QCOMPARE(state.tears[0].energy, 0.0);
@@ -219,7 +219,7 @@ private slots:
         State state = stretched(*system, 1.0, 1.05);
         const double energy = energies(*system, state).elastic;
         QVERIFY(energy > 0.0);
-        std::vector<Overload> scratch;
+        TearScratch scratch;
         tearOverloaded(*system, state, {}, scratch);
         QVERIFY(!openTears(*system, state));
         QCOMPARE(goneIn(state), 1);

@@ -29,7 +29,7 @@ bool isUsualOf(const Material& material, const Property& property)
         isOneOf<&Material::warpStrength, &Material::weftStrength, &Material::lineStrength>(
             property);
     const bool otherLimit =
-        material.tearRule != TearRule::Never && material.tearRule != TearRule::Strength;
+        material.tearRule != TearRule::Never && !isByStrength(material.tearRule);
     return magnitude(property.get(&material)) > 0.0 && !(isStrength && otherLimit);
 }
 

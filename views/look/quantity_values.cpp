@@ -87,6 +87,7 @@ double tearLoad(const Frame& frame, std::size_t link, const TearLimit& bound)
         return std::max(frame.tension[link], 0.0) / bound.limit;
     case TearRule::Tension: // of fabric; links have a force instead
     case TearRule::Strength:
+    case TearRule::Energy:
         break;
     }
     return 0.0;
