@@ -137,14 +137,13 @@ Json runReport(const Simulation& simulation, double wallSeconds)
         result["probes"][names[i]] = frame->probe[i];
     result["tears"] = Json::array();
     for (const Tear& tear : frame->tears)
-        result["tears"].push_back(
-            {{"time", tear.time},
-             {elementKind(tear, *frame), tear.element},
-             {"length", tear.length},
-             {"strain", tear.strain},
-             {loadName(tear, *frame), tear.force},
-             {"energy", tear.energy},
-             {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
+        result["tears"].push_back({{"time", tear.time},
+                                   {elementKind(tear, *frame), tear.element},
+                                   {"length", tear.length},
+                                   {"strain", tear.strain},
+                                   {loadName(tear, *frame), tear.force},
+                                   {"energy", tear.energy},
+                                   {"place", {tear.place.x(), tear.place.y(), tear.place.z()}}});
     result["tear_report"] = tearSummary(*frame);
     result["loads"] = loadsOf(*frame);
     result["absurd"] = Json::array();

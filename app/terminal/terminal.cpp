@@ -1,4 +1,5 @@
-// In order: signals, of which the handler notes the first; what is printed; and the line of progress.
+// In order: signals, of which the handler notes the first; what is printed; and the line of
+// progress.
 #include "terminal/terminal.h"
 
 #include <algorithm>

@@ -61,10 +61,7 @@ struct BendLists
         return std::span(list).first(forces()).subspan(countOfFabric(list));
     }
 
-    std::span<const Bend> ofSpars() const
-    {
-        return std::span(list).subspan(countOfFabric(list));
-    }
+    std::span<const Bend> ofSpars() const { return std::span(list).subspan(countOfFabric(list)); }
 
     static std::unique_ptr<Force> makeForce();
 

@@ -44,8 +44,8 @@ struct TearScratch
 //
 // Without System::tearsPerStep all of them break, in order: the links, then the panels, then spars
 // by their moments, the worst first, as the pieces beside a spar that has snapped lose theirs. With
-// it, the most overloaded break first and of equals the first in that order; who is left over is judged
-// again in the next substep, when the breaks have moved the load.
+// it, the most overloaded break first and of equals the first in that order; who is left over is
+// judged again in the next substep, when the breaks have moved the load.
 //
 // Where the mesh is to split instead of losing panels (TearMesh::Split), all are judged once in a
 // time step, after its last substep. The worst break first, and of those that share a particle only

@@ -17,9 +17,9 @@ using namespace ripstop;
 
 namespace {
 
-constexpr double reach = 0.5;    // m, of the spar
-constexpr double breaking = 3.0; // N m
-constexpr double density = 0.05;  // kg/m
+constexpr double reach = 0.5;                                                 // m, of the spar
+constexpr double breaking = 3.0;                                              // N m
+constexpr double density = 0.05;                                              // kg/m
 constexpr double ownMoment = 0.5 * density * standardGravity * reach * reach; // N m, at its root
 
 struct Beam
@@ -55,8 +55,7 @@ Beam beam(int links, double rigidity, double load)
         particle.id = takeId(scene);
         particle.position = {i * cell, 0.0, 0.0};
         particle.pinned = i <= 0;
-        particle.mass =
-            i == links ? load / standardGravity + 0.5 * density * cell : density * cell;
+        particle.mass = i == links ? load / standardGravity + 0.5 * density * cell : density * cell;
         made.particles.push_back(particle.id);
         part.particles.push_back(particle);
     }
@@ -109,7 +108,8 @@ class TestSnappedSpars : public QObject
 
 private slots:
     // Statics: the moment at the root is W L, with its own weight w L^2 / 2 more, while the spar is
-    // as good as straight, with EI = 50 N m^2 to 1e-4 of it. The joint at the clamp has all of it, whatever the length of a link.
+    // as good as straight, with EI = 50 N m^2 to 1e-4 of it. The joint at the clamp has all of it,
+    // whatever the length of a link.
     void cantileverSnapsAtItsRoot_data()
     {
         QTest::addColumn<int>("links");
@@ -230,7 +230,8 @@ private slots:
         LiveSystem live(made.scene);
         Simulation simulation(std::get<Update>(live.update(1, 1)).system);
         const auto edit = [&](const char* key, const Value& value) {
-            live.apply({{}, {SetValues{findProperty(Kind::Material, key), {made.material}, {value}}}});
+            live.apply(
+                {{}, {SetValues{findProperty(Kind::Material, key), {made.material}, {value}}}});
             const auto update = std::get<Update>(live.update(1, 1));
             QVERIFY(update.patch);
             simulation.load(update);

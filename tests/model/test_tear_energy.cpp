@@ -181,7 +181,7 @@ private slots:
         const double expected =
             std::sqrt(2.0 * tearStrength * stiffness / (std::numbers::pi * halfSlit)); // N/m
         const bool mayBlunt = tearMesh == TearMesh::Vanish && !isBlunt; // by the panel that goes
-        double least = 1e9, most = 0.0, leastRun = 1e9, mostRun = 0.0; // N/m
+        double least = 1e9, most = 0.0, leastRun = 1e9, mostRun = 0.0;  // N/m
         for (const int cells : {18, 24, 30}) {
             const Torn torn = drawn({cells, tearMesh, isBlunt, pushes});
             QVERIFY(torn.first.time > 0.0);

@@ -10,9 +10,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double offset = 18.0; // pixels, from the cursor
+constexpr double offset = 18.0;   // pixels, from the cursor
 constexpr double cardInset = 6.0; // pixels, of the text on its card
-constexpr double coil = 5.0;    // pixels, half the width of the spring
+constexpr double coil = 5.0;      // pixels, half the width of the spring
 constexpr int turns = 12;
 
 } // namespace
