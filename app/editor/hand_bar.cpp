@@ -66,7 +66,7 @@ void HandBar::addFields()
 {
     QAction* const grab = m_hints[0].tool;
     QAction* const fan = m_hints[2].tool;
-    addField(tr("Strength"),
+    addField(tr("Stiffness"),
              {grab, nullptr, nullptr, QStringLiteral("N/m"), 1e-6, 1e9,
               [this] { return m_settings.stiffnessIn(m_document.scene()); },
               [this] { return m_settings.stiffness.has_value(); },

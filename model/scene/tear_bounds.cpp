@@ -47,14 +47,13 @@ FabricTear fabricTearOf(const Material& material)
     case TearRule::Tension:
         return {material.tearRule, material.tearLimit, material.tearLimit};
     case TearRule::Strength:
-        if (!material.warpStrength && !material.weftStrength)
+    case TearRule::Energy: {
+        const double energy = material.tearRule == TearRule::Energy ? tearEnergyOf(material) : 0.0;
+        if (!material.warpStrength && !material.weftStrength && !(energy > 0.0))
             return {};
         return {TearRule::Tension, joined(material, material.warpStrength.value_or(unbreakable)),
-                joined(material, material.weftStrength.value_or(unbreakable))};
-    case TearRule::Energy:
-        return {TearRule::Tension, joined(material, material.warpStrength.value_or(unbreakable)),
-                joined(material, material.weftStrength.value_or(unbreakable)),
-                tearEnergyOf(material)};
+                joined(material, material.weftStrength.value_or(unbreakable)), energy};
+    }
     case TearRule::Never:
     case TearRule::Length:
     case TearRule::Force:

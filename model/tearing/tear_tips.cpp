@@ -284,11 +284,17 @@ const std::vector<TearTips::Driven>& TearTips::overdriven(const System& system, 
     m_driven.clear();
     std::vector<Hard> hard;
     for (const Tip& tip : m_tips) {
+        const double force = forceAt(system, state, tip);
+        const auto bearsIt = [&](const RingPanel& panel) {
+            return force
+                   <= tearEnergyOf(system, system.membranes[std::size_t(panel.membrane)].panel);
+        };
+        if (std::ranges::all_of(tip, bearsIt))
+            continue; // without a search for what pulls most
         const int weakest = weakestOf(system, state, tip);
         if (weakest < 0)
             continue;
         const double bears = tearEnergyOf(system, system.membranes[std::size_t(weakest)].panel);
-        const double force = forceAt(system, state, tip);
         if (force > bears)
             hard.push_back({force / bears, &tip, {weakest, std::sqrt(force / bears)}});
     }

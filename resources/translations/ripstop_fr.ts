@@ -2839,9 +2839,9 @@ Dessin, Liaisons dessine une particule après l’autre (D).</translation>
         <translation>Ouverture</translation>
     </message>
     <message>
-        <location filename="hand_bar.cpp"/>
+        <location filename="tables"/>
         <source>Strength</source>
-        <translation>Force</translation>
+        <translation>Résistance</translation>
     </message>
     <message>
         <location filename="hand_bar.cpp"/>
