@@ -3,6 +3,7 @@
 
 #include "document/words.h"
 #include "icons/tinted.h"
+#include "scene/property.h"
 #include "scene/scene.h"
 
 #include <QHeaderView>
@@ -29,14 +30,13 @@ QString amount(double value, LoadKind kind)
 
 Id materialOf(const Scene& scene, Id element)
 {
-    Id material = noId;
-    forEachPart(scene, [&](Id, const Part& part) {
-        if (const Link* link = findRow(part.links, element))
-            material = link->material;
-        else if (const Panel* panel = findRow(part.panels, element))
-            material = panel->material;
-    });
-    return material;
+    const std::optional<ConstRef> thing = find(scene, element);
+    if (!thing)
+        return noId;
+    if (const auto* link = std::get_if<const Link*>(&*thing))
+        return (*link)->material;
+    const auto* panel = std::get_if<const Panel*>(&*thing);
+    return panel ? (*panel)->material : noId;
 }
 
 // "bridle, link 17": the material tells more of where that is than the part.
